@@ -1,0 +1,16 @@
+"""Array types that the whole package shares."""
+
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray: TypeAlias = NDArray[np.float64]
+IntArray: TypeAlias = NDArray[np.int64]
+
+
+def freeze(array: FloatArray) -> FloatArray:
+    """Return a contiguous read-only float copy, so that a result cannot be changed by accident."""
+    copy = np.array(array, dtype=np.float64, order="C")
+    copy.flags.writeable = False
+    return copy

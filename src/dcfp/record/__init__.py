@@ -1,0 +1,1 @@
+"""Ground motions: read, named, made, treated and measured."""
