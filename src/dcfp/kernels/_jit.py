@@ -48,11 +48,21 @@ def _caching_in(folder: str) -> Iterator[None]:
         numba_config.CACHE_DIR = previous
 
 
-def kernel(function: Callable[P, R]) -> Callable[P, R]:
-    """Compile `function` on its first call; keep the result for later processes where a folder allows it."""
+def _compile(function: Callable[P, R], *, reassociate: bool) -> Callable[P, R]:
     folder = cache_folder()
+    allowed = {"contract", "reassoc", "nsz"} if reassociate else {"contract"}
     with _caching_in(folder):
         compiled: Callable[P, R] = numba.njit(
-            cache=bool(folder), nogil=True, error_model="numpy"
+            cache=bool(folder), _nrt=False, nogil=True, error_model="numpy", fastmath=allowed
         )(function)
     return compiled
+
+
+def kernel(function: Callable[P, R]) -> Callable[P, R]:
+    """Compile `function` on its first call; keep the result for later processes where a folder allows it."""
+    return _compile(function, reassociate=False)
+
+
+def reassociating_kernel(function: Callable[P, R]) -> Callable[P, R]:
+    """Like `kernel`, with leave to add terms in any order: for sums over an array, which then use all lanes."""
+    return _compile(function, reassociate=True)

@@ -1,0 +1,152 @@
+"""The time loop: from sample to sample of the ground motion, from event to event within."""
+
+import math
+
+from dcfp.kernels._jit import kernel
+from dcfp.kernels.friction import mean_coefficient
+from dcfp.kernels.heating import PRESENT
+from dcfp.kernels.motion import Motion, Push
+from dcfp.kernels.sliding import slide_step
+from dcfp.kernels.sticking import stick_step
+
+# how a march can end
+DONE, OUT_OF_CELLS, NO_PROGRESS = 0, 1, 2
+
+# columns of the histories; temperatures of the plates follow
+DISPLACEMENT, VELOCITY, ELONGATION, FRICTION, SIDE, INPUT, HYSTERETIC, TEMPERATURE = range(8)
+
+# entries of the state that a march starts from and leaves behind
+(
+    STATE_DISPLACEMENT,
+    STATE_VELOCITY,
+    STATE_ELONGATION,
+    STATE_SIDE,
+    STATE_INPUT,
+    STATE_HYSTERETIC,
+    STATE_TIME,
+    STATE_LEVEL,
+    STATE_FRESH,
+    STATE_TURNING,
+    PEAK_DISPLACEMENT,
+    PEAK_CHANGE,
+    PEAK_VELOCITY,
+    PEAK_FORCE,
+    PEAK_TEMPERATURE,
+    LEAST_FRICTION,
+    STEPS,
+    STATE_SIZE,
+) = range(18)
+
+_MOST_STEPS_PER_SAMPLE = 20_000
+
+
+@kernel
+def march(law, structure, heat, acceleration, interval, free_from, tolerance, state, histories):
+    """Respond to the samples of `acceleration` [mm/s2], `interval` [s] apart; return how it ended and the samples done.
+
+    `state` and `heat` are where it starts from, and are left where it ends. Row i + 1 of `histories` is written at sample i + 1. From sample `free_from` on it stops as soon as no more sliding can come
+    (the ground must be at rest there).
+    """
+    motion = Motion(
+        state[STATE_DISPLACEMENT],
+        state[STATE_VELOCITY],
+        state[STATE_ELONGATION],
+        int(state[STATE_SIDE]),
+    )
+    level = int(state[STATE_LEVEL])
+    fresh = state[STATE_FRESH] > 0.0
+    began = state[STATE_TIME]
+    done = 0
+    status = DONE
+    for i in range(acceleration.size - 1):
+        rate = (acceleration[i + 1] - acceleration[i]) / interval
+        elapsed = 0.0
+        steps = 0
+        while elapsed < interval:
+            room = interval - elapsed
+            push = Push(acceleration[i] + rate * elapsed, rate)
+            if motion.side == 0:
+                advance = stick_step(law, structure, heat, motion, push, room, interval)
+                fresh = advance.motion.side != 0
+            else:
+                now = began + i * interval + elapsed
+                advance, level = slide_step(
+                    law, structure, heat, fresh, motion, push, now, room, interval, level, tolerance
+                )
+                fresh = False
+            motion = advance.motion
+            elapsed = interval if advance.length == room else elapsed + advance.length
+            _note(state, structure, motion, advance, heat.notes)
+            steps += 1
+            if not advance.fits:
+                status = OUT_OF_CELLS
+            elif steps > _MOST_STEPS_PER_SAMPLE:
+                status = NO_PROGRESS
+            if status != DONE:
+                break
+        if status != DONE:
+            break
+        done = i + 1
+        state[STEPS] += steps
+        _record(histories, done, structure, motion, advance.friction, state, heat.notes)
+        if done >= free_from and _rests(law, structure, heat, motion):
+            break
+    state[STATE_DISPLACEMENT] = motion.displacement
+    state[STATE_VELOCITY] = motion.velocity
+    state[STATE_ELONGATION] = motion.elongation
+    state[STATE_SIDE] = motion.side
+    state[STATE_TIME] = began + done * interval
+    state[STATE_LEVEL] = level
+    state[STATE_FRESH] = 1.0 if fresh else 0.0
+    state[PEAK_DISPLACEMENT] = max(state[PEAK_DISPLACEMENT], abs(motion.displacement))
+    return status, done
+
+
+@kernel
+def _note(state, structure, motion, advance, notes):
+    """Add up the energies and keep the peaks."""
+    state[STATE_INPUT] += advance.input
+    state[STATE_HYSTERETIC] += advance.hysteretic
+    if not math.isnan(advance.turning):
+        state[PEAK_DISPLACEMENT] = max(state[PEAK_DISPLACEMENT], abs(advance.turning))
+        state[PEAK_CHANGE] = max(state[PEAK_CHANGE], abs(advance.turning - state[STATE_TURNING]))
+        state[STATE_TURNING] = advance.turning
+    state[PEAK_VELOCITY] = max(state[PEAK_VELOCITY], abs(motion.velocity))
+    force = structure.restoring * motion.displacement + structure.elastic * motion.elongation
+    state[PEAK_FORCE] = max(state[PEAK_FORCE], abs(force))
+    for i in range(structure.plates):
+        state[PEAK_TEMPERATURE] = max(state[PEAK_TEMPERATURE], notes[PRESENT + i])
+    if motion.side != 0:
+        state[LEAST_FRICTION] = min(state[LEAST_FRICTION], advance.friction)
+
+
+@kernel
+def _record(histories, sample, structure, motion, friction, state, notes):
+    if sample >= histories.shape[0]:
+        return
+    line = histories[sample]
+    line[DISPLACEMENT] = motion.displacement
+    line[VELOCITY] = motion.velocity
+    line[ELONGATION] = motion.elongation
+    line[FRICTION] = friction
+    line[SIDE] = motion.side
+    line[INPUT] = state[STATE_INPUT]
+    line[HYSTERETIC] = state[STATE_HYSTERETIC]
+    for i in range(structure.plates):
+        line[TEMPERATURE + i] = notes[PRESENT + i]
+
+
+@kernel
+def _rests(law, structure, heat, motion):
+    """Whether the free elastic oscillation that is left stays inside the yield surface."""
+    if motion.side != 0:
+        return False
+    stiffness = structure.restoring + structure.elastic
+    stuck = motion.displacement - motion.elongation
+    centre = structure.elastic * stuck / stiffness
+    swing = math.hypot(motion.displacement - centre, motion.velocity / math.sqrt(stiffness))
+    for speed in (0.0, swing * math.sqrt(stiffness)):
+        friction = mean_coefficient(law, structure, speed, heat.notes, PRESENT)
+        if abs(centre - stuck) + swing >= friction * structure.reach:
+            return False
+    return True

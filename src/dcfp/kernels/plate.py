@@ -1,0 +1,156 @@
+"""The plate as a line of cells, for the precise heating model.
+
+A point that has always been under the slider has the state of the *common* modes, which feel every flux. A point in contact
+differs from them by modes that only fade, since both feel the same flux; a point in the open fades by itself. So a cell is left
+alone until an edge of the contact reaches it. A step costs the common modes, the sum *inside* of the
+differences under the slider, and the two cells that the edges are in: each has a part that is covered (kept as difference to
+the common modes) and a part in the open (kept as it is), both summed over their width. The contact is a whole number of
+cells long, so both edges are at the same place in their cells.
+"""
+
+import math
+
+from dcfp.kernels._jit import kernel, reassociating_kernel
+from dcfp.kernels.memory import fill_fade, let_fade, total
+
+# rows of the bank: COMMON to RIGHT_OPEN for each of two plates
+FIRST_ROW, ROWS = 2, 6
+COMMON, INSIDE, LEFT_COVERED, LEFT_OPEN, RIGHT_COVERED, RIGHT_OPEN = range(6)
+
+# notes for each of two plates: covered width of the right edge cell [mm], position of the slider [mm], left edge cell
+FIRST_NOTE, NOTES = 6, 3
+COVERED, POSITION, LEFT_CELL = range(3)
+
+
+@kernel
+def mean_difference(heat, plate):
+    """Mean of the differences over the contact [degC]."""
+    return total(heat.bank, FIRST_ROW + plate * ROWS + INSIDE) / (2.0 * heat.half_contact)
+
+
+@kernel
+def fade_edges(heat, fade, plate):
+    """Let the edge cells fade over a step."""
+    first = FIRST_ROW + plate * ROWS
+    for row in range(first + LEFT_COVERED, first + RIGHT_OPEN + 1):
+        let_fade(heat.bank, fade, row)
+
+
+@kernel
+def expect_sweep(heat, plate, travel):
+    """Change of the sum inside [degC mm] when the slider moves by `travel` [mm], with the edge cells as they are."""
+    bank = heat.bank
+    first = FIRST_ROW + plate * ROWS
+    covered = heat.notes[FIRST_NOTE + plate * NOTES + COVERED]
+    if travel >= 0.0:
+        width = heat.cell - covered
+        gain = total(bank, first + RIGHT_OPEN) - total(bank, first + LEFT_COVERED)
+    else:
+        width = covered
+        gain = total(bank, first + LEFT_OPEN) - total(bank, first + RIGHT_COVERED)
+    if width < 0.01 * heat.cell:
+        return 0.0
+    return abs(travel) * (gain / width - total(bank, first + COMMON))
+
+
+@kernel
+def sweep_to(heat, rates, plate, time, position):
+    """Move the contact on a plate to `position` [mm], cell by cell; return False where the cells end."""
+    entry = FIRST_NOTE + plate * NOTES
+    notes = heat.notes
+    travel = position - notes[entry + POSITION]
+    notes[entry + POSITION] = position
+    first = FIRST_ROW + plate * ROWS
+    direction = 1 if travel > 0.0 else -1
+    left = abs(travel)
+    while left > 0.0:
+        covered = notes[entry + COVERED]
+        room = heat.cell - covered if direction > 0 else covered
+        moved = min(left, room)
+        if moved > 0.0 and direction > 0:
+            _sweep(heat.bank, first, RIGHT_OPEN, RIGHT_COVERED, LEFT_COVERED, LEFT_OPEN, moved, room)
+        elif moved > 0.0:
+            _sweep(heat.bank, first, LEFT_OPEN, LEFT_COVERED, RIGHT_COVERED, RIGHT_OPEN, moved, room)
+        notes[entry + COVERED] = covered + direction * moved
+        left -= moved
+        if left > 0.0 and not _next_cells(heat, rates, plate, time, direction):
+            return False
+    return True
+
+
+@kernel
+def _sweep(bank, first, ahead_open, ahead_covered, behind_covered, behind_open, travel, room):
+    """Cover `travel` of the `room` [mm] ahead, and uncover as much behind."""
+    part = travel / room
+    for j in range(bank.shape[1]):
+        lost = part * bank[first + behind_covered, j]
+        met = part * bank[first + ahead_open, j]
+        common = travel * bank[first + COMMON, j]
+        bank[first + behind_covered, j] -= lost
+        bank[first + behind_open, j] += lost + common
+        bank[first + ahead_open, j] -= met
+        bank[first + ahead_covered, j] += met - common
+        bank[first + INSIDE, j] += met - common - lost
+
+
+@kernel
+def _next_cells(heat, rates, plate, time, direction):
+    """Put the edge cells away, up to date, and take in hand the next ones in `direction`."""
+    entry = FIRST_NOTE + plate * NOTES
+    first = FIRST_ROW + plate * ROWS
+    left = int(heat.notes[entry + LEFT_CELL])
+    right = left + int(round(2.0 * heat.half_contact / heat.cell))
+    if left + direction < 0 or right + direction >= heat.cells.shape[1]:
+        return False
+    _put_away(heat, plate, left, first + LEFT_COVERED, time)
+    _put_away(heat, plate, right, first + RIGHT_COVERED, time)
+    heat.notes[entry + LEFT_CELL] = left + direction
+    heat.notes[entry + COVERED] = 0.0 if direction > 0 else heat.cell
+    # going right, the new left cell is all covered and the new right cell all open; going left, the reverse
+    if direction > 0:
+        _take_in_hand(heat, rates, plate, left + 1, first + LEFT_COVERED, first + LEFT_OPEN, time)
+        _take_in_hand(heat, rates, plate, right + 1, first + RIGHT_OPEN, first + RIGHT_COVERED, time)
+    else:
+        _take_in_hand(heat, rates, plate, left - 1, first + LEFT_OPEN, first + LEFT_COVERED, time)
+        _take_in_hand(heat, rates, plate, right - 1, first + RIGHT_COVERED, first + RIGHT_OPEN, time)
+    return True
+
+
+@kernel
+def _put_away(heat, plate, cell, row, time):
+    modes = heat.bank.shape[1]
+    for j in range(modes):
+        heat.cells[plate, cell, j] = heat.bank[row, j] + heat.bank[row + 1, j]
+    heat.cells[plate, cell, modes] = time
+
+
+@kernel
+def _take_in_hand(heat, rates, plate, cell, row, other_row, time):
+    modes = heat.bank.shape[1]
+    fill_fade(heat.bank, rates, time - heat.cells[plate, cell, modes], row)
+    for j in range(modes):
+        heat.bank[row, j] *= heat.cells[plate, cell, j]
+        heat.bank[other_row, j] = 0.0
+
+
+@reassociating_kernel
+def write_profile(heat, plate, time, flux, rises):
+    """Write the temperature rise [degC] of every cell of a plate at `time` [s] under `flux` [N/(mm s)] into `rises`."""
+    bank, notes = heat.bank, heat.notes
+    first = FIRST_ROW + plate * ROWS
+    entry = FIRST_NOTE + plate * NOTES
+    left = int(notes[entry + LEFT_CELL])
+    right = left + int(round(2.0 * heat.half_contact / heat.cell))
+    under = total(bank, first + COMMON) + heat.instant * flux
+    modes = bank.shape[1]
+    for n in range(heat.cells.shape[1]):
+        elapsed = time - heat.cells[plate, n, modes]
+        rise = 0.0
+        for j in range(modes):
+            rise += math.exp(-bank[0, j] * elapsed) * heat.cells[plate, n, j]
+        rise /= heat.cell
+        rises[n] = rise + under if left < n < right else rise
+    covered = notes[entry + COVERED]
+    for cell, row, width in ((left, LEFT_COVERED, heat.cell - covered), (right, RIGHT_COVERED, covered)):
+        rise = total(bank, first + row) + total(bank, first + row + 1) + under * width
+        rises[cell] = rise / heat.cell

@@ -1,0 +1,185 @@
+"""One step of sliding: an oscillator on spring (a) under a friction force that follows the law.
+
+Over the step the coefficient is the parabola through its values at the start, in the middle and at the end.
+How far the middle is from the chord tells whether the step is short enough. All else is closed form, so energy is conserved to rounding.
+"""
+
+import math
+
+from dcfp.kernels._jit import kernel
+from dcfp.kernels.friction import mean_coefficient
+from dcfp.kernels.heating import (
+    BETWEEN,
+    EXPECTED,
+    FINEST_LEVEL,
+    ODD_LENGTH,
+    POINT,
+    expect,
+    heat_up,
+    is_prepared,
+    mix,
+    prepare,
+)
+from dcfp.kernels.motion import Advance, Motion, share
+from dcfp.kernels.oscillator import swing, work
+
+#: Length of a step over the sample interval, by level.
+HALVES = tuple(0.5**n for n in range(FINEST_LEVEL + 1))
+
+
+@kernel
+def slide_step(law, structure, heat, fresh, motion, push, time, room, interval, level, tolerance):
+    """Slide for at most `room` [s] of the sample `interval`; return the step and the level of halving for the next one.
+
+    `fresh` says that sliding has just begun.
+    """
+    friction = abs(motion.elongation) / structure.reach
+    y, v, side = motion.displacement, motion.velocity, motion.side
+    start = -push.now - structure.restoring * y - side * structure.gravity * friction
+    jerk = -push.rate - structure.restoring * v
+    flux = structure.pressure * friction
+
+    while True:
+        regular = interval * HALVES[level]
+        length = _next_length(regular, room)
+        turns = False
+        turn = _turning_time(v, start, jerk, length)
+        if turn < length:
+            length, turns = turn, True
+        if heat.kind == POINT:
+            leave = _leaving_time(heat, structure, y, v, start, jerk, length)
+            if leave < length:
+                length, turns = leave, False
+        place = level if length == regular else ODD_LENGTH
+        prepare(heat, place, length)
+        speed = 0.0 if turns else abs(v + length * (start + 0.5 * length * jerk))
+        halfway = y + 0.5 * length * (v + 0.25 * length * start)
+        travel = length * (v + 0.5 * length * start)
+        expect(heat, structure, place, halfway, travel, flux * abs(v), flux * speed)
+        last = mean_coefficient(law, structure, speed, heat.notes, EXPECTED)
+        bend = 0.0
+        if abs(last - friction) > tolerance * last:
+            mix(heat, structure, 0.5)
+            half_speed = abs(v + 0.5 * length * (start + 0.25 * length * jerk))
+            central = mean_coefficient(law, structure, half_speed, heat.notes, BETWEEN)
+            bend = central - 0.5 * (friction + last)
+            if abs(bend) > tolerance * last and level < FINEST_LEVEL:
+                level += 1
+                continue
+        if abs(bend) < 0.2 * tolerance * last and level > 0:
+            level -= 1
+        break
+
+    # mu(t) = friction + slope t + curve t2
+    per_length = 1.0 / length
+    slope = (last - friction + 4.0 * bend) * per_length
+    curve = -4.0 * bend * per_length * per_length
+    pull = -side * structure.gravity
+    push_rate = -push.rate + pull * slope
+    push_curve = pull * curve
+    swung = swing(structure.restoring, length, v, start, push_rate, push_curve)
+    if turns or v * swung.velocity < 0.0:
+        turns = True
+        length = _polish_turn(structure.restoring, length, room, v, start, push_rate, push_curve)
+        swung = swing(structure.restoring, length, v, start, push_rate, push_curve)
+        last = friction + length * (slope + length * curve)
+        if not is_prepared(heat, place, length):
+            place = ODD_LENGTH
+            prepare(heat, place, length)
+        if abs(swung.velocity) > 1e-6:  # the turn lies beyond the room
+            turns = False
+
+    reach = side * last * structure.reach
+    if side * (swung.displacement - reach + motion.elongation) < 0.0 and not fresh:
+        # spring (b) lags behind: the force can grow faster than the yield force, so this is sticking
+        return Advance(Motion(y, v, motion.elongation, 0), 0.0, 0.0, 0.0, friction, math.nan, True), level
+
+    end = y + swung.displacement
+    speed = 0.0 if turns else swung.velocity
+    fits = heat_up(
+        heat,
+        structure,
+        place,
+        time + length,
+        end,
+        y + 0.5 * swung.displacement,
+        flux * abs(v),
+        structure.pressure * last * abs(speed),
+    )
+    stored = 0.5 * structure.elastic * (reach * reach - motion.elongation * motion.elongation)
+    advance = Advance(
+        Motion(end, speed, reach, 0 if turns else side),
+        length,
+        -work(push.now, push.rate, 0.0, length, swung),
+        -pull * work(friction, slope, curve, length, swung) - stored,
+        last,
+        end if turns else math.nan,
+        fits,
+    )
+    return advance, level
+
+
+@kernel
+def _next_length(length, room):
+    """Length of the next step: never a sliver at the end of the room."""
+    if room <= length * (1.0 + 1e-9):
+        return length if abs(room - length) < 1e-9 * length else room
+    if room < 2.0 * length:
+        return 0.5 * room if abs(room - 2.0 * length) > 1e-9 * length else length
+    return length
+
+
+@kernel
+def _turning_time(velocity, acceleration, jerk, length):
+    """First time at which v + a t + j t2 / 2 passes zero within `length`, or infinity."""
+    sign = 1.0 if velocity > 0.0 else -1.0
+    v, a, j = sign * velocity, sign * acceleration, sign * jerk
+    if v <= 0.0:
+        return math.inf
+    ends_behind = v + length * (a + 0.5 * length * j) < 0.0
+    dips = a < 0.0 and a + j * length > 0.0
+    if not (ends_behind or dips):
+        return math.inf
+    under_root = a * a - 2.0 * j * v
+    if under_root < 0.0:
+        return math.inf
+    denominator = -a + math.sqrt(under_root)
+    return 2.0 * v / denominator if denominator > 0.0 else math.inf
+
+
+@kernel
+def _polish_turn(stiffness, length, room, velocity, acceleration, push_rate, push_curve):
+    """Newton's iteration for the time at which the velocity is zero, kept within the room."""
+    h = length
+    for _ in range(8):
+        swung = swing(stiffness, h, velocity, acceleration, push_rate, push_curve)
+        now = acceleration + h * (push_rate + h * push_curve) - stiffness * swung.displacement
+        if now == 0.0:
+            break
+        change = swung.velocity / now
+        h = min(max(h - change, 0.0), room)
+        if abs(change) < 1e-15:
+            break
+    return h
+
+
+@kernel
+def _leaving_time(heat, structure, displacement, velocity, acceleration, jerk, length):
+    """Time at which a plate's monitoring point comes under the slider or leaves it, or infinity: Eq. (12)."""
+    earliest = math.inf
+    end = displacement + length * (velocity + length * (0.5 * acceleration + length * jerk / 6.0))
+    for i in range(structure.plates):
+        edge = heat.half_contact / share(structure, i)
+        for target in (edge, -edge):
+            if (displacement - target) * (end - target) >= 0.0:
+                continue
+            t = length * (target - displacement) / (end - displacement)
+            for _ in range(6):
+                away = displacement - target + t * (velocity + t * (0.5 * acceleration + t * jerk / 6.0))
+                rate = velocity + t * (acceleration + 0.5 * t * jerk)
+                if rate == 0.0:
+                    break
+                t = min(max(t - away / rate, 0.0), length)
+            if t > 1e-9 * length:
+                earliest = min(earliest, t)
+    return earliest
