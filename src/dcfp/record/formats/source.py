@@ -1,0 +1,86 @@
+"""The text of a record file, and where in it an error was found."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import NoReturn
+
+from dcfp.errors import InputError
+
+#: Largest file that is read [bytes]; the longest public records stay far below it.
+MAXIMUM_SIZE = 200_000_000
+
+
+@dataclass(frozen=True)
+class SourceText:
+    """A record file as lines of text.
+
+    Attributes
+    ----------
+    path
+        Where the file is, as the user wrote it.
+    lines
+        Its lines, without the ends of line.
+    """
+
+    path: Path
+    lines: tuple[str, ...]
+
+    def fail(self, reason: str, *, line: int | None = None) -> NoReturn:
+        """Raise an `InputError` that names the file and, counted from 1, the line."""
+        place = f"{self.path}" if line is None else f"{self.path}, line {line}"
+        msg = f"{place}: {reason}"
+        raise InputError(msg)
+
+
+def read_source(path: Path) -> SourceText:
+    """Return the file as text.
+
+    Raises
+    ------
+    InputError
+        If there is no such file, or it is empty, too large, not readable or not text.
+    """
+    content = _read_bytes(path)
+    if not content.strip():
+        msg = f"{path}: the file is empty; a record of ground acceleration was expected."
+        raise InputError(msg)
+    if b"\x00" in content:
+        msg = f"{path}: this is a binary file; a text file in one of the known record formats was expected."
+        raise InputError(msg)
+    text = _decode(content).replace("\r\n", "\n").replace("\r", "\n")
+    return SourceText(path, tuple(text.rstrip("\n").split("\n")))
+
+
+def _read_bytes(path: Path) -> bytes:
+    try:
+        is_folder = path.is_dir()
+        content = b"" if is_folder else _read_limited(path)
+    except FileNotFoundError:
+        msg = f"{path}: there is no such file; check the path."
+        raise InputError(msg) from None
+    except (OSError, ValueError) as error:
+        # ValueError: a path with a NUL character in it.
+        msg = f"{path}: the file cannot be read ({error}); check the path and its permissions."
+        raise InputError(msg) from None
+    if is_folder:
+        msg = f"{path}: this is a folder; give the path of one record file in it."
+        raise InputError(msg)
+    if len(content) > MAXIMUM_SIZE:
+        msg = f"{path}: the file is larger than {MAXIMUM_SIZE / 1e6:.0f} MB, so it is not one record."
+        raise InputError(msg)
+    return content
+
+
+def _read_limited(path: Path) -> bytes:
+    with path.open("rb") as file:
+        return file.read(MAXIMUM_SIZE + 1)
+
+
+def _decode(content: bytes) -> str:
+    """Decode by trying: UTF-8, then the Shift-JIS of Japanese files, then one byte a character."""
+    for encoding in ("utf-8-sig", "cp932"):
+        try:
+            return content.decode(encoding)
+        except UnicodeDecodeError:
+            continue
+    return content.decode("latin-1")

