@@ -53,7 +53,7 @@ def _compile(function: Callable[P, R], *, reassociate: bool) -> Callable[P, R]:
     allowed = {"contract", "reassoc", "nsz"} if reassociate else {"contract"}
     with _caching_in(folder):
         compiled: Callable[P, R] = numba.njit(
-            cache=bool(folder), _nrt=False, nogil=True, error_model="numpy", fastmath=allowed
+            cache=bool(folder), _nrt=False, forceinline=function.__name__ not in ("march","write_profile"), nogil=True, error_model="numpy", fastmath=allowed
         )(function)
     return compiled
 

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from dcfp.kernels import plate
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.memory import faded_total, feed, fill_fade, fill_weights, let_fade
+from dcfp.kernels.memory import MODES, faded_total, feed, fill_fade, fill_weights, let_fade
 from dcfp.kernels.motion import share
 
 NO_HEATING = 0
@@ -74,7 +74,7 @@ def prepare(heat, place, length):
     fill_weights(heat.bank, RATES, WEIGHTS, length, fade)
     heat.notes[entry] = length
     opening, closing = 0.0, 0.0
-    for j in range(heat.bank.shape[1]):
+    for j in range(MODES):
         opening += heat.bank[fade + 1, j]
         closing += heat.bank[fade + 2, j]
     heat.notes[entry + 1] = opening
@@ -141,8 +141,8 @@ def mix(heat, structure, part):
 
 
 @kernel
-def heat_up(heat, structure, place, time, displacement, middle, flux_start, flux_end):
-    """Take a sliding step that ends at `time` [s] and `displacement` [mm]; return False if the cells do not reach there.
+def heat_up(heat, structure, place, time, length, displacement, middle, flux_start, flux_end):
+    """Take a sliding step of `length` [s] to `time` [s] and `displacement` [mm]; return False where the cells end.
 
     `middle` [mm] is the displacement inside the step, from which contact with the centre is judged.
     """
@@ -154,6 +154,9 @@ def heat_up(heat, structure, place, time, displacement, middle, flux_start, flux
         portion = share(structure, i)
         felt = portion if _feels_flux(heat, portion, middle) else 0.0
         first = plate.FIRST_ROW + i * plate.ROWS
+        if heat.kind == LINE:
+            # half of the way before the heat and half after it: second order in the step
+            fits = plate.sweep_to(heat, RATES, i, time - length, portion * middle) and fits
         rise = feed(heat.bank, fade, first + plate.COMMON, felt * flux_start, felt * flux_end)
         rise += heat.instant * felt * flux_end
         if heat.kind == LINE:

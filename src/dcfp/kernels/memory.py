@@ -20,14 +20,16 @@ from dcfp.kernels._jit import kernel, reassociating_kernel
 
 #: Ratio of neighbouring rates; 2 sqrt(2) exp(-pi2/ln r) = 2.1e-4 of the kernel, a tenth of it in a temperature.
 RATE_RATIO = 2.0**1.5
-#: The fade over any step follows from two exponentials: every second rate is RATE_RATIO squared = 8 times as fast.
-_SQUARINGS = 3
+#: Number of modes; fixed, so that the compiler can lay every loop over them out flat.
+MODES = 20
 
 
-def fading_modes(fastest_rate, slowest_rate):
-    """Return rates [1/s] (slowest first), weights [s^-1/2] and the instant weight [s^1/2] for 1/sqrt(tau)."""
-    count = max(2, math.ceil(math.log(fastest_rate / slowest_rate) / math.log(RATE_RATIO)) + 1)
-    rates = fastest_rate * RATE_RATIO ** np.arange(1.0 - count, 1.0)
+def fading_modes(horizon=1000.0):
+    """Return rates [1/s] (slowest first), weights [s^-1/2] and the instant weight [s^1/2] for 1/sqrt(tau).
+
+    The slowest mode barely fades within the `horizon` [s]; the fastest lives 50 microseconds for the default one.
+    """
+    rates = 0.05 / horizon * RATE_RATIO ** np.arange(MODES)
     spacing = 0.5 * math.log(RATE_RATIO)  # of ln x, x = sqrt(s)
     weights = 2.0 / math.sqrt(math.pi) * spacing * np.sqrt(rates)
     shrink = 1.0 / math.sqrt(RATE_RATIO)
@@ -38,10 +40,13 @@ def fading_modes(fastest_rate, slowest_rate):
 
 @kernel
 def fill_fade(bank, rates, step, fade):
-    """Write exp(-rate step) of every mode into row `fade`, by repeated squaring of the two slowest."""
+    """Write exp(-rate step) of every mode into row `fade`, by repeated squaring of the two slowest.
+
+    Every second rate is RATE_RATIO squared = 8 times as fast.
+    """
     bank[fade, 0] = math.exp(-bank[rates, 0] * step)
     bank[fade, 1] = math.exp(-bank[rates, 1] * step)
-    for j in range(2, bank.shape[1]):
+    for j in range(2, MODES):
         f = bank[fade, j - 2]
         f *= f
         f *= f
@@ -55,7 +60,7 @@ def fill_weights(bank, rates, weights, step, fade):
 
     A step in which the flux goes from q0 to q1 turns c into fade c + opening q0 + closing q1.
     """
-    for j in range(bank.shape[1]):
+    for j in range(MODES):
         x = bank[rates, j] * step
         e = bank[fade, j]
         scale = bank[weights, j] * step
@@ -72,7 +77,7 @@ def fill_weights(bank, rates, weights, step, fade):
 def total(bank, row):
     """Sum of a row."""
     s = 0.0
-    for j in range(bank.shape[1]):
+    for j in range(MODES):
         s += bank[row, j]
     return s
 
@@ -81,7 +86,7 @@ def total(bank, row):
 def faded_total(bank, fade, row):
     """Sum of a row after a fade."""
     s = 0.0
-    for j in range(bank.shape[1]):
+    for j in range(MODES):
         s += bank[fade, j] * bank[row, j]
     return s
 
@@ -90,7 +95,7 @@ def faded_total(bank, fade, row):
 def feed(bank, fade, row, flux_start, flux_end):
     """Advance a row of modes over a step in which the flux is linear; return their new sum."""
     s = 0.0
-    for j in range(bank.shape[1]):
+    for j in range(MODES):
         mode = bank[fade, j] * bank[row, j] + bank[fade + 1, j] * flux_start + bank[fade + 2, j] * flux_end
         bank[row, j] = mode
         s += mode
@@ -101,7 +106,7 @@ def feed(bank, fade, row, flux_start, flux_end):
 def let_fade(bank, fade, row):
     """Advance a row of modes over a step without flux; return their new sum."""
     s = 0.0
-    for j in range(bank.shape[1]):
+    for j in range(MODES):
         mode = bank[fade, j] * bank[row, j]
         bank[row, j] = mode
         s += mode

@@ -11,7 +11,7 @@ cells long, so both edges are at the same place in their cells.
 import math
 
 from dcfp.kernels._jit import kernel, reassociating_kernel
-from dcfp.kernels.memory import fill_fade, let_fade, total
+from dcfp.kernels.memory import MODES, fill_fade, let_fade, total
 
 # rows of the bank: COMMON to RIGHT_OPEN for each of two plates
 FIRST_ROW, ROWS = 2, 6
@@ -82,7 +82,7 @@ def sweep_to(heat, rates, plate, time, position):
 def _sweep(bank, first, ahead_open, ahead_covered, behind_covered, behind_open, travel, room):
     """Cover `travel` of the `room` [mm] ahead, and uncover as much behind."""
     part = travel / room
-    for j in range(bank.shape[1]):
+    for j in range(MODES):
         lost = part * bank[first + behind_covered, j]
         met = part * bank[first + ahead_open, j]
         common = travel * bank[first + COMMON, j]
@@ -118,17 +118,15 @@ def _next_cells(heat, rates, plate, time, direction):
 
 @kernel
 def _put_away(heat, plate, cell, row, time):
-    modes = heat.bank.shape[1]
-    for j in range(modes):
+    for j in range(MODES):
         heat.cells[plate, cell, j] = heat.bank[row, j] + heat.bank[row + 1, j]
-    heat.cells[plate, cell, modes] = time
+    heat.cells[plate, cell, MODES] = time
 
 
 @kernel
 def _take_in_hand(heat, rates, plate, cell, row, other_row, time):
-    modes = heat.bank.shape[1]
-    fill_fade(heat.bank, rates, time - heat.cells[plate, cell, modes], row)
-    for j in range(modes):
+    fill_fade(heat.bank, rates, time - heat.cells[plate, cell, MODES], row)
+    for j in range(MODES):
         heat.bank[row, j] *= heat.cells[plate, cell, j]
         heat.bank[other_row, j] = 0.0
 
@@ -142,11 +140,10 @@ def write_profile(heat, plate, time, flux, rises):
     left = int(notes[entry + LEFT_CELL])
     right = left + int(round(2.0 * heat.half_contact / heat.cell))
     under = total(bank, first + COMMON) + heat.instant * flux
-    modes = bank.shape[1]
     for n in range(heat.cells.shape[1]):
-        elapsed = time - heat.cells[plate, n, modes]
+        elapsed = time - heat.cells[plate, n, MODES]
         rise = 0.0
-        for j in range(modes):
+        for j in range(MODES):
             rise += math.exp(-bank[0, j] * elapsed) * heat.cells[plate, n, j]
         rise /= heat.cell
         rises[n] = rise + under if left < n < right else rise
