@@ -67,6 +67,7 @@ class GroundMotion:
     treatment: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
+        """Check the values, and keep them where they cannot be changed."""
         values = np.asarray(self.acceleration, dtype=np.float64)
         if values.ndim != 1 or values.size < 2:
             msg = f"{self.name}: a ground motion needs at least two acceleration values in one column."
@@ -89,7 +90,7 @@ class GroundMotion:
     @cached_property
     def time(self) -> FloatArray:
         """Time of each value [s], shape (n,)."""
-        return freeze(np.arange(self.acceleration.size) * self.time_step)
+        return freeze(np.arange(self.acceleration.size, dtype=np.float64) * self.time_step)
 
     @cached_property
     def velocity(self) -> FloatArray:
@@ -132,9 +133,7 @@ class GroundMotion:
             msg = f"{self.name}: the scale factor must be a finite number, not {factor!r}."
             raise InputError(msg)
         step = f"scaled by {factor:.6g}"
-        return replace(
-            self, acceleration=self.acceleration * factor, treatment=(*self.treatment, step)
-        )
+        return replace(self, acceleration=self.acceleration * factor, treatment=(*self.treatment, step))
 
     def scaled_to_pgv(self, peak_velocity: float) -> "GroundMotion":
         """Return the motion scaled so that its PGV is `peak_velocity` [mm/s].

@@ -48,7 +48,7 @@ def load_motion(
         return read_motion(path, chosen, units=units, time_step=time_step)
     for given in (chosen, units, time_step):
         if given is not None:
-            msg = f"{text}: a named record has one component, its own unit and time step; leave out {given!r}."
+            msg = f"{text}: a named record has its own component, unit and time step; leave out {given!r}."
             raise InputError(msg)
     return named_motion(path)
 

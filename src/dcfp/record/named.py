@@ -1,4 +1,4 @@
-"""Named records: the sets of FEMA P-695, and the eight records of Table 3 of Li et al. (2020)."""
+"""Named records: the sets of FEMA P-695, and the eight records of Table 3 of the paper."""
 
 import re
 from dataclasses import dataclass, replace
@@ -58,25 +58,42 @@ class NamedRecord:
     note: str = ""
 
 
-#: Records of the paper that have to be supplied as a file; duration and PGV as printed in its Table 3.
+def _missing(
+    name: str, event: str, year: int, station: str, duration: float, velocity: float, file: str
+) -> NamedRecord:
+    """Return the row of a record of the paper whose values have to be supplied; PGV [mm/s] as printed."""
+    return NamedRecord(
+        name=name,
+        alias="",
+        event=event,
+        year=year,
+        station=station,
+        duration=duration,
+        peak_velocity=velocity,
+        available=False,
+        note=f"supply {file} as a file",
+    )
+
+
+#: Records of the paper that are not in the package.
 MISSING = {
     row.name: row
     for row in (
-        NamedRecord(
-            "JKB", "", "Kobe, Japan", 1995, "JMA Kobe", "NS", duration=30.0, peak_velocity=893.0, available=False,
-            note="supply the NS component of JMA Kobe, 17 January 1995 (JMA, or PEER NGA 'KJMA'), as a file",
+        _missing(
+            "JKB", "Kobe, Japan", 1995, "JMA Kobe", 30.0, 893.0,
+            "the NS component of JMA Kobe, 17 January 1995 (JMA, or 'KJM000' of PEER)",
         ),
-        NamedRecord(
-            "TC1", "", "Chi-Chi, Taiwan", 1999, "TCU129", duration=90.0, peak_velocity=554.0, available=False,
-            note="supply the record of TCU129, Chi-Chi, 20 September 1999 (CWB, or PEER NGA), as a file",
+        _missing(
+            "TC1", "Chi-Chi, Taiwan", 1999, "TCU129", 90.0, 554.0,
+            "the record of TCU129, Chi-Chi, 20 September 1999 (CWB, or 'TCU129' of PEER)",
         ),
-        NamedRecord(
-            "TSD", "", "Tohoku, Japan", 2011, "JMA Sendai", duration=180.0, peak_velocity=545.0, available=False,
-            note="supply the JMA record of Sendai, 11 March 2011 (JMA strong-motion CSV), as a file",
+        _missing(
+            "TSD", "Tohoku, Japan", 2011, "JMA Sendai", 180.0, 545.0,
+            "the record of JMA Sendai, 11 March 2011 (JMA strong-motion CSV)",
         ),
-        NamedRecord(
-            "TIM", "", "Tohoku, Japan", 2011, "JMA Ishinomaki", duration=300.0, peak_velocity=376.0, available=False,
-            note="supply the JMA record of Ishinomaki, 11 March 2011 (JMA strong-motion CSV), as a file",
+        _missing(
+            "TIM", "Tohoku, Japan", 2011, "JMA Ishinomaki", 300.0, 376.0,
+            "the record of JMA Ishinomaki, 11 March 2011 (JMA strong-motion CSV)",
         ),
     )
 }  # fmt: skip
@@ -118,8 +135,7 @@ def named_records() -> list[NamedRecord]:
     keys = all_keys()
     aliases = {key: alias for alias, key in ALIASES.items()}
     rows = [
-        _row(key, aliases.get(key, ""), record)
-        for key, record in zip(keys, read_stored(keys), strict=True)
+        _row(key, aliases.get(key, ""), record) for key, record in zip(keys, read_stored(keys), strict=True)
     ]
     return [*MISSING.values(), *rows]
 
@@ -155,5 +171,5 @@ def _unknown(name: str) -> str:
     known = [*ALIASES, *MISSING, *(key.name for key in all_keys())]
     spelling = {word.upper(): word for word in known}
     near = [spelling[word] for word in get_close_matches(name.strip().upper(), spelling, n=3, cutoff=0.5)]
-    meant = f"did you mean {' or '.join(near)}?" if near else "known are KNA, NCC, LPG, IVD, P695-FF-1-a and so on."
+    meant = f"did you mean {' or '.join(near)}?" if near else "known are KNA, NCC, P695-FF-1-a and so on."
     return f"there is no record named {name!r} and no such file; a file path is also accepted; {meant}"

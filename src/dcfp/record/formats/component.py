@@ -53,7 +53,8 @@ def build_component(
     names
         Further names of the component, beside ``origin.component``.
     several
-        Whether the file holds other components, so that the motion's name must say which it is.
+        Whether there are other components in the file, or in files of the same stem, so that the name of the
+        motion must say which it is.
 
     Raises
     ------
@@ -67,9 +68,7 @@ def build_component(
         acceleration = values * unit_size(unit)
     wrong = np.flatnonzero(~(np.abs(acceleration) <= LARGEST_ACCELERATION))
     if wrong.size:
-        source.fail(
-            f"acceleration value {wrong[0] + 1} is beyond 100 000 g; the value or the unit is wrong."
-        )
+        source.fail(f"acceleration value {wrong[0] + 1} is beyond 100 000 g; the value or the unit is wrong.")
     stem = source.path.stem or source.path.name
     name = f"{stem} {origin.component}" if several and origin.component else stem
     motion = GroundMotion(acceleration, time_step, name, origin)

@@ -3,6 +3,7 @@
 import math
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -47,12 +48,8 @@ def free_numbers(source: SourceText, first: int, last: int | None = None) -> Flo
 
 def _located_numbers(source: SourceText, first: int, lines: Sequence[str]) -> Iterator[float]:
     for number, line in enumerate(lines, first + 1):
-        for position, word in enumerate(line.split(), 1):
-            value = to_number(word)
-            if value is None:
-                shown = word if len(word) <= 30 else f"{word[:30]}..."
-                source.fail(f"value {position} is {shown!r}, not a finite number.", line=number)
-            yield value
+        for place, word in enumerate(line.split(), 1):
+            yield _value_at(source, word, number, place)
 
 
 def check_count(source: SourceText, found: int, promised: int) -> None:
@@ -69,3 +66,81 @@ def check_count(source: SourceText, found: int, promised: int) -> None:
         )
     if found > promised:
         source.fail(f"the header promises {promised} values but {found} are there; the file is damaged.")
+
+
+def table_numbers(
+    source: SourceText, first: int, columns: int, separator: str | None = None, last: int | None = None
+) -> FloatArray:
+    """Return ``lines[first:last]`` as a table of numbers, shape (rows, columns).
+
+    Raises
+    ------
+    InputError
+        If a row has more or fewer values, or one that is not a finite number.
+    """
+    rows: list[list[float]] = []
+    for number, line in enumerate(source.lines[first:last], first + 1):
+        words = line.split(separator)
+        if len(words) != columns:
+            source.fail(f"{len(words)} values stand where {columns} were expected.", line=number)
+        rows.append([_value_at(source, word, number, place) for place, word in enumerate(words, 1)])
+    return np.array(rows, dtype=np.float64).reshape(-1, columns)
+
+
+def fixed_numbers(source: SourceText, first: int, count: int, layout: "Layout") -> tuple[FloatArray, int]:
+    """Return `count` numbers in fields of fixed width from ``lines[first]`` on, and the line after them.
+
+    Raises
+    ------
+    InputError
+        If a field is not a finite number, or there are fewer or more values than `count`.
+    """
+    rows = -(-count // layout.per_line)
+    values: list[float] = []
+    for number, line in enumerate(source.lines[first : first + rows], first + 1):
+        expected = min(layout.per_line, count - len(values))
+        for place, field in enumerate(layout.fields(line, expected), 1):
+            if not field.strip():
+                source.fail(f"the header promises {count} values but value {place} is missing.", line=number)
+            values.append(_value_at(source, field, number, place))
+        if layout.remainder(line, expected).strip():
+            source.fail(f"more stands here than the {expected} values that the header promises.", line=number)
+    check_count(source, len(values), count)
+    return np.array(values, dtype=np.float64), first + rows
+
+
+@dataclass(frozen=True)
+class Layout:
+    """A Fortran format of one kind of field: how many on a line, and how wide."""
+
+    per_line: int
+    width: int
+
+    def fields(self, line: str, count: int) -> list[str]:
+        """Return the first `count` fields of a line."""
+        return [line[place * self.width : (place + 1) * self.width] for place in range(count)]
+
+    def remainder(self, line: str, count: int) -> str:
+        """Return what follows the first `count` fields of a line."""
+        return line[count * self.width :]
+
+
+def parse_layout(text: str) -> Layout | None:
+    """Return the layout that a Fortran format such as ``8F10.5`` or ``(1E15.6)`` says, or None."""
+    found = re.search(r"(?<![\w.])(\d{0,3})\s*[FEDGI](\d{1,2})(?![\w])", text, re.IGNORECASE)
+    if found is None:
+        return None
+    per_line, width = int(found[1] or 1), int(found[2])
+    return Layout(per_line, width) if per_line > 0 and width > 0 else None
+
+
+def _value_at(source: SourceText, word: str, line: int, place: int) -> float:
+    value = to_number(word)
+    if value is None:
+        source.fail(f"value {place} is {_shown(word)}, not a finite number.", line=line)
+    return value
+
+
+def _shown(word: str) -> str:
+    word = word.strip()
+    return repr(word if len(word) <= 30 else f"{word[:30]}...")

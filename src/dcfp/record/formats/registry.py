@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from dcfp.record.formats import peer
+from dcfp.record.formats import cosmos, csmip, cwb, esm, jma, kyoshin, peer, plain
 from dcfp.record.formats.component import Component
 from dcfp.record.formats.source import SourceText
 from dcfp.record.formats.units import unit_size
@@ -12,6 +12,12 @@ Reader = Callable[[SourceText], list[Component]]
 
 #: The formats that state their own unit and time step, the most distinctive headers first.
 FORMATS: tuple[tuple[str, Recogniser, Reader], ...] = (
+    (cosmos.NAME, cosmos.recognises, cosmos.read),
+    (csmip.NAME, csmip.recognises, csmip.read),
+    (esm.NAME, esm.recognises, esm.read),
+    (jma.NAME, jma.recognises, jma.read),
+    (cwb.NAME, cwb.recognises, cwb.read),
+    (kyoshin.NAME, kyoshin.recognises, kyoshin.read),
     (peer.NAME, peer.recognises, peer.read),
 )
 
@@ -32,16 +38,14 @@ def read_components(
             for component in components:
                 _check_agreement(source, name, component, units, time_step)
             return components
-    return source.fail("the file is in none of the known record formats.")
+    return plain.read(source, units, time_step)
 
 
 def _check_agreement(
     source: SourceText, name: str, component: Component, units: str | None, time_step: float | None
 ) -> None:
     if units is not None and unit_size(units) != unit_size(component.unit):
-        source.fail(f"the file is {name} and states its own unit, {component.unit}; leave out units={units!r}.")
+        source.fail(f"the {name} file states its own unit, {component.unit}; leave out units={units!r}.")
     stated = component.motion.time_step
     if time_step is not None and abs(time_step - stated) > 1e-6 * stated:
-        source.fail(
-            f"the file is {name} and states its own time step, {stated:g} s; leave out time_step={time_step!r}."
-        )
+        source.fail(f"the {name} file states its own time step, {stated:g} s; leave out {time_step!r}.")

@@ -48,7 +48,7 @@ def read_source(path: Path) -> SourceText:
         msg = f"{path}: this is a binary file; a text file in one of the known record formats was expected."
         raise InputError(msg)
     text = _decode(content).replace("\r\n", "\n").replace("\r", "\n")
-    return SourceText(path, tuple(text.rstrip("\n").split("\n")))
+    return SourceText(path, tuple(text.rstrip(" \t\n\x1a").split("\n")))
 
 
 def _read_bytes(path: Path) -> bytes:
