@@ -37,8 +37,8 @@ def read(source: SourceText, units: str | None, time_step: float | None) -> list
     first, separator, columns = _shape(source)
     if columns > 2:
         source.fail(
-            f"the file is in none of the known record formats and has {columns} columns; plain text must have "
-            "one (acceleration) or two (time, acceleration).",
+            f"the file is in none of the known record formats and has {columns} columns; plain text must "
+            "have one (acceleration) or two (time, acceleration).",
             line=first + 1,
         )
     if units is None:
@@ -50,10 +50,8 @@ def read(source: SourceText, units: str | None, time_step: float | None) -> list
     if unit is None:
         source.fail(f"the unit {units!r} is not known; use one of mm/s2, cm/s2, gal, m/s2, g.")
     table = table_numbers(source, first, columns, separator)
-    if columns == 1:
-        step = _given_step(source, time_step)
-    else:
-        step = _column_step(source, first, table, separator)
+    words = [line.split(separator)[0] for line in source.lines[first:]]
+    step = _given_step(source, time_step) if columns == 1 else _column_step(source, words, table[:, 0])
     if time_step is not None and abs(time_step - step) > 1e-6 * step:
         source.fail(f"the column of times has a step of {step:g} s, but time_step={time_step!r} was given.")
     origin = Origin(source=source.path.name, file_format=NAME, processing="unknown; the file does not say")
@@ -80,7 +78,6 @@ def _given_step(source: SourceText, time_step: float | None) -> float:
     return time_step
 
 
-def _column_step(source: SourceText, first: int, table: FloatArray, separator: str | None) -> float:
-    words = [line.split(separator)[0] for line in source.lines[first:]]
+def _column_step(source: SourceText, words: list[str], time: FloatArray) -> float:
     resolution = max(printed_resolution(word) for word in words)
-    return uniform_step(source, table[:, 0], resolution)
+    return uniform_step(source, time, resolution)
