@@ -14,6 +14,8 @@ STEPS_PER_PERIOD = 200
 #: Largest number of values that is made.
 MAXIMUM_POINTS = 10_000_000
 
+_PULSE = "Mavroeidis-Papageorgiou pulse"
+
 
 def harmonic(
     amplitude: float,
@@ -48,8 +50,9 @@ def harmonic(
 
     Notes
     -----
-    The ground starts from rest, so with phase 0 and no ramp its velocity is :math:`AT/2\pi\,(1-\cos 2\pi t/T)`,
-    of one sign and with a peak of :math:`AT/\pi`; with phase :math:`\pi/2` the mean velocity is zero.
+    The ground starts from rest, so with phase 0 and no ramp its velocity is
+    :math:`AT/2\pi\,(1-\cos 2\pi t/T)`, of one sign and with a peak of :math:`AT/\pi`; with phase
+    :math:`\pi/2` the mean velocity is zero.
     """
     _check_positive("harmonic", amplitude=amplitude, period=period, cycles=cycles)
     _check_finite("harmonic", phase=phase, ramp=ramp)
@@ -61,8 +64,8 @@ def harmonic(
     if ramp > 0.0:
         values = values * _ramps(time, cycles * period, ramp * period)
     values = np.where(time <= cycles * period * (1.0 + 1e-12), values, 0.0)
-    text = f"A = {amplitude:g} mm/s2, T = {period:g} s, {cycles:g} cycles, phase {phase:g} rad, ramp {ramp:g} cycles"
-    return _motion("harmonic", values, step, text)
+    text = f"A = {amplitude:g} mm/s2, T = {period:g} s, {cycles:g} cycles"
+    return _motion("harmonic", values, step, f"{text}, phase {phase:g} rad, ramp {ramp:g} cycles")
 
 
 def ricker(
@@ -83,7 +86,7 @@ def ricker(
     frequency
         Frequency at which the wavelet's spectrum has its maximum [Hz].
     quantity
-        What has this form: ``"velocity"`` (the acceleration is then its exact derivative) or ``"acceleration"``.
+        What has this form: ``"velocity"`` (the acceleration is its exact derivative) or ``"acceleration"``.
     time_step
         Interval between two values [s]; `STEPS_PER_PERIOD` to ``1 / frequency`` when not given.
 
@@ -94,9 +97,9 @@ def ricker(
 
     Notes
     -----
-    The motion lasts ``4 / frequency`` with the wavelet's centre in the middle; before and after, the wavelet is
-    less than 1e-14 of its peak. Its integral over all time is zero, so the ground comes back to where it was
-    (velocity), or to rest where it was (acceleration).
+    The motion lasts ``4 / frequency`` with the wavelet's centre in the middle; before and after, the wavelet
+    is less than 1e-14 of its peak. Its integral and, for the acceleration, its double integral vanish, so the
+    ground comes to rest where it was.
 
     Reference: Ricker, N. (1953), The form and laws of propagation of seismic wavelets, Geophysics 18, 10-40.
     """
@@ -143,7 +146,7 @@ def mavroeidis_papageorgiou(
     phase
         :math:`\nu` [rad]; 0 gives a symmetric and :math:`\pm\pi/2` an antisymmetric velocity.
     peak_time
-        :math:`t_0`, the time of the envelope's peak [s]; as early as can be, :math:`\gamma/2f_p`, when not given.
+        :math:`t_0`, the time of the envelope's peak [s]; :math:`\gamma/2f_p`, the earliest, when not given.
     duration
         Length of the motion [s]; to the end of the pulse when not given.
     time_step
@@ -165,17 +168,13 @@ def mavroeidis_papageorgiou(
     Reference: Mavroeidis, G. P., and Papageorgiou, A. S. (2003), A mathematical representation of near-fault
     ground motions, Bulletin of the Seismological Society of America 93, 1099-1131.
     """
-    name = "Mavroeidis-Papageorgiou pulse"
-    _check_positive(name, amplitude=amplitude, frequency=frequency)
-    _check_finite(name, oscillation=oscillation, phase=phase)
-    if not 1.0 < oscillation <= 1000.0:
-        msg = f"{name}: the oscillation must be greater than 1 (and at most 1000), not {oscillation!r}."
-        raise InputError(msg)
+    _check_pulse(amplitude, frequency, oscillation, phase)
+    name = _PULSE
     half = 0.5 * oscillation / frequency
     centre = half if peak_time is None else peak_time
     length = centre + half if duration is None else duration
     if not (half * (1.0 - 1e-9) <= centre <= (length - half) * (1.0 + 1e-9)):
-        msg = f"{name}: the pulse lasts {half:g} s to both sides of its peak; from 0 s on, it must fit into the motion."
+        msg = f"{name}: the pulse lasts {half:g} s before and after its peak; this must fit into the motion."
         raise InputError(msg)
     time, step = _times(name, length, 1.0 / frequency, time_step)
     values = _pulse_acceleration(time - centre, amplitude, frequency, oscillation, phase)
@@ -184,9 +183,18 @@ def mavroeidis_papageorgiou(
 
 
 def residual_displacement(
-    amplitude: float, frequency: float, oscillation: float, phase: float = 0.0
+    amplitude: float, frequency: float, oscillation: float, *, phase: float = 0.0
 ) -> float:
-    """Return the displacement that the pulse of Mavroeidis and Papageorgiou leaves behind [mm]."""
+    """Return the displacement that the pulse of Mavroeidis and Papageorgiou leaves behind [mm].
+
+    Parameters and bounds are those of `mavroeidis_papageorgiou`.
+
+    Raises
+    ------
+    InputError
+        If a parameter is out of its bounds.
+    """
+    _check_pulse(amplitude, frequency, oscillation, phase)
     shape = math.sin(math.pi * oscillation) / (1.0 - oscillation**2)
     return amplitude * math.cos(phase) * shape / (2.0 * math.pi * frequency)
 
@@ -199,6 +207,14 @@ def _pulse_acceleration(
     shape = np.sin(slow) * np.cos(fast) + oscillation * np.sin(fast) * (1.0 + np.cos(slow))
     inside = np.abs(slow) < math.pi
     return np.where(inside, -amplitude * math.pi * frequency / oscillation * shape, 0.0)
+
+
+def _check_pulse(amplitude: float, frequency: float, oscillation: float, phase: float) -> None:
+    _check_positive(_PULSE, amplitude=amplitude, frequency=frequency)
+    _check_finite(_PULSE, oscillation=oscillation, phase=phase)
+    if not 1.0 < oscillation <= 1000.0:
+        msg = f"{_PULSE}: the oscillation must be greater than 1 and at most 1000, not {oscillation!r}."
+        raise InputError(msg)
 
 
 def _ramps(time: FloatArray, end: float, ramp: float) -> FloatArray:

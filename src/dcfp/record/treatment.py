@@ -1,9 +1,11 @@
 """Optional treatment of a ground motion; each step is written into its `treatment`.
 
-Nothing here is applied silently: readers return the values of the file, and a motion that was treated says so.
+Nothing is done silently: readers return the values of the file, and a motion that was treated says so.
 """
 
 from dataclasses import replace
+from importlib import import_module
+from typing import Any
 
 import numpy as np
 
@@ -61,8 +63,10 @@ def remove_linear_velocity(motion: GroundMotion) -> GroundMotion:
     return _treated(motion, motion.acceleration - slope, "linear baseline in velocity removed")
 
 
-def high_pass(motion: GroundMotion, corner: float, order: int = 2) -> GroundMotion:
-    """Filter with a zero-phase Butterworth high-pass, between zeros that are cut off again.
+def high_pass(
+    motion: GroundMotion, corner: float, order: int = 2, *, keep_margins: bool = True
+) -> GroundMotion:
+    """Filter with a zero-phase Butterworth high-pass, between margins of zeros.
 
     Parameters
     ----------
@@ -72,24 +76,25 @@ def high_pass(motion: GroundMotion, corner: float, order: int = 2) -> GroundMoti
         Corner frequency [Hz]. The filter runs forward and backward, so the amplitude there is one half.
     order
         Order of the filter in each of the two directions.
+    keep_margins
+        Whether the margins stay in the motion, which is then longer and begins and ends at rest.
 
     Raises
     ------
     InputError
-        If the corner is not between zero and half the sampling rate, or so low that the zeros would be too
-        many, or the order is not between 1 and 10.
+        If the corner is not between zero and half the sampling rate, or so low that the margins would be too
+        long, or the order is not between 1 and 10.
 
     Notes
     -----
-    The zeros before and after last ``1.5 order / corner`` together, as Boore and Bommer (2005) recommend after
-    Converse and Brady (1992): an acausal filter needs that time to rise and to decay, and without it the
-    displacement that remains depends on how the ends were continued.
+    The margins last ``1.5 order / corner`` together, as Boore and Bommer (2005) recommend after Converse and
+    Brady (1992): an acausal filter needs that time to rise and to decay. Boore (2005) shows that they must stay
+    in the motion for its velocity and displacement, and the response to it, to agree with the filter.
 
-    Reference: Boore, D. M., and Bommer, J. J. (2005), Processing of strong-motion accelerograms: needs, options
-    and consequences, Soil Dynamics and Earthquake Engineering 25, 93-115.
+    References: Boore, D. M., and Bommer, J. J. (2005), Processing of strong-motion accelerograms: needs,
+    options and consequences, Soil Dynamics and Earthquake Engineering 25, 93-115. Boore, D. M. (2005), On pads
+    and filters: processing strong-motion data, Bulletin of the Seismological Society of America 95, 745-750.
     """
-    from scipy.signal import butter, sosfiltfilt
-
     limit = 0.5 / motion.time_step
     if not 0.0 < corner < limit:
         msg = f"{motion.name}: the corner must lie between 0 and {limit:g} Hz, not at {corner!r} Hz."
@@ -102,10 +107,13 @@ def high_pass(motion: GroundMotion, corner: float, order: int = 2) -> GroundMoti
         msg = f"{motion.name}: a corner of {corner!r} Hz is too low for this time step; raise it."
         raise InputError(msg)
     margin = max(1, round(zeros))
-    sections = butter(order, corner, "highpass", fs=1.0 / motion.time_step, output="sos")
-    filtered = sosfiltfilt(sections, np.pad(motion.acceleration, margin), padtype=None)
+    signal: Any = import_module("scipy.signal")  # only here: it takes a second to import
+    sections = signal.butter(order, corner, "highpass", fs=1.0 / motion.time_step, output="sos")
+    filtered = signal.sosfiltfilt(sections, np.pad(motion.acceleration, margin), padtype=None)
     step = f"zero-phase Butterworth high-pass {corner:g} Hz, order {order}, forward and backward"
-    return _treated(motion, filtered[margin:-margin], step)
+    if not keep_margins:
+        return _treated(motion, filtered[margin:-margin], f"{step}, margins cut off")
+    return _treated(motion, filtered, f"{step}, margins of {margin * motion.time_step:g} s kept")
 
 
 def resample(motion: GroundMotion, factor: int) -> GroundMotion:

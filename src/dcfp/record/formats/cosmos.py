@@ -1,8 +1,8 @@
 """COSMOS strong-motion format 1.20, volumes 1 and 2.
 
 Each channel has text, integer and real headers, comments and one series; the widths of all fields are
-written in the file. Real header 62 is the time step of the series [ms]. Real header 34 is that of the recorder
-[s]; it differs when the series was resampled, so it is used only where 62 is not given.
+written in the file. Real header 62 is the time step of the series [ms]. Real header 34 is that of the
+recorder [s]; it differs when the series was resampled, so it is used only where 62 is not given.
 
 Reference: Consortium of Organizations for Strong-Motion Observation Systems (2001), COSMOS Strong Motion Data
 Format, version 1.20.
