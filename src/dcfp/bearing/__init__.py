@@ -1,1 +1,20 @@
-"""."""
+"""Bearings, friction laws and heating models."""
+
+from dcfp.bearing.bearing import LI_2020 as LI_2020
+from dcfp.bearing.bearing import Bearing as Bearing
+from dcfp.bearing.friction import ConstantFriction as ConstantFriction
+from dcfp.bearing.friction import Constantinou1990 as Constantinou1990
+from dcfp.bearing.friction import FrictionLaw as FrictionLaw
+from dcfp.bearing.friction import Kumar2015 as Kumar2015
+from dcfp.bearing.friction import Li2020 as Li2020
+from dcfp.bearing.friction import UserFriction as UserFriction
+from dcfp.bearing.friction import friction_law as friction_law
+from dcfp.bearing.friction import friction_names as friction_names
+from dcfp.bearing.heating import Heating as Heating
+from dcfp.bearing.heating import NoHeating as NoHeating
+from dcfp.bearing.heating import PreciseHeating as PreciseHeating
+from dcfp.bearing.heating import SimplifiedHeating as SimplifiedHeating
+from dcfp.bearing.heating import heating_model as heating_model
+from dcfp.bearing.heating import heating_names as heating_names
+from dcfp.bearing.read import BearingFile as BearingFile
+from dcfp.bearing.read import read_bearing as read_bearing

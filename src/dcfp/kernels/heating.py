@@ -36,8 +36,8 @@ BANK_ROWS = _STEPS + 3 * (ODD_LENGTH + 1)
 
 # entries of the notes: temperatures of up to two plates now, expected at the end of a step, and in between
 PRESENT, EXPECTED, BETWEEN = 0, 2, 4
-_LENGTHS = plate.FIRST_NOTE + 2 * plate.NOTES
-NOTES = _LENGTHS + 3 * (ODD_LENGTH + 1)
+STEP_NOTES = plate.FIRST_NOTE + 2 * plate.NOTES
+NOTES = STEP_NOTES + 3 * (ODD_LENGTH + 1)
 # three notes for each prepared step: its length [s] (negative if it can only cool), sums of its two rows of weights
 
 
@@ -57,15 +57,15 @@ class Heat(NamedTuple):
 @kernel
 def prepare_cooling(heat, place, length):
     """Make the step at `place` one of `length` [s] that can only cool, unless it is already."""
-    if heat.kind != NO_HEATING and abs(heat.notes[_LENGTHS + 3 * place]) != length:
+    if heat.kind != NO_HEATING and abs(heat.notes[STEP_NOTES + 3 * place]) != length:
         fill_fade(heat.bank, RATES, length, _STEPS + 3 * place)
-        heat.notes[_LENGTHS + 3 * place] = -length
+        heat.notes[STEP_NOTES + 3 * place] = -length
 
 
 @kernel
 def prepare(heat, place, length):
     """Make the step at `place` one of `length` [s], unless it is already."""
-    entry = _LENGTHS + 3 * place
+    entry = STEP_NOTES + 3 * place
     if heat.kind == NO_HEATING or heat.notes[entry] == length:
         return
     fade = _STEPS + 3 * place
@@ -84,7 +84,7 @@ def prepare(heat, place, length):
 @kernel
 def is_prepared(heat, place, length):
     """Whether the step at `place` has that length [s]."""
-    return heat.kind == NO_HEATING or heat.notes[_LENGTHS + 3 * place] == length
+    return heat.kind == NO_HEATING or heat.notes[STEP_NOTES + 3 * place] == length
 
 
 @kernel
@@ -100,7 +100,7 @@ def expect(heat, structure, place, displacement, travel, flux_start, flux_end):
     `displacement` [mm] is in the middle of the step and `travel` [mm] over it; fluxes are mu p |v| [N/(mm s)].
     """
     notes, bank = heat.notes, heat.bank
-    fade, entry = _STEPS + 3 * place, _LENGTHS + 3 * place
+    fade, entry = _STEPS + 3 * place, STEP_NOTES + 3 * place
     for i in range(structure.plates):
         rise = 0.0
         if heat.kind != NO_HEATING:

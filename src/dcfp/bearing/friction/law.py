@@ -1,0 +1,74 @@
+"""What a friction law is."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from typing import ClassVar, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from dcfp.arrays import FloatArray
+from dcfp.kernels.friction import ExponentialLaw
+
+#: What the kernels take: the constants of a built-in law, or a compiled function of (p, v, T).
+KernelLaw: TypeAlias = ExponentialLaw | Callable[[float, float, float], float]
+
+
+class FrictionLaw(ABC):
+    """The coefficient of friction as a function of pressure, speed and temperature.
+
+    Attributes
+    ----------
+    name
+        Name on the command line and in results.
+    citation
+        Key of the source in the bibliography; empty for a law that needs none.
+    speed_is_of_surface
+        True where the law means the speed of the slider on one plate, False where it means the
+        relative speed of the two plates.
+    """
+
+    name: ClassVar[str]
+    citation: ClassVar[str] = ""
+    speed_is_of_surface: ClassVar[bool] = False
+
+    @property
+    def reference(self) -> float:
+        """Coefficient [-] where every factor is one."""
+        return 1.0
+
+    def pressure_factor(self, pressure: ArrayLike) -> FloatArray:
+        """Effect of the pressure [N/mm2] on the coefficient [-]; one unless a law says otherwise."""
+        return np.ones_like(pressure, dtype=np.float64)
+
+    def velocity_factor(self, speed: ArrayLike) -> FloatArray:
+        """Effect of the speed [mm/s] on the coefficient [-]; one unless a law says otherwise."""
+        return np.ones_like(speed, dtype=np.float64)
+
+    def temperature_factor(self, temperature: ArrayLike) -> FloatArray:
+        """Effect of the temperature of the contact [degC] on the coefficient [-]; one unless a law says otherwise."""
+        return np.ones_like(temperature, dtype=np.float64)
+
+    @abstractmethod
+    def at_pressure(self, pressure: float) -> KernelLaw:
+        """Return the law at a constant pressure [N/mm2] in the form that the kernels take."""
+
+    def coefficient(self, pressure: ArrayLike, speed: ArrayLike, temperature: ArrayLike) -> FloatArray:
+        """Coefficient of friction [-].
+
+        Parameters
+        ----------
+        pressure
+            On the slider's area [N/mm2].
+        speed
+            Of the upper plate relative to the lower one, or of the slider on a plate
+            where ``speed_is_of_surface`` [mm/s].
+        temperature
+            Of the contact [degC]. The arguments are broadcast together.
+        """
+        return np.asarray(
+            self.reference
+            * self.pressure_factor(pressure)
+            * self.velocity_factor(np.abs(speed))
+            * self.temperature_factor(temperature)
+        )

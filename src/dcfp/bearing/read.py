@@ -1,0 +1,125 @@
+"""A bearing, its friction law and its heating model from a TOML file."""
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, cast
+
+from dcfp.bearing.bearing import LI_2020, Bearing
+from dcfp.bearing.friction import FrictionLaw, Li2020, friction_law
+from dcfp.bearing.heating import Heating, SimplifiedHeating, heating_model
+from dcfp.errors import InputError
+
+#: Kilonewton per millimetre in newton per millimetre.
+_KILO = 1000.0
+_KEYS = ("name", "radius", "radii", "slider", "pressure", "stiffness", "capacity", "capacity_note")
+
+
+@dataclass(frozen=True)
+class BearingFile:
+    """What a bearing file holds; what it leaves out is that of Li et al. (2020)."""
+
+    bearing: Bearing
+    friction: FrictionLaw
+    heating: Heating
+
+
+def read_bearing(path: str | Path) -> BearingFile:
+    """Read a bearing file.
+
+    Parameters
+    ----------
+    path
+        TOML with any of the keys ``name``, ``radius`` [mm] (of both plates) or ``radii`` [mm] (a list of one or
+        two), ``slider`` (diameter, mm), ``pressure`` [N/mm2], ``stiffness`` (kN/mm), ``capacity`` [mm] and
+        ``capacity_note``, and the tables ``[friction]`` (``law`` and its parameters) and ``[heating]`` (``model``,
+        ``conductivity`` [N/(s degC)], which is numerically W/(m degC), ``diffusivity`` [mm2/s], ``ambient`` [degC], ``cells``).
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, or has an unknown key or a value out of range.
+    """
+    content = _load(Path(path))
+    where = str(path)
+    friction_table = _table(content, "friction", where)
+    heating_table = _table(content, "heating", where)
+    for key in content:
+        if key not in (*_KEYS, "friction", "heating"):
+            msg = f"{where}: {key!r} is not known; the keys are {', '.join(_KEYS)}, [friction] and [heating]."
+            raise InputError(msg)
+    try:
+        return BearingFile(_bearing(content, where), _friction(friction_table), _heating(heating_table))
+    except InputError as error:
+        text = str(error)
+        msg = text if text.startswith(where) else f"{where}: {text}"
+        raise InputError(msg) from error
+
+
+def _load(path: Path) -> dict[str, Any]:
+    try:
+        with path.open("rb") as stream:
+            return tomllib.load(stream)
+    except FileNotFoundError as error:
+        msg = f"{path}: there is no such file; a bearing file is TOML with keys such as radius and slider."
+        raise InputError(msg) from error
+    except OSError as error:
+        msg = f"{path}: the file cannot be read ({error.strerror})."
+        raise InputError(msg) from error
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        msg = f"{path}: this is not TOML ({error})."
+        raise InputError(msg) from error
+
+
+def _table(content: Mapping[str, Any], key: str, where: str) -> dict[str, Any]:
+    table = content.get(key, {})
+    if not isinstance(table, dict):
+        msg = f"{where}: {key!r} must be a table, written [{key}]."
+        raise InputError(msg)
+    return dict(cast("dict[str, Any]", table))
+
+
+def _bearing(content: Mapping[str, Any], where: str) -> Bearing:
+    if "radius" in content and "radii" in content:
+        msg = f"{where}: give either radius or radii, not both."
+        raise InputError(msg)
+    radii = content.get("radii", LI_2020.radii)
+    if "radius" in content:
+        radii = [content["radius"]] * 2
+    if not isinstance(radii, (list, tuple)):
+        msg = f"{where}: radii must be a list of one or two numbers of mm, not {radii!r}."
+        raise InputError(msg)
+    stiffness = content.get("stiffness", LI_2020.elastic_stiffness / _KILO)
+    same_plates = "radius" not in content and "radii" not in content and "slider" not in content
+    return Bearing(
+        radii=tuple(cast("list[float]", radii)),
+        slider_diameter=content.get("slider", LI_2020.slider_diameter),
+        pressure=content.get("pressure", LI_2020.pressure),
+        elastic_stiffness=kilonewton(stiffness),
+        displacement_capacity=content.get("capacity", LI_2020.displacement_capacity if same_plates else None),
+        capacity_note=str(content.get("capacity_note", "")),
+        name=str(content.get("name", Path(where).stem)),
+    )
+
+
+def kilonewton(stiffness: object) -> float:
+    """Return a stiffness given in kN/mm in N/mm."""
+    if isinstance(stiffness, bool) or not isinstance(stiffness, (int, float)):
+        msg = f"The elastic stiffness must be a positive number of kN/mm, not {stiffness!r}."
+        raise InputError(msg)
+    return float(stiffness) * _KILO
+
+
+def _friction(table: dict[str, Any]) -> FrictionLaw:
+    if not table:
+        return Li2020()
+    law = table.pop("law", "li2020")
+    return friction_law(str(law), table)
+
+
+def _heating(table: dict[str, Any]) -> Heating:
+    if not table:
+        return SimplifiedHeating()
+    model = table.pop("model", "simplified")
+    return heating_model(str(model), **table)

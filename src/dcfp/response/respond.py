@@ -1,0 +1,260 @@
+"""Response history analysis of a rigid structure on a bearing."""
+
+import math
+import time
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from dcfp.arrays import FloatArray, freeze
+from dcfp.bearing import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating
+from dcfp.errors import AnalysisError, InputError
+from dcfp.kernels.heating import NO_HEATING
+from dcfp.kernels.march import DONE, OUT_OF_CELLS, TEMPERATURE, march
+from dcfp.kernels.motion import Structure
+from dcfp.kernels.plate import write_profile
+from dcfp.record.ground_motion import GroundMotion
+from dcfp.response.kernel_input import FIRST_REACH, State, heat_of, state_at_rest, structure_of
+from dcfp.response.response import Histories, Profiles, Response, Settings
+
+#: Default of `Settings.tolerance`.
+TOLERANCE = 0.02
+#: Longest free motion after the record that is waited for [s].
+LONGEST_TAIL = 120.0
+
+
+@dataclass
+class _Run:
+    """What one march left behind."""
+
+    state: State
+    lines: FloatArray
+    profiles: list[tuple[float, FloatArray]]
+    done: int
+    elapsed: float
+
+
+def respond(
+    motion: GroundMotion,
+    bearing: Bearing = LI_2020,
+    friction: FrictionLaw | None = None,
+    heating: Heating | None = None,
+    *,
+    tail: float | None = None,
+    tolerance: float = TOLERANCE,
+    step: float | None = None,
+    start: State | None = None,
+    profile_every: int | None = None,
+) -> Response:
+    """Analyse a rigid structure on a bearing under a ground motion.
+
+    Parameters
+    ----------
+    motion
+        Ground acceleration, linear between its samples.
+    bearing
+        By default that of Li et al. (2020).
+    friction
+        By default the law of Li et al. (2020), Eqs (7)-(10).
+    heating
+        By default the simplified model, Li et al. (2020), section 4.2.
+    tail
+        Time after the record in which the ground is at rest [s]. By default the analysis goes on until no
+        more sliding can come, for at most 120 s.
+    tolerance
+        How far the coefficient of friction in the middle of a step may be from the mean of its ends, relative to it [-].
+    step
+        Longest step [s]; by default the record's own.
+    start
+        State to begin from, `Response.final_state` of an earlier analysis of the same bearing; by default at rest.
+    profile_every
+        Keep the temperature along the plates at every so many samples; needs the precise heating model.
+
+    Returns
+    -------
+    Response
+        Histories at the record's samples (at the steps where `step` is shorter), peaks, and the state at the end.
+
+    Raises
+    ------
+    InputError
+        If an argument is out of range.
+    AnalysisError
+        If the analysis cannot be finished.
+    """
+    friction = Li2020() if friction is None else friction
+    heating = SimplifiedHeating() if heating is None else heating
+    settings = _checked(tail, tolerance, step, profile_every, heating)
+    structure = structure_of(bearing, friction)
+    law = friction.at_pressure(bearing.pressure)
+    parts = 1 if step is None else max(1, math.ceil(motion.time_step / step * (1.0 - 1e-12)))
+    interval = motion.time_step / parts
+    acceleration = _with_tail(_refined(motion.acceleration, parts), interval, settings.tail)
+    record_samples = (motion.acceleration.size - 1) * parts
+    free_from = record_samples if tail is None else acceleration.size
+    _compile_for(type(law), structure, law)
+    first = start
+    reach = FIRST_REACH
+    while True:
+        if start is None:
+            first = state_at_rest(structure, bearing, heating, reach)
+        assert first is not None
+        run = _march(
+            law, structure, bearing, heating, first.copy(), acceleration, interval, free_from, settings
+        )
+        if run is not None:
+            break
+        if start is not None:
+            msg = f"{motion.name}: the slider leaves the part of the plate for which the starting state has room."
+            raise AnalysisError(msg)
+        reach *= 2.0
+    samples = run.done + 1
+    ground = first.ground_velocity + _ground_velocity(acceleration[:samples], interval)
+    lines = run.lines[:samples]
+    if not np.isfinite(lines).all():
+        msg = f"{motion.name}: the response is not a finite number; look at the friction law."
+        raise AnalysisError(msg)
+    histories = Histories(
+        time=freeze(np.arange(samples) * interval),
+        ground_acceleration=freeze(acceleration[:samples]),
+        ground_velocity=freeze(ground),
+        lines=freeze(lines),
+    )
+    return Response(
+        motion=motion,
+        bearing=bearing,
+        friction_law=friction,
+        heating=heating,
+        settings=settings,
+        histories=histories,
+        final_state=run.state.copy(float(ground[-1])),
+        profiles=Profiles.of(run.profiles, bearing, heating) if run.profiles else None,
+        elapsed=run.elapsed,
+    )
+
+
+def _checked(
+    tail: float | None, tolerance: float, step: float | None, profile_every: int | None, heating: Heating
+) -> Settings:
+    if tail is not None and not (math.isfinite(tail) and tail >= 0.0):
+        msg = f"The tail must be zero or a positive number of seconds, not {tail!r}."
+        raise InputError(msg)
+    if not (math.isfinite(tolerance) and 0.0 < tolerance < 1.0):
+        msg = f"The tolerance must lie between 0 and 1, not {tolerance!r}."
+        raise InputError(msg)
+    if step is not None and not (math.isfinite(step) and step >= 1e-6):
+        msg = f"The step must be a positive number of seconds, at least a microsecond, not {step!r}."
+        raise InputError(msg)
+    if profile_every is not None and (heating.name != "precise" or profile_every < 1):
+        msg = "The temperature along the plates needs the precise heating model and a positive number of samples."
+        raise InputError(msg)
+    return Settings(tail=tail, tolerance=tolerance, step=step, profile_every=profile_every)
+
+
+def _refined(acceleration: FloatArray, parts: int) -> FloatArray:
+    """Return the same piecewise linear motion with `parts` steps in place of one."""
+    if parts == 1:
+        return acceleration
+    samples = acceleration.size
+    places = np.arange((samples - 1) * parts + 1) / parts
+    return np.interp(places, np.arange(samples), acceleration)
+
+
+def _with_tail(acceleration: FloatArray, interval: float, tail: float | None) -> FloatArray:
+    length = LONGEST_TAIL if tail is None else tail
+    return np.concatenate((acceleration, np.zeros(round(length / interval))))
+
+
+def _ground_velocity(acceleration: FloatArray, interval: float) -> FloatArray:
+    steps = 0.5 * interval * (acceleration[1:] + acceleration[:-1])
+    return np.concatenate(([0.0], np.cumsum(steps)))
+
+
+@cache
+def _compile_for(kind: type, structure: Structure, law: Any) -> None:
+    """Have the kernels compiled or loaded, so that the time of an analysis is its own."""
+    del kind
+    heating = SimplifiedHeating()
+    state = state_at_rest(structure, LI_2020, heating, 0.0)
+    heat = heat_of(state, LI_2020, heating)._replace(kind=NO_HEATING)
+    lines = np.zeros((2, TEMPERATURE + structure.plates))
+    march(law, structure, heat, np.zeros(2), 1e-3, 2, TOLERANCE, state.march, lines)
+
+
+def _march(
+    law: Any,
+    structure: Structure,
+    bearing: Bearing,
+    heating: Heating,
+    state: State,
+    acceleration: FloatArray,
+    interval: float,
+    free_from: int,
+    settings: Settings,
+) -> _Run | None:
+    """March through the whole motion; None if the slider left the line of cells."""
+    began = time.perf_counter()
+    heat = heat_of(state, bearing, heating)
+    lines = np.empty((acceleration.size, TEMPERATURE + structure.plates))
+    lines[0] = _first_line(state, structure)
+    profiles: list[tuple[float, FloatArray]] = []
+    part = settings.profile_every or acceleration.size
+    done = 0
+    while done < acceleration.size - 1:
+        stop = min(done + part, acceleration.size - 1)
+        status, samples = march(
+            law,
+            structure,
+            heat,
+            acceleration[done : stop + 1],
+            interval,
+            free_from - done,
+            settings.tolerance,
+            state.march,
+            lines[done:],
+        )
+        done += samples
+        if status == OUT_OF_CELLS:
+            return None
+        if status != DONE:
+            msg = (
+                f"The analysis makes no progress at {done * interval:.4g} s;"
+                " look at the friction law, or try a shorter step."
+            )
+            raise AnalysisError(msg)
+        if settings.profile_every is not None:
+            profiles.append((done * interval, _profile(heat, structure, state, lines[done])))
+        if done < stop:
+            break  # at rest
+        if settings.profile_every is not None and samples == 0:
+            break
+    return _Run(state, lines, profiles, done, time.perf_counter() - began)
+
+
+def _first_line(state: State, structure: Structure) -> FloatArray:
+    from dcfp.kernels import march as m
+    from dcfp.kernels.heating import PRESENT
+
+    line = np.zeros(TEMPERATURE + structure.plates)
+    line[m.DISPLACEMENT] = state.march[m.STATE_DISPLACEMENT]
+    line[m.VELOCITY] = state.march[m.STATE_VELOCITY]
+    line[m.ELONGATION] = state.march[m.STATE_ELONGATION]
+    line[m.SIDE] = state.march[m.STATE_SIDE]
+    line[m.INPUT] = state.march[m.STATE_INPUT]
+    line[m.HYSTERETIC] = state.march[m.STATE_HYSTERETIC]
+    line[TEMPERATURE:] = state.notes[PRESENT : PRESENT + structure.plates]
+    return line
+
+
+def _profile(heat: Any, structure: Structure, state: State, line: FloatArray) -> FloatArray:
+    from dcfp.kernels import march as m
+
+    rises = np.zeros((structure.plates, heat.cells.shape[1]))
+    shares = (structure.first_share, structure.second_share)
+    for i in range(structure.plates):
+        flux = shares[i] * structure.pressure * line[m.FRICTION] * abs(line[m.VELOCITY])
+        flux = flux if line[m.SIDE] != 0.0 else 0.0
+        write_profile(heat, i, state.march[m.STATE_TIME], flux, rises[i])
+    return rises + heat.ambient

@@ -1,0 +1,263 @@
+"""The result of a response history analysis."""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import xarray
+
+from dcfp.arrays import FloatArray, freeze
+from dcfp.bearing import Bearing, FrictionLaw, Heating
+from dcfp.kernels import march as m
+from dcfp.record.ground_motion import GroundMotion
+from dcfp.response.energy import EnergyBalance, equivalent_velocity
+from dcfp.response.kernel_input import State, cell_width
+from dcfp.response.status import Status
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How finely and how far the analysis went; see `dcfp.respond`."""
+
+    tail: float | None
+    tolerance: float
+    step: float | None
+    profile_every: int | None
+
+
+@dataclass(frozen=True)
+class Histories:
+    """Histories at equal steps; ``lines`` is what the kernels wrote, a row for each time."""
+
+    time: FloatArray
+    ground_acceleration: FloatArray
+    ground_velocity: FloatArray
+    lines: FloatArray
+
+
+@dataclass(frozen=True)
+class Profiles:
+    """Temperature along the plates.
+
+    Attributes
+    ----------
+    time
+        [s], shape (times,).
+    position
+        Of the middle of each cell, from the centre of the plate [mm], shape (cells,).
+    temperature
+        [degC], shape (times, plates, cells).
+    """
+
+    time: FloatArray
+    position: FloatArray
+    temperature: FloatArray
+
+    @classmethod
+    def of(cls, kept: list[tuple[float, FloatArray]], bearing: Bearing, heating: Heating) -> "Profiles":
+        """Return the profiles that a march kept."""
+        temperature = np.stack([profile for _, profile in kept])
+        cells = temperature.shape[-1]
+        # the last cell is there only for the right edge to enter: the line is centred without it
+        position = (np.arange(cells) - 0.5 * (cells - 2)) * cell_width(bearing, heating)
+        return cls(freeze(np.array([t for t, _ in kept])), freeze(position), freeze(temperature))
+
+
+@dataclass(frozen=True, eq=False)
+class Response:
+    """Histories, peaks and energies of a rigid structure on a bearing, and what they came from."""
+
+    motion: GroundMotion
+    bearing: Bearing
+    friction_law: FrictionLaw
+    heating: Heating
+    settings: Settings
+    histories: Histories
+    final_state: State
+    profiles: Profiles | None
+    elapsed: float
+
+    # ----- histories, shape (n,) -----
+
+    @property
+    def time(self) -> FloatArray:
+        """Time [s]."""
+        return self.histories.time
+
+    @property
+    def ground_acceleration(self) -> FloatArray:
+        """Ground acceleration a_g [mm/s2]."""
+        return self.histories.ground_acceleration
+
+    @property
+    def ground_velocity(self) -> FloatArray:
+        """Absolute velocity of the ground v_g [mm/s]."""
+        return self.histories.ground_velocity
+
+    @property
+    def displacement(self) -> FloatArray:
+        """Relative displacement y [mm]."""
+        return self._line(m.DISPLACEMENT)
+
+    @property
+    def velocity(self) -> FloatArray:
+        """Relative velocity v [mm/s]."""
+        return self._line(m.VELOCITY)
+
+    @property
+    def structure_velocity(self) -> FloatArray:
+        """Absolute velocity of the structure v_u = v + v_g [mm/s]: Li et al. (2020), Eq. (13)."""
+        return self.velocity + self.ground_velocity
+
+    @property
+    def elongation(self) -> FloatArray:
+        """Elongation of spring (b), y - O_Y [mm]."""
+        return self._line(m.ELONGATION)
+
+    @property
+    def friction(self) -> FloatArray:
+        """Coefficient of friction [-]: the one at work while sliding, the one to overcome while sticking."""
+        values = self._line(m.FRICTION).copy()
+        values[0] = float(
+            self.friction_law.coefficient(self.bearing.pressure, abs(self.velocity[0]), self.temperature[0])
+        )
+        return freeze(values)
+
+    @property
+    def sliding(self) -> FloatArray:
+        """Side on which it slides: 1, -1, or 0 while sticking."""
+        return self._line(m.SIDE)
+
+    @property
+    def temperature(self) -> FloatArray:
+        """Temperature of the contact [degC]; of two different plates the mean by their share of the travel."""
+        values = self.histories.lines[:, m.TEMPERATURE :]
+        if values.shape[1] == 1:
+            return values[:, 0]
+        return values @ np.array(self.bearing.shares)
+
+    @property
+    def force(self) -> FloatArray:
+        """Horizontal force of the bearing [N]."""
+        pendulum = self.bearing.restoring_stiffness * self.displacement
+        return pendulum + self.bearing.elastic_stiffness * self.elongation
+
+    @property
+    def structure_acceleration(self) -> FloatArray:
+        """Absolute acceleration of the structure [mm/s2]."""
+        return -self.force / self.bearing.mass
+
+    @cached_property
+    def energy(self) -> EnergyBalance:
+        """Energies [N mm]."""
+        return EnergyBalance.of(
+            self.bearing,
+            self.displacement,
+            self.velocity,
+            self.elongation,
+            self.ground_velocity,
+            self._line(m.INPUT) * self.bearing.mass,
+            self._line(m.HYSTERETIC) * self.bearing.mass,
+        )
+
+    def _line(self, column: int) -> FloatArray:
+        return self.histories.lines[:, column]
+
+    # ----- peaks -----
+
+    @property
+    def peak_displacement(self) -> float:
+        """Largest displacement y_max, to either side [mm]."""
+        return float(self.final_state.march[m.PEAK_DISPLACEMENT])
+
+    @property
+    def peak_change(self) -> float:
+        """Largest change of displacement between two successive peaks, dy_max [mm]; Li et al. (2020), section 6.1."""
+        return float(self.final_state.march[m.PEAK_CHANGE])
+
+    @property
+    def peak_velocity(self) -> float:
+        """Largest relative velocity [mm/s]."""
+        return float(self.final_state.march[m.PEAK_VELOCITY])
+
+    @property
+    def peak_force(self) -> float:
+        """Largest horizontal force [N]."""
+        return float(self.final_state.march[m.PEAK_FORCE]) * self.bearing.mass
+
+    @property
+    def peak_temperature(self) -> float:
+        """Highest temperature of the contact of any plate [degC]."""
+        return float(self.final_state.march[m.PEAK_TEMPERATURE])
+
+    @property
+    def least_friction(self) -> float:
+        """Smallest coefficient of friction while sliding [-]; where it never slides, the one at rest at the start."""
+        least = float(self.final_state.march[m.LEAST_FRICTION])
+        return least if math.isfinite(least) else float(self.friction[0])
+
+    @property
+    def residual_displacement(self) -> float:
+        """Displacement at which it stays when the last elastic oscillation has died away [mm]."""
+        stuck = float(self.displacement[-1] - self.elongation[-1])
+        elastic = self.bearing.elastic_stiffness
+        return stuck * elastic / (elastic + self.bearing.restoring_stiffness)
+
+    @property
+    def input_velocity(self) -> float:
+        """Equivalent velocity V_E of the input energy at the end [mm/s]."""
+        return equivalent_velocity(float(self.energy.input[-1]), self.bearing.mass)
+
+    @property
+    def hysteretic_velocity(self) -> float:
+        """Equivalent velocity V_Eh of the hysteretic energy at the end [mm/s]."""
+        return equivalent_velocity(float(self.energy.hysteretic[-1]), self.bearing.mass)
+
+    @property
+    def steps(self) -> int:
+        """Number of steps that the integration took."""
+        return int(self.final_state.march[m.STEPS])
+
+    @property
+    def status(self) -> Status:
+        """How the analysis ended."""
+        capacity = self.bearing.displacement_capacity
+        if capacity is not None and self.peak_displacement > capacity:
+            return Status.BEYOND_CAPACITY
+        return Status.STILL_MOVING if self.sliding[-1] != 0.0 else Status.OK
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """Sentences that a reader of the peaks must know."""
+        remarks: list[str] = []
+        capacity = self.bearing.displacement_capacity
+        if capacity is not None and self.peak_displacement > capacity:
+            note = f" ({self.bearing.capacity_note})" if self.bearing.capacity_note else ""
+            remarks.append(
+                f"{self.motion.name}: the displacement of {self.peak_displacement:.0f} mm exceeds"
+                f" the capacity of {capacity:.0f} mm{note}."
+            )
+        if self.sliding[-1] != 0.0:
+            remarks.append(f"{self.motion.name}: it is still sliding at the end, so the residual displacement is not final.")
+        return tuple(remarks)
+
+    # ----- forms -----
+
+    def to_dataset(self) -> xarray.Dataset:
+        """Return histories, peaks and provenance as a data set with units."""
+        from dcfp.response.dataset import dataset
+
+        return dataset(self)
+
+    def summary(self) -> dict[str, float | str]:
+        """Return the peaks with their units in their names, ready for JSON."""
+        from dcfp.response.summary import summary
+
+        return summary(self)
+
+    def __str__(self) -> str:
+        return (
+            f"{self.motion.name}: y_max {self.peak_displacement:.1f} mm, F_max {self.peak_force / 1e3:.0f} kN,"
+            f" T_max {self.peak_temperature:.0f} degC, V_E {self.input_velocity:.0f} mm/s ({self.status.value})"
+        )
