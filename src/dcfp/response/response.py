@@ -3,9 +3,9 @@
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
-import xarray
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.bearing import Bearing, FrictionLaw, Heating
@@ -14,6 +14,9 @@ from dcfp.record.ground_motion import GroundMotion
 from dcfp.response.energy import EnergyBalance, equivalent_velocity
 from dcfp.response.kernel_input import State, cell_width
 from dcfp.response.status import Status
+
+if TYPE_CHECKING:
+    import xarray
 
 
 @dataclass(frozen=True)
@@ -244,7 +247,7 @@ class Response:
 
     # ----- forms -----
 
-    def to_dataset(self) -> xarray.Dataset:
+    def to_dataset(self) -> "xarray.Dataset":
         """Return histories, peaks and provenance as a data set with units."""
         from dcfp.response.dataset import dataset
 
