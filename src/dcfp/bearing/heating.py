@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from dcfp.arrays import FloatArray
 from dcfp.bearing.checks import finite, positive
 from dcfp.errors import InputError
-from dcfp.kernels.heating import LINE, NO_HEATING, POINT
+from dcfp.kernels.heat_state import LINE, NO_HEATING, POINT
 
 #: Thermal conductivity k of steel [N/(s degC)]: 0.016 W/(mm degC), and 1 W is 1000 N mm/s; section 4.2.
 CONDUCTIVITY = 16.0
@@ -84,7 +84,7 @@ class PreciseHeating(_Steel):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if isinstance(self.cells, bool) or not isinstance(self.cells, int) or not 2 <= self.cells <= 10_000:
+        if type(self.cells) is not int or not 2 <= self.cells <= 10_000:
             msg = f"The number of cells across the contact must be a whole number from 2 to 10000, not {self.cells!r}."
             raise InputError(msg)
 

@@ -9,12 +9,16 @@ pressure, speed and temperature. Which of the two is meant is known from the typ
 """
 
 import math
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import Any, NamedTuple, TypeAlias
 
+import numpy as np
 from numba import types
 from numba.extending import overload
+from numpy.typing import NDArray
 
 from dcfp.kernels._jit import kernel
+from dcfp.kernels.motion import Structure
 
 
 class ExponentialLaw(NamedTuple):
@@ -28,30 +32,45 @@ class ExponentialLaw(NamedTuple):
     heat_floor: float
 
 
+#: The constants of a built-in law, or a compiled function of pressure, speed and temperature.
+Law: TypeAlias = ExponentialLaw | Callable[[float, float, float], float]
+
+
 @kernel
-def exponential_coefficient(law, speed, temperature):
+def exponential_coefficient(law: ExponentialLaw, speed: float, temperature: float) -> float:
     """Coefficient of friction [-] of an `ExponentialLaw` at a speed [mm/s] and a temperature [degC]."""
     speed_factor = 1.0 - law.speed_drop * math.exp(-law.speed_rate * speed)
     heat_factor = law.heat_scale * math.exp(-law.heat_rate * temperature) + law.heat_floor
     return law.reference * speed_factor * heat_factor
 
 
-def coefficient(law, pressure, speed, temperature):
+def coefficient(law: Law, pressure: float, speed: float, temperature: float) -> float:
     """Coefficient of friction [-] at a pressure [N/mm2], a speed [mm/s] and a temperature [degC]."""
     if isinstance(law, ExponentialLaw):
         return exponential_coefficient(law, speed, temperature)
     return law(pressure, speed, temperature)
 
 
-@overload(coefficient)
-def _compiled_coefficient(law, pressure, speed, temperature):
-    if isinstance(law, types.BaseNamedTuple):
-        return lambda law, pressure, speed, temperature: exponential_coefficient(law, speed, temperature)
-    return lambda law, pressure, speed, temperature: law(pressure, speed, temperature)
+def _exponential(law: Any, pressure: Any, speed: Any, temperature: Any) -> Any:
+    return exponential_coefficient(law, speed, temperature)
+
+
+def _of_user(law: Any, pressure: Any, speed: Any, temperature: Any) -> Any:
+    return law(pressure, speed, temperature)
+
+
+def _compiled_coefficient(law: Any, pressure: Any, speed: Any, temperature: Any) -> Any:
+    return _exponential if isinstance(law, types.BaseNamedTuple) else _of_user
+
+
+register: Any = overload(coefficient)
+register(_compiled_coefficient)
 
 
 @kernel
-def mean_coefficient(law, structure, speed, notes, first):
+def mean_coefficient(
+    law: Law, structure: Structure, speed: float, notes: NDArray[np.float64], first: int
+) -> float:
     """Coefficient of the whole bearing [-] at a relative speed [mm/s]: the plates' mean by their share of the travel.
 
     The plates' temperatures [degC] stand in `notes` from entry `first` on.

@@ -2,10 +2,13 @@
 
 import math
 
+import numpy as np
+from numpy.typing import NDArray
+
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.friction import mean_coefficient
-from dcfp.kernels.heating import PRESENT
-from dcfp.kernels.motion import Motion, Push
+from dcfp.kernels.friction import Law, mean_coefficient
+from dcfp.kernels.heat_state import PRESENT, Heat
+from dcfp.kernels.motion import Advance, Motion, Push, Structure
 from dcfp.kernels.sliding import slide_step
 from dcfp.kernels.sticking import stick_step
 
@@ -41,11 +44,22 @@ _MOST_STEPS_PER_SAMPLE = 20_000
 
 
 @kernel
-def march(law, structure, heat, acceleration, interval, free_from, tolerance, state, histories):
+def march(
+    law: Law,
+    structure: Structure,
+    heat: Heat,
+    acceleration: NDArray[np.float64],
+    interval: float,
+    free_from: int,
+    tolerance: float,
+    state: NDArray[np.float64],
+    histories: NDArray[np.float64],
+) -> tuple[int, int]:
     """Respond to the samples of `acceleration` [mm/s2], `interval` [s] apart; return how it ended and the samples done.
 
-    `state` and `heat` are where it starts from, and are left where it ends. Row i + 1 of `histories` is written at sample i + 1. From sample `free_from` on it stops as soon as no more sliding can come
-    (the ground must be at rest there).
+    `state` and `heat` are where it starts from, and are left where it ends. Row i + 1 of `histories` is written
+    at sample i + 1. From sample `free_from` on, where the ground must be at rest, it stops as soon as no more
+    sliding can come.
     """
     motion = Motion(
         state[STATE_DISPLACEMENT],
@@ -56,6 +70,7 @@ def march(law, structure, heat, acceleration, interval, free_from, tolerance, st
     level = int(state[STATE_LEVEL])
     fresh = state[STATE_FRESH] > 0.0
     began = state[STATE_TIME]
+    friction = 0.0
     done = 0
     status = DONE
     for i in range(acceleration.size - 1):
@@ -73,8 +88,8 @@ def march(law, structure, heat, acceleration, interval, free_from, tolerance, st
                 advance, level = slide_step(
                     law, structure, heat, fresh, motion, push, now, room, interval, level, tolerance
                 )
-                fresh = False
-            motion = advance.motion
+                fresh = fresh and advance.length == 0.0
+            motion, friction = advance.motion, advance.friction
             elapsed = interval if advance.length == room else elapsed + advance.length
             _note(state, structure, motion, advance, heat.notes)
             steps += 1
@@ -88,7 +103,7 @@ def march(law, structure, heat, acceleration, interval, free_from, tolerance, st
             break
         done = i + 1
         state[STEPS] += steps
-        _record(histories, done, structure, motion, advance.friction, state, heat.notes)
+        _record(histories, done, structure, motion, friction, state, heat.notes)
         if done >= free_from and _rests(law, structure, heat, motion):
             break
     state[STATE_DISPLACEMENT] = motion.displacement
@@ -103,7 +118,13 @@ def march(law, structure, heat, acceleration, interval, free_from, tolerance, st
 
 
 @kernel
-def _note(state, structure, motion, advance, notes):
+def _note(
+    state: NDArray[np.float64],
+    structure: Structure,
+    motion: Motion,
+    advance: Advance,
+    notes: NDArray[np.float64],
+) -> None:
     """Add up the energies and keep the peaks."""
     state[STATE_INPUT] += advance.input
     state[STATE_HYSTERETIC] += advance.hysteretic
@@ -121,7 +142,15 @@ def _note(state, structure, motion, advance, notes):
 
 
 @kernel
-def _record(histories, sample, structure, motion, friction, state, notes):
+def _record(
+    histories: NDArray[np.float64],
+    sample: int,
+    structure: Structure,
+    motion: Motion,
+    friction: float,
+    state: NDArray[np.float64],
+    notes: NDArray[np.float64],
+) -> None:
     if sample >= histories.shape[0]:
         return
     line = histories[sample]
@@ -137,7 +166,7 @@ def _record(histories, sample, structure, motion, friction, state, notes):
 
 
 @kernel
-def _rests(law, structure, heat, motion):
+def _rests(law: Law, structure: Structure, heat: Heat, motion: Motion) -> bool:
     """Whether the free elastic oscillation that is left stays inside the yield surface."""
     if motion.side != 0:
         return False

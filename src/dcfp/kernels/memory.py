@@ -15,6 +15,7 @@ restart can alter the answer.
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
 from dcfp.kernels._jit import kernel, reassociating_kernel
 
@@ -24,7 +25,7 @@ RATE_RATIO = 2.0**1.5
 MODES = 20
 
 
-def fading_modes(horizon=1000.0):
+def fading_modes(horizon: float = 1000.0) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
     """Return rates [1/s] (slowest first), weights [s^-1/2] and the instant weight [s^1/2] for 1/sqrt(tau).
 
     The slowest mode barely fades within the `horizon` [s]; the fastest lives 50 microseconds for the default one.
@@ -39,7 +40,7 @@ def fading_modes(horizon=1000.0):
 
 
 @kernel
-def fill_fade(bank, rates, step, fade):
+def fill_fade(bank: NDArray[np.float64], rates: int, step: float, fade: int) -> None:
     """Write exp(-rate step) of every mode into row `fade`, by repeated squaring of the two slowest.
 
     Every second rate is RATE_RATIO squared = 8 times as fast.
@@ -55,7 +56,7 @@ def fill_fade(bank, rates, step, fade):
 
 
 @kernel
-def fill_weights(bank, rates, weights, step, fade):
+def fill_weights(bank: NDArray[np.float64], rates: int, weights: int, step: float, fade: int) -> None:
     """Write what a linear flux does over a step into the two rows after `fade`.
 
     A step in which the flux goes from q0 to q1 turns c into fade c + opening q0 + closing q1.
@@ -74,7 +75,7 @@ def fill_weights(bank, rates, weights, step, fade):
 
 
 @reassociating_kernel
-def total(bank, row):
+def total(bank: NDArray[np.float64], row: int) -> float:
     """Sum of a row."""
     s = 0.0
     for j in range(MODES):
@@ -83,7 +84,7 @@ def total(bank, row):
 
 
 @reassociating_kernel
-def faded_total(bank, fade, row):
+def faded_total(bank: NDArray[np.float64], fade: int, row: int) -> float:
     """Sum of a row after a fade."""
     s = 0.0
     for j in range(MODES):
@@ -92,7 +93,7 @@ def faded_total(bank, fade, row):
 
 
 @reassociating_kernel
-def feed(bank, fade, row, flux_start, flux_end):
+def feed(bank: NDArray[np.float64], fade: int, row: int, flux_start: float, flux_end: float) -> float:
     """Advance a row of modes over a step in which the flux is linear; return their new sum."""
     s = 0.0
     for j in range(MODES):
@@ -103,7 +104,7 @@ def feed(bank, fade, row, flux_start, flux_end):
 
 
 @reassociating_kernel
-def let_fade(bank, fade, row):
+def let_fade(bank: NDArray[np.float64], fade: int, row: int) -> float:
     """Advance a row of modes over a step without flux; return their new sum."""
     s = 0.0
     for j in range(MODES):

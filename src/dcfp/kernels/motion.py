@@ -59,6 +59,6 @@ class Advance(NamedTuple):
 
 
 @kernel
-def share(structure, plate):
+def share(structure: Structure, plate: int) -> float:
     """Share of the relative travel that a plate takes [-]."""
     return structure.first_share if plate == 0 else structure.second_share

@@ -16,7 +16,6 @@ from typing import NamedTuple
 
 from dcfp.kernels._jit import kernel
 
-
 # 1/k! up to 6, and the ratios (k-2)!/k! beyond: multiplying is several times faster than dividing
 _3, _4, _5, _6 = 1.0 / 6.0, 1.0 / 24.0, 1.0 / 120.0, 1.0 / 720.0
 _7, _8, _9, _10 = 1.0 / 42.0, 1.0 / 56.0, 1.0 / 72.0, 1.0 / 90.0
@@ -37,7 +36,14 @@ class Swing(NamedTuple):
 
 
 @kernel
-def swing(stiffness, step, velocity, acceleration, push_rate, push_curvature):
+def swing(
+    stiffness: float,
+    step: float,
+    velocity: float,
+    acceleration: float,
+    push_rate: float,
+    push_curvature: float,
+) -> Swing:
     """Advance the oscillator over `step` [s], which must not exceed about one radian.
 
     `stiffness` is omega squared [1/s2]; `acceleration` is that at the start [mm/s2]; the push is
@@ -66,7 +72,7 @@ def swing(stiffness, step, velocity, acceleration, push_rate, push_curvature):
 
 
 @kernel
-def work(constant, rate, curvature, step, swung):
+def work(constant: float, rate: float, curvature: float, step: float, swung: Swing) -> float:
     """Integrate (`constant` + `rate` t + `curvature` t2) times the velocity over the step, exactly."""
     h, dy = step, swung.displacement
     first = h * dy - swung.area

@@ -10,38 +10,56 @@ cells long, so both edges are at the same place in their cells.
 
 import math
 
+import numpy as np
+from numpy.typing import NDArray
+
 from dcfp.kernels._jit import kernel, reassociating_kernel
+from dcfp.kernels.heat_state import (
+    COMMON,
+    COVERED,
+    INSIDE,
+    LEFT_CELL,
+    LEFT_COVERED,
+    LEFT_OPEN,
+    PLATE_NOTE,
+    PLATE_NOTES,
+    PLATE_ROW,
+    PLATE_ROWS,
+    POSITION,
+    RATES,
+    RIGHT_COVERED,
+    RIGHT_OPEN,
+    Heat,
+)
 from dcfp.kernels.memory import MODES, fill_fade, let_fade, total
 
-# rows of the bank: COMMON to RIGHT_OPEN for each of two plates
-FIRST_ROW, ROWS = 2, 6
-COMMON, INSIDE, LEFT_COVERED, LEFT_OPEN, RIGHT_COVERED, RIGHT_OPEN = range(6)
 
-# notes for each of two plates: covered width of the right edge cell [mm], position of the slider [mm], left edge cell
-FIRST_NOTE, NOTES = 6, 3
-COVERED, POSITION, LEFT_CELL = range(3)
+@kernel
+def _cells_across(heat: Heat) -> int:
+    """Count the cells that the contact is long."""
+    return int(2.0 * heat.half_contact / heat.cell + 0.5)
 
 
 @kernel
-def mean_difference(heat, plate):
+def mean_difference(heat: Heat, plate: int) -> float:
     """Mean of the differences over the contact [degC]."""
-    return total(heat.bank, FIRST_ROW + plate * ROWS + INSIDE) / (2.0 * heat.half_contact)
+    return total(heat.bank, PLATE_ROW + plate * PLATE_ROWS + INSIDE) / (2.0 * heat.half_contact)
 
 
 @kernel
-def fade_edges(heat, fade, plate):
+def fade_edges(heat: Heat, fade: int, plate: int) -> None:
     """Let the edge cells fade over a step."""
-    first = FIRST_ROW + plate * ROWS
+    first = PLATE_ROW + plate * PLATE_ROWS
     for row in range(first + LEFT_COVERED, first + RIGHT_OPEN + 1):
         let_fade(heat.bank, fade, row)
 
 
 @kernel
-def expect_sweep(heat, plate, travel):
+def expect_sweep(heat: Heat, plate: int, travel: float) -> float:
     """Change of the sum inside [degC mm] when the slider moves by `travel` [mm], with the edge cells as they are."""
     bank = heat.bank
-    first = FIRST_ROW + plate * ROWS
-    covered = heat.notes[FIRST_NOTE + plate * NOTES + COVERED]
+    first = PLATE_ROW + plate * PLATE_ROWS
+    covered = heat.notes[PLATE_NOTE + plate * PLATE_NOTES + COVERED]
     if travel >= 0.0:
         width = heat.cell - covered
         gain = total(bank, first + RIGHT_OPEN) - total(bank, first + LEFT_COVERED)
@@ -54,13 +72,13 @@ def expect_sweep(heat, plate, travel):
 
 
 @kernel
-def sweep_to(heat, rates, plate, time, position):
+def sweep_to(heat: Heat, plate: int, time: float, position: float) -> bool:
     """Move the contact on a plate to `position` [mm], cell by cell; return False where the cells end."""
-    entry = FIRST_NOTE + plate * NOTES
+    entry = PLATE_NOTE + plate * PLATE_NOTES
     notes = heat.notes
     travel = position - notes[entry + POSITION]
     notes[entry + POSITION] = position
-    first = FIRST_ROW + plate * ROWS
+    first = PLATE_ROW + plate * PLATE_ROWS
     direction = 1 if travel > 0.0 else -1
     left = abs(travel)
     while left > 0.0:
@@ -73,13 +91,22 @@ def sweep_to(heat, rates, plate, time, position):
             _sweep(heat.bank, first, LEFT_OPEN, LEFT_COVERED, RIGHT_COVERED, RIGHT_OPEN, moved, room)
         notes[entry + COVERED] = covered + direction * moved
         left -= moved
-        if left > 0.0 and not _next_cells(heat, rates, plate, time, direction):
+        if left > 0.0 and not _next_cells(heat, plate, time, direction):
             return False
     return True
 
 
 @kernel
-def _sweep(bank, first, ahead_open, ahead_covered, behind_covered, behind_open, travel, room):
+def _sweep(
+    bank: NDArray[np.float64],
+    first: int,
+    ahead_open: int,
+    ahead_covered: int,
+    behind_covered: int,
+    behind_open: int,
+    travel: float,
+    room: float,
+) -> None:
     """Cover `travel` of the `room` [mm] ahead, and uncover as much behind."""
     part = travel / room
     for j in range(MODES):
@@ -94,12 +121,12 @@ def _sweep(bank, first, ahead_open, ahead_covered, behind_covered, behind_open, 
 
 
 @kernel
-def _next_cells(heat, rates, plate, time, direction):
+def _next_cells(heat: Heat, plate: int, time: float, direction: int) -> bool:
     """Put the edge cells away, up to date, and take in hand the next ones in `direction`."""
-    entry = FIRST_NOTE + plate * NOTES
-    first = FIRST_ROW + plate * ROWS
+    entry = PLATE_NOTE + plate * PLATE_NOTES
+    first = PLATE_ROW + plate * PLATE_ROWS
     left = int(heat.notes[entry + LEFT_CELL])
-    right = left + int(round(2.0 * heat.half_contact / heat.cell))
+    right = left + _cells_across(heat)
     if left + direction < 0 or right + direction >= heat.cells.shape[1]:
         return False
     _put_away(heat, plate, left, first + LEFT_COVERED, time)
@@ -108,43 +135,43 @@ def _next_cells(heat, rates, plate, time, direction):
     heat.notes[entry + COVERED] = 0.0 if direction > 0 else heat.cell
     # going right, the new left cell is all covered and the new right cell all open; going left, the reverse
     if direction > 0:
-        _take_in_hand(heat, rates, plate, left + 1, first + LEFT_COVERED, first + LEFT_OPEN, time)
-        _take_in_hand(heat, rates, plate, right + 1, first + RIGHT_OPEN, first + RIGHT_COVERED, time)
+        _take_in_hand(heat, plate, left + 1, first + LEFT_COVERED, first + LEFT_OPEN, time)
+        _take_in_hand(heat, plate, right + 1, first + RIGHT_OPEN, first + RIGHT_COVERED, time)
     else:
-        _take_in_hand(heat, rates, plate, left - 1, first + LEFT_OPEN, first + LEFT_COVERED, time)
-        _take_in_hand(heat, rates, plate, right - 1, first + RIGHT_COVERED, first + RIGHT_OPEN, time)
+        _take_in_hand(heat, plate, left - 1, first + LEFT_OPEN, first + LEFT_COVERED, time)
+        _take_in_hand(heat, plate, right - 1, first + RIGHT_COVERED, first + RIGHT_OPEN, time)
     return True
 
 
 @kernel
-def _put_away(heat, plate, cell, row, time):
+def _put_away(heat: Heat, plate: int, cell: int, row: int, time: float) -> None:
     for j in range(MODES):
         heat.cells[plate, cell, j] = heat.bank[row, j] + heat.bank[row + 1, j]
     heat.cells[plate, cell, MODES] = time
 
 
 @kernel
-def _take_in_hand(heat, rates, plate, cell, row, other_row, time):
-    fill_fade(heat.bank, rates, time - heat.cells[plate, cell, MODES], row)
+def _take_in_hand(heat: Heat, plate: int, cell: int, row: int, other_row: int, time: float) -> None:
+    fill_fade(heat.bank, RATES, time - heat.cells[plate, cell, MODES], row)
     for j in range(MODES):
         heat.bank[row, j] *= heat.cells[plate, cell, j]
         heat.bank[other_row, j] = 0.0
 
 
 @reassociating_kernel
-def write_profile(heat, plate, time, flux, rises):
+def write_profile(heat: Heat, plate: int, time: float, flux: float, rises: NDArray[np.float64]) -> None:
     """Write the temperature rise [degC] of every cell of a plate at `time` [s] under `flux` [N/(mm s)] into `rises`."""
     bank, notes = heat.bank, heat.notes
-    first = FIRST_ROW + plate * ROWS
-    entry = FIRST_NOTE + plate * NOTES
+    first = PLATE_ROW + plate * PLATE_ROWS
+    entry = PLATE_NOTE + plate * PLATE_NOTES
     left = int(notes[entry + LEFT_CELL])
-    right = left + int(round(2.0 * heat.half_contact / heat.cell))
+    right = left + _cells_across(heat)
     under = total(bank, first + COMMON) + heat.instant * flux
     for n in range(heat.cells.shape[1]):
         elapsed = time - heat.cells[plate, n, MODES]
         rise = 0.0
         for j in range(MODES):
-            rise += math.exp(-bank[0, j] * elapsed) * heat.cells[plate, n, j]
+            rise += math.exp(-bank[RATES, j] * elapsed) * heat.cells[plate, n, j]
         rise /= heat.cell
         rises[n] = rise + under if left < n < right else rise
     covered = notes[entry + COVERED]

@@ -7,20 +7,10 @@ How far the middle is from the chord tells whether the step is short enough. All
 import math
 
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.friction import mean_coefficient
-from dcfp.kernels.heating import (
-    BETWEEN,
-    EXPECTED,
-    FINEST_LEVEL,
-    ODD_LENGTH,
-    POINT,
-    expect,
-    heat_up,
-    is_prepared,
-    mix,
-    prepare,
-)
-from dcfp.kernels.motion import Advance, Motion, share
+from dcfp.kernels.friction import Law, mean_coefficient
+from dcfp.kernels.heat_state import BETWEEN, EXPECTED, FINEST_LEVEL, ODD_LENGTH, POINT, Heat
+from dcfp.kernels.heating import expect, heat_up, is_prepared, mix, prepare
+from dcfp.kernels.motion import Advance, Motion, Push, Structure, share
 from dcfp.kernels.oscillator import swing, work
 
 #: Length of a step over the sample interval, by level.
@@ -28,7 +18,19 @@ HALVES = tuple(0.5**n for n in range(FINEST_LEVEL + 1))
 
 
 @kernel
-def slide_step(law, structure, heat, fresh, motion, push, time, room, interval, level, tolerance):
+def slide_step(
+    law: Law,
+    structure: Structure,
+    heat: Heat,
+    fresh: bool,
+    motion: Motion,
+    push: Push,
+    time: float,
+    room: float,
+    interval: float,
+    level: int,
+    tolerance: float,
+) -> tuple[Advance, int]:
     """Slide for at most `room` [s] of the sample `interval`; return the step and the level of halving for the next one.
 
     `fresh` says that sliding has just begun.
@@ -90,9 +92,12 @@ def slide_step(law, structure, heat, fresh, motion, push, time, room, interval, 
             turns = False
 
     reach = side * last * structure.reach
-    if side * (swung.displacement - reach + motion.elongation) < 0.0 and not fresh:
+    if side * (swung.displacement - reach + motion.elongation) < 0.0:
         # spring (b) lags behind: the force can grow faster than the yield force, so this is sticking
-        return Advance(Motion(y, v, motion.elongation, 0), 0.0, 0.0, 0.0, friction, math.nan, True), level
+        if not fresh:
+            return Advance(Motion(y, v, motion.elongation, 0), 0.0, 0.0, 0.0, friction, math.nan, True), level
+        if level < FINEST_LEVEL:  # it has just begun to slide: once more, with the shortest step
+            return Advance(motion, 0.0, 0.0, 0.0, friction, math.nan, True), FINEST_LEVEL
 
     end = y + swung.displacement
     speed = 0.0 if turns else swung.velocity
@@ -121,7 +126,7 @@ def slide_step(law, structure, heat, fresh, motion, push, time, room, interval, 
 
 
 @kernel
-def _next_length(length, room):
+def _next_length(length: float, room: float) -> float:
     """Length of the next step: never a sliver at the end of the room."""
     if room <= length * (1.0 + 1e-9):
         return length if abs(room - length) < 1e-9 * length else room
@@ -131,7 +136,7 @@ def _next_length(length, room):
 
 
 @kernel
-def _turning_time(velocity, acceleration, jerk, length):
+def _turning_time(velocity: float, acceleration: float, jerk: float, length: float) -> float:
     """First time at which v + a t + j t2 / 2 passes zero within `length`, or infinity."""
     sign = 1.0 if velocity > 0.0 else -1.0
     v, a, j = sign * velocity, sign * acceleration, sign * jerk
@@ -149,7 +154,15 @@ def _turning_time(velocity, acceleration, jerk, length):
 
 
 @kernel
-def _polish_turn(stiffness, length, room, velocity, acceleration, push_rate, push_curve):
+def _polish_turn(
+    stiffness: float,
+    length: float,
+    room: float,
+    velocity: float,
+    acceleration: float,
+    push_rate: float,
+    push_curve: float,
+) -> float:
     """Newton's iteration for the time at which the velocity is zero, kept within the room."""
     h = length
     for _ in range(8):
@@ -165,7 +178,15 @@ def _polish_turn(stiffness, length, room, velocity, acceleration, push_rate, pus
 
 
 @kernel
-def _leaving_time(heat, structure, displacement, velocity, acceleration, jerk, length):
+def _leaving_time(
+    heat: Heat,
+    structure: Structure,
+    displacement: float,
+    velocity: float,
+    acceleration: float,
+    jerk: float,
+    length: float,
+) -> float:
     """Time at which a plate's monitoring point comes under the slider or leaves it, or infinity: Eq. (12)."""
     earliest = math.inf
     end = displacement + length * (velocity + length * (0.5 * acceleration + length * jerk / 6.0))

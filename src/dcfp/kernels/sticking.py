@@ -3,17 +3,10 @@
 import math
 
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.friction import mean_coefficient
-from dcfp.kernels.heating import (
-    BETWEEN,
-    ODD_LENGTH,
-    PRESENT,
-    cool_down,
-    expect_cooling,
-    mix,
-    prepare_cooling,
-)
-from dcfp.kernels.motion import Advance, Motion
+from dcfp.kernels.friction import Law, mean_coefficient
+from dcfp.kernels.heat_state import BETWEEN, ODD_LENGTH, PRESENT, Heat
+from dcfp.kernels.heating import cool_down, expect_cooling, mix, prepare_cooling
+from dcfp.kernels.motion import Advance, Motion, Push, Structure
 from dcfp.kernels.oscillator import swing, work
 
 #: Largest angle of a sticking step [rad], so that spring (b) cannot pass the yield surface and return unseen.
@@ -23,7 +16,9 @@ _CLOSE = 1e-11
 
 
 @kernel
-def stick_step(law, structure, heat, motion, push, room, interval):
+def stick_step(
+    law: Law, structure: Structure, heat: Heat, motion: Motion, push: Push, room: float, interval: float
+) -> Advance:
     """Stick for at most `room` [s] of the sample `interval`, or until sliding starts."""
     stiffness = structure.restoring + structure.elastic
     y, v, x = motion.displacement, motion.velocity, motion.elongation
@@ -34,24 +29,27 @@ def stick_step(law, structure, heat, motion, push, room, interval):
     swung = swing(stiffness, length, v, start, -push.rate, 0.0)
     friction = mean_coefficient(law, structure, abs(swung.velocity), heat.notes, PRESENT)
     slips = abs(x + swung.displacement) > friction * structure.reach
-    until = length
+    # spring (b) moves one way from `low` to `high`, so it can reach only the surface on that side
+    low, high = 0.0, length
     turning = math.nan
-    if v * swung.velocity < 0.0:
+    going = v if v != 0.0 else start
+    if going * swung.velocity < 0.0:
         turn = _turn(stiffness, length, swung.velocity, v, start, push.rate)
         turning = y + swing(stiffness, turn, v, start, -push.rate, 0.0).displacement
-        if abs(x + turning - y) > abs(x + swung.displacement):
-            slow = mean_coefficient(law, structure, 0.0, heat.notes, PRESENT)
-            if abs(x + turning - y) > slow * structure.reach:
-                slips, until = True, turn
+        slow = mean_coefficient(law, structure, 0.0, heat.notes, PRESENT)
+        if abs(x + turning - y) > slow * structure.reach:
+            slips, high = True, turn
+        else:
+            low = turn
     if slips:
         prepare_cooling(heat, ODD_LENGTH, length)
         expect_cooling(heat, structure, ODD_LENGTH)
-        slip = _slip_time(law, structure, heat, motion, push, start, length, until)
-        slips = slip <= until
-        length = min(slip, until)
+        slip = _slip_time(law, structure, heat, motion, push, start, length, low, high)
+        slips = slip <= high
+        length = min(slip, high)
         swung = swing(stiffness, length, v, start, -push.rate, 0.0)
         friction = abs(x + swung.displacement) / structure.reach
-        if v * swung.velocity > 0.0:
+        if low == 0.0 and length < high:
             turning = math.nan  # it slips before it turns
     if length > 0.0:
         place = 0 if length == interval else ODD_LENGTH
@@ -73,27 +71,49 @@ def stick_step(law, structure, heat, motion, push, room, interval):
 
 
 @kernel
-def _excess(law, structure, heat, motion, push, start, time, length):
-    """How far spring (b) is beyond the yield surface r_f = mu N / kf [mm], `time` [s] into the step."""
+def _excess(
+    law: Law,
+    structure: Structure,
+    heat: Heat,
+    motion: Motion,
+    push: Push,
+    start: float,
+    side: float,
+    time: float,
+    length: float,
+) -> float:
+    """How far spring (b) is beyond the yield surface on a side, r_f = mu N / kf [mm], `time` [s] into the step."""
     mix(heat, structure, time / length)
     swung = swing(structure.restoring + structure.elastic, time, motion.velocity, start, -push.rate, 0.0)
     friction = mean_coefficient(law, structure, abs(swung.velocity), heat.notes, BETWEEN)
-    return abs(motion.elongation + swung.displacement) - friction * structure.reach
+    return side * (motion.elongation + swung.displacement) - friction * structure.reach
 
 
 @kernel
-def _slip_time(law, structure, heat, motion, push, start, length, until):
-    """Time of the first slip in [0, until], by the Illinois method; infinity if cooling has prevented it."""
-    low, high = 0.0, until
-    beyond = _excess(law, structure, heat, motion, push, start, high, length)
+def _slip_time(
+    law: Law,
+    structure: Structure,
+    heat: Heat,
+    motion: Motion,
+    push: Push,
+    start: float,
+    length: float,
+    low: float,
+    high: float,
+) -> float:
+    """Time of the first slip in [low, high], by the Illinois method; infinity if cooling has prevented it."""
+    stiffness = structure.restoring + structure.elastic
+    end = motion.elongation + swing(stiffness, high, motion.velocity, start, -push.rate, 0.0).displacement
+    side = 1.0 if end > 0.0 else -1.0
+    beyond = _excess(law, structure, heat, motion, push, start, side, high, length)
     if beyond <= 0.0:
         return math.inf
     # rounding may put the start of a sticking phase on the wrong side of the surface that it lies on
-    below = min(_excess(law, structure, heat, motion, push, start, low, length), -_CLOSE)
+    below = min(_excess(law, structure, heat, motion, push, start, side, low, length), -_CLOSE)
     kept = 0  # which end stayed in the last round
     for _ in range(60):
         middle = high - beyond * (high - low) / (beyond - below)
-        there = _excess(law, structure, heat, motion, push, start, middle, length)
+        there = _excess(law, structure, heat, motion, push, start, side, middle, length)
         if abs(there) < _CLOSE:
             return middle
         if there > 0.0:
@@ -108,13 +128,18 @@ def _slip_time(law, structure, heat, motion, push, start, length, until):
 
 
 @kernel
-def _turn(stiffness, length, last, velocity, acceleration, push_rate):
+def _turn(
+    stiffness: float, length: float, last: float, velocity: float, acceleration: float, push_rate: float
+) -> float:
     """Time at which the velocity passes zero, by Newton's iteration inside a bracket."""
     low, high = 0.0, length
+    going = velocity if velocity != 0.0 else acceleration
     t = length * velocity / (velocity - last)
+    if t < 0.01 * length:  # it starts from rest, and that is not the turn
+        t = 0.5 * length
     for _ in range(30):
         swung = swing(stiffness, t, velocity, acceleration, -push_rate, 0.0)
-        if swung.velocity * velocity > 0.0:
+        if swung.velocity * going > 0.0:
             low = t
         else:
             high = t

@@ -7,8 +7,18 @@ import numpy as np
 
 from dcfp.arrays import FloatArray
 from dcfp.bearing import Bearing, FrictionLaw, Heating, PreciseHeating
-from dcfp.kernels import plate
-from dcfp.kernels.heating import BANK_ROWS, NOTES, PRESENT, RATES, STEP_NOTES, WEIGHTS, Heat
+from dcfp.kernels.heat_state import (
+    BANK_ROWS,
+    LEFT_CELL,
+    NOTES,
+    PLATE_NOTE,
+    PLATE_NOTES,
+    PRESENT,
+    RATES,
+    STEP_NOTE,
+    WEIGHTS,
+    Heat,
+)
 from dcfp.kernels.march import LEAST_FRICTION, PEAK_TEMPERATURE, STATE_SIZE
 from dcfp.kernels.memory import MODES, fading_modes
 from dcfp.kernels.motion import Structure
@@ -75,15 +85,15 @@ def state_at_rest(structure: Structure, bearing: Bearing, heating: Heating, reac
     bank[RATES] = rates
     bank[WEIGHTS] = weights * heating.rise_factor
     notes = np.zeros(NOTES)
-    notes[PRESENT : plate.FIRST_NOTE] = heating.ambient
-    notes[STEP_NOTES:] = math.nan  # no step is prepared
+    notes[PRESENT:PLATE_NOTE] = heating.ambient
+    notes[STEP_NOTE:] = math.nan  # no step is prepared
     margin = 0
     across = 1
     if isinstance(heating, PreciseHeating):
         across = heating.cells
         margin = 1 + math.ceil(max(bearing.shares) * reach / cell_width(bearing, heating))
     for i in range(structure.plates):
-        notes[plate.FIRST_NOTE + i * plate.NOTES + plate.LEFT_CELL] = margin
+        notes[PLATE_NOTE + i * PLATE_NOTES + LEFT_CELL] = margin
     march = np.zeros(STATE_SIZE)
     march[PEAK_TEMPERATURE] = heating.ambient
     march[LEAST_FRICTION] = math.inf

@@ -4,14 +4,15 @@ import math
 import time
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.bearing import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating
 from dcfp.errors import AnalysisError, InputError
-from dcfp.kernels.heating import NO_HEATING
+from dcfp.kernels import march as m
+from dcfp.kernels.friction import Law
+from dcfp.kernels.heat_state import NO_HEATING, PRESENT, Heat
 from dcfp.kernels.march import DONE, OUT_OF_CELLS, TEMPERATURE, march
 from dcfp.kernels.motion import Structure
 from dcfp.kernels.plate import write_profile
@@ -159,7 +160,7 @@ def _refined(acceleration: FloatArray, parts: int) -> FloatArray:
         return acceleration
     samples = acceleration.size
     places = np.arange((samples - 1) * parts + 1) / parts
-    return np.interp(places, np.arange(samples), acceleration)
+    return np.asarray(np.interp(places, np.arange(samples), acceleration), dtype=np.float64)
 
 
 def _with_tail(acceleration: FloatArray, interval: float, tail: float | None) -> FloatArray:
@@ -168,12 +169,13 @@ def _with_tail(acceleration: FloatArray, interval: float, tail: float | None) ->
 
 
 def _ground_velocity(acceleration: FloatArray, interval: float) -> FloatArray:
-    steps = 0.5 * interval * (acceleration[1:] + acceleration[:-1])
-    return np.concatenate(([0.0], np.cumsum(steps)))
+    velocity = np.zeros_like(acceleration)
+    np.cumsum(0.5 * interval * (acceleration[1:] + acceleration[:-1]), out=velocity[1:])
+    return velocity
 
 
 @cache
-def _compile_for(kind: type, structure: Structure, law: Any) -> None:
+def _compile_for(kind: type, structure: Structure, law: Law) -> None:
     """Have the kernels compiled or loaded, so that the time of an analysis is its own."""
     del kind
     heating = SimplifiedHeating()
@@ -184,7 +186,7 @@ def _compile_for(kind: type, structure: Structure, law: Any) -> None:
 
 
 def _march(
-    law: Any,
+    law: Law,
     structure: Structure,
     bearing: Bearing,
     heating: Heating,
@@ -234,9 +236,6 @@ def _march(
 
 
 def _first_line(state: State, structure: Structure) -> FloatArray:
-    from dcfp.kernels import march as m
-    from dcfp.kernels.heating import PRESENT
-
     line = np.zeros(TEMPERATURE + structure.plates)
     line[m.DISPLACEMENT] = state.march[m.STATE_DISPLACEMENT]
     line[m.VELOCITY] = state.march[m.STATE_VELOCITY]
@@ -248,9 +247,7 @@ def _first_line(state: State, structure: Structure) -> FloatArray:
     return line
 
 
-def _profile(heat: Any, structure: Structure, state: State, line: FloatArray) -> FloatArray:
-    from dcfp.kernels import march as m
-
+def _profile(heat: Heat, structure: Structure, state: State, line: FloatArray) -> FloatArray:
     rises = np.zeros((structure.plates, heat.cells.shape[1]))
     shares = (structure.first_share, structure.second_share)
     for i in range(structure.plates):

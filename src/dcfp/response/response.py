@@ -61,9 +61,9 @@ class Profiles:
     def of(cls, kept: list[tuple[float, FloatArray]], bearing: Bearing, heating: Heating) -> "Profiles":
         """Return the profiles that a march kept."""
         temperature = np.stack([profile for _, profile in kept])
-        cells = temperature.shape[-1]
+        cells = int(temperature.shape[-1])
         # the last cell is there only for the right edge to enter: the line is centred without it
-        position = (np.arange(cells) - 0.5 * (cells - 2)) * cell_width(bearing, heating)
+        position = cell_width(bearing, heating) * (np.arange(cells, dtype=np.float64) - 0.5 * (cells - 2))
         return cls(freeze(np.array([t for t, _ in kept])), freeze(position), freeze(temperature))
 
 
@@ -242,7 +242,9 @@ class Response:
                 f" the capacity of {capacity:.0f} mm{note}."
             )
         if self.sliding[-1] != 0.0:
-            remarks.append(f"{self.motion.name}: it is still sliding at the end, so the residual displacement is not final.")
+            remarks.append(
+                f"{self.motion.name}: it is still sliding at the end, so the residual displacement is not final."
+            )
         return tuple(remarks)
 
     # ----- forms -----

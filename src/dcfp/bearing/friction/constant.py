@@ -3,10 +3,6 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
-import numpy as np
-from numpy.typing import ArrayLike
-
-from dcfp.arrays import FloatArray
 from dcfp.bearing.checks import fraction
 from dcfp.bearing.friction.law import FrictionLaw
 from dcfp.kernels.friction import ExponentialLaw

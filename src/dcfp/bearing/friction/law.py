@@ -1,17 +1,13 @@
 """What a friction law is."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable
-from typing import ClassVar, TypeAlias
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
-from dcfp.kernels.friction import ExponentialLaw
-
-#: What the kernels take: the constants of a built-in law, or a compiled function of (p, v, T).
-KernelLaw: TypeAlias = ExponentialLaw | Callable[[float, float, float], float]
+from dcfp.kernels.friction import Law
 
 
 class FrictionLaw(ABC):
@@ -50,7 +46,7 @@ class FrictionLaw(ABC):
         return np.ones_like(temperature, dtype=np.float64)
 
     @abstractmethod
-    def at_pressure(self, pressure: float) -> KernelLaw:
+    def at_pressure(self, pressure: float) -> Law:
         """Return the law at a constant pressure [N/mm2] in the form that the kernels take."""
 
     def coefficient(self, pressure: ArrayLike, speed: ArrayLike, temperature: ArrayLike) -> FloatArray:

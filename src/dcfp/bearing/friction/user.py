@@ -45,9 +45,10 @@ class UserFriction(FrictionLaw):
         try:
             values = [float(compiled(60.0, speed, 20.0)) for speed in (0.0, 100.0)]
         except (NumbaError, TypeError, ValueError, ZeroDivisionError) as error:
-            msg = "The user's friction law cannot be compiled as a function of three floats: " + str(
-                error
-            ).strip().splitlines()[0]
+            msg = (
+                "The user's friction law cannot be compiled as a function of three floats: "
+                + str(error).strip().splitlines()[0]
+            )
             raise InputError(msg) from error
         if not all(np.isfinite(values)) or min(values) <= 0.0:
             msg = f"The user's friction law must return positive numbers; at 60 N/mm2 and 20 degC it gives {values}."
@@ -56,7 +57,9 @@ class UserFriction(FrictionLaw):
 
     def coefficient(self, pressure: ArrayLike, speed: ArrayLike, temperature: ArrayLike) -> FloatArray:
         """Coefficient of friction [-]; the arguments are broadcast together."""
-        return np.asarray(np.vectorize(self._compiled, otypes=[np.float64])(pressure, np.abs(speed), temperature))
+        return np.asarray(
+            np.vectorize(self._compiled, otypes=[np.float64])(pressure, np.abs(speed), temperature)
+        )
 
     def at_pressure(self, pressure: float) -> Callable[[float, float, float], float]:
         """Return the compiled function."""
