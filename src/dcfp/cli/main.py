@@ -1,0 +1,109 @@
+"""The console script ``dcfp``."""
+
+import os
+import sys
+from collections.abc import Callable, Sequence
+from difflib import get_close_matches
+from importlib import import_module
+
+from dcfp.cli.parser import Parser
+from dcfp.errors import DcfpError, InputError
+
+#: Each sub-command, the module of this package that it is in, and what it does.
+COMMANDS = {
+    "records": "named records, or what is in a record file",
+    "respond": "response history analysis",
+    "verify": "what is checked against what, and by how much it differs",
+}
+
+#: Set this in the environment to see the whole traceback of an unexpected error.
+TRACEBACK = "DCFP_TRACEBACK"
+
+INTERRUPTED = 130
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command line and return its exit status: 0 done, 1 failed analysis, 2 bad input.
+
+    Parameters
+    ----------
+    argv
+        The words after ``dcfp``; by default those that the process was started with.
+    """
+    words = list(sys.argv[1:] if argv is None else argv)
+    try:
+        status = _run(words)
+        sys.stdout.flush()
+    except DcfpError as error:
+        _complain(str(error))
+        return error.exit_status
+    except BrokenPipeError:
+        _silence_output()  # the reader, for example `head`, has what it wanted
+        return 0
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    except Exception as error:  # the last resort: a user must not meet a traceback
+        if os.environ.get(TRACEBACK):
+            raise
+        _complain(
+            f"an unexpected error, {type(error).__name__}: {error}; please report it with this command"
+            f" (with {TRACEBACK}=1 in the environment it shows where it arose)."
+        )
+        return 1
+    return status
+
+
+def _run(words: list[str]) -> int:
+    if not words or words[0] in ("-h", "--help", "help"):
+        print(_help())
+        return 0
+    if words[0] in ("-V", "--version"):
+        from dcfp.version import version
+
+        print(f"dcfp {version()}")
+        return 0
+    command = words[0]
+    if command not in COMMANDS:
+        near = get_close_matches(command, COMMANDS, n=1)
+        meant = f"did you mean {near[0]!r}?" if near else f"the commands are {', '.join(COMMANDS)}."
+        msg = f"there is no command {command!r}; {meant}"
+        raise InputError(msg)
+    module = import_module(f"dcfp.cli.{command}")  # only the one that is asked for
+    parser = Parser(prog=f"dcfp {command}", description=module.__doc__)
+    module.add_arguments(parser)
+    run: Callable[[object], int] = module.run
+    try:
+        options = parser.parse_intermixed_args(words[1:])
+    except SystemExit:  # --help was printed
+        return 0
+    return run(options)
+
+
+def _help() -> str:
+    lines = [f"  {name:<10} {words}" for name, words in COMMANDS.items()]
+    return "\n".join(
+        [
+            "usage: dcfp COMMAND ...",
+            "",
+            "Double concave friction pendulum bearings under recorded earthquakes.",
+            "",
+            *lines,
+            "",
+            "dcfp COMMAND --help shows the options of a command; dcfp --version the version.",
+        ]
+    )
+
+
+def _complain(sentence: str) -> None:
+    print(f"dcfp: {' '.join(sentence.split())}", file=sys.stderr)
+
+
+def _silence_output() -> None:
+    """Point standard output where it can be flushed at the end of the process."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nowhere, sys.stdout.fileno())
+    os.close(nowhere)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

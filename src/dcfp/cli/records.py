@@ -1,0 +1,100 @@
+"""The named records; or the components of record files and what their motions measure."""
+
+import argparse
+import json
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from dcfp.cli import inputs, options
+from dcfp.cli.parser import Parser
+
+if TYPE_CHECKING:
+    from dcfp.record.ground_motion import GroundMotion
+    from dcfp.record.measures import Measures
+    from dcfp.record.named import NamedRecord
+
+
+def add_arguments(parser: Parser) -> None:
+    """Add the options of the command."""
+    options.add_records(parser, "*", "name of a record or a file; without any, the named records are listed")
+    options.add_output(parser, data=False, figure=False)
+
+
+def run(chosen: argparse.Namespace) -> int:
+    """List the named records, or describe those that are asked for."""
+    names = inputs.record_names(chosen)
+    if not names:
+        return _list_named(chosen)
+    described = [Described.of(motion) for name in names for motion in _motions(name, chosen)]
+    if chosen.json:
+        print(json.dumps([entry.row() for entry in described], indent=2, ensure_ascii=False, allow_nan=False))
+    else:
+        from dcfp.cli.record_tables import print_described
+
+        print_described(described)
+    return 0
+
+
+@dataclass(frozen=True)
+class Described:
+    """A motion, its measures and what a reader must know of them."""
+
+    motion: "GroundMotion"
+    measures: "Measures"
+    remarks: list[str]
+
+    @classmethod
+    def of(cls, motion: "GroundMotion") -> "Described":
+        """Measure a motion."""
+        from dcfp.cli.remarks import motion_remarks
+        from dcfp.record.measures import measures
+
+        return cls(motion, measures(motion), motion_remarks(motion))
+
+    def row(self) -> dict[str, object]:
+        """Return what the JSON holds, with units in the names."""
+        motion, found = self.motion, self.measures
+        return {
+            "record": motion.name,
+            **asdict(motion.origin),
+            "time_step_s": motion.time_step,
+            "duration_s": motion.duration,
+            "points": int(motion.acceleration.size),
+            "pga_m_s2": found.peak_acceleration / 1e3,
+            "pgv_m_s": found.peak_velocity / 1e3,
+            "pgd_mm": found.peak_displacement,
+            "arias_intensity_m_s": found.arias_intensity / 1e3,
+            "significant_duration_s": found.significant_duration,
+            "cumulative_absolute_velocity_m_s": found.cumulative_absolute_velocity / 1e3,
+            "baseline_drift": found.baseline_drift,
+            "treatment": list(motion.treatment),
+            "remarks": self.remarks,
+        }
+
+
+def _motions(name: str, chosen: argparse.Namespace) -> "list[GroundMotion]":
+    from dcfp.record.load import load_motion
+    from dcfp.record.read import read_motions
+
+    if chosen.component is None and Path(name).is_file():
+        return read_motions(name, units=chosen.units, time_step=chosen.time_step)
+    return [load_motion(name, chosen.component, units=chosen.units, time_step=chosen.time_step)]
+
+
+def _list_named(chosen: argparse.Namespace) -> int:
+    from dcfp.record.named import named_records
+
+    rows = sorted(named_records(), key=_rank)  # stable: the sets keep their order
+    if chosen.json:
+        print(json.dumps([asdict(row) for row in rows], indent=2, ensure_ascii=False, allow_nan=False))
+    else:
+        from dcfp.cli.record_tables import print_named
+
+        print_named(rows)
+    return 0
+
+
+def _rank(row: "NamedRecord") -> int:
+    """Put the records of the paper first, those that have to be supplied after those that are there."""
+    return 0 if row.alias else 2 if row.available else 1

@@ -1,0 +1,56 @@
+"""What the tables of every command look like."""
+
+import sys
+from collections.abc import Iterable, Sequence
+
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+#: Width where the output is not a terminal.
+WIDTH = 100
+
+
+def console() -> Console:
+    """Return standard output, without colours and of a fixed width where it is not a terminal."""
+    width = None if sys.stdout.isatty() else WIDTH
+    return Console(file=sys.stdout, width=width, highlight=False, markup=False, emoji=False)
+
+
+def new_table(words: Iterable[str], numbers: Iterable[str], last_words: Iterable[str] = ()) -> Table:
+    """Return an empty table: columns of words, which may be folded, then numbers, then words again.
+
+    A head is ``"name"`` or ``"name\\n[unit]"``.
+    """
+    table = Table(box=None, padding=(0, 1, 0, 0), pad_edge=False, header_style="bold")
+    for head in words:
+        table.add_column(_head(head), overflow="fold")
+    for head in numbers:
+        table.add_column(_head(head), justify="right", no_wrap=True)
+    for head in last_words:
+        table.add_column(_head(head), overflow="fold")
+    return table
+
+
+def add_row(table: Table, cells: Iterable[str]) -> None:
+    """Add a row whose cells are taken as they are written."""
+    table.add_row(*(Text(cell) for cell in cells))
+
+
+def print_labelled(out: Console, lines: Iterable[tuple[str, str]]) -> None:
+    """Print a label and a text on each line; a long text goes on below itself."""
+    grid = Table.grid(padding=(0, 2, 0, 0))
+    for label, text in lines:
+        grid.add_row(Text(label), Text(text))
+    out.print(grid)
+
+
+def print_remarks(out: Console, remarks: Sequence[str]) -> None:
+    """Print every remark once, below an empty line."""
+    if remarks:
+        out.print()
+        print_labelled(out, [("-", remark) for remark in dict.fromkeys(remarks)])
+
+
+def _head(text: str) -> Text:
+    return Text(text if "\n" in text else f"{text}\n")

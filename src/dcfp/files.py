@@ -1,0 +1,213 @@
+"""Results into files, whole or not at all.
+
+A file is written under another name in the same folder and takes its own name when it is complete, so that a failure
+or an interruption leaves what was there before.
+"""
+
+import os
+import stat
+import tempfile
+from collections.abc import Callable, Generator, Iterable, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from dcfp.errors import InputError
+
+if TYPE_CHECKING:
+    from dcfp.response import Response
+
+DATA_EXTENSIONS = (".nc", ".csv")
+FIGURE_EXTENSIONS = (".png", ".pdf", ".svg")
+
+
+def check_outputs(paths: Iterable[Path], *, overwrite: bool, inputs: Iterable[Path] = ()) -> None:
+    """Check that every file can be written, before any work is done.
+
+    Parameters
+    ----------
+    paths
+        Files that will be written.
+    overwrite
+        Whether a file may be there already.
+    inputs
+        Files that are read, which must not be written over even then.
+
+    Raises
+    ------
+    InputError
+        If a file exists, is named twice or is an input, or its folder is missing or cannot be written to.
+    """
+    read = {_resolved(path) for path in inputs}
+    seen: set[Path] = set()
+    for path in paths:
+        place = _resolved(path)
+        if place in seen:
+            msg = f"{path}: two outputs have the same name; give each its own."
+            raise InputError(msg)
+        seen.add(place)
+        if place in read and place.exists():
+            msg = f"{path}: this file is an input; give the output another name."
+            raise InputError(msg)
+        _check_place(path, place, overwrite)
+
+
+def _resolved(path: Path) -> Path:
+    try:
+        return path.resolve()
+    except (OSError, ValueError, RuntimeError) as error:
+        msg = f"{path}: this cannot be the name of a file ({error})."
+        raise InputError(msg) from error
+
+
+def _check_place(path: Path, place: Path, overwrite: bool) -> None:
+    try:
+        mode = place.stat().st_mode
+    except FileNotFoundError:
+        mode = None
+    except (OSError, ValueError) as error:
+        raise InputError(_cannot_write(path, error)) from error
+    if mode is not None and not stat.S_ISREG(mode):
+        what = "a folder" if stat.S_ISDIR(mode) else "not a regular file"
+        msg = f"{path}: this is {what}; name a file to write to."
+        raise InputError(msg)
+    if mode is not None and not overwrite:
+        msg = f"{path}: the file exists; choose another name, or say --overwrite."
+        raise InputError(msg)
+    if not place.parent.is_dir():
+        msg = f"{path}: there is no folder {str(path.parent)!r}; make it first."
+        raise InputError(msg)
+    if not os.access(place.parent, os.W_OK | os.X_OK) or (mode is not None and not os.access(place, os.W_OK)):
+        msg = f"{path}: the file cannot be written (no permission)."
+        raise InputError(msg)
+
+
+@contextmanager
+def whole_files(paths: Sequence[Path], *, overwrite: bool) -> Generator[list[Path]]:
+    """Give a temporary file for each path; they take the names of the paths when the block is left without an error.
+
+    Raises
+    ------
+    InputError
+        If a file cannot be written, or appeared in the meantime.
+    """
+    temporary: list[Path] = []
+    try:
+        for path in paths:
+            temporary.append(_temporary_beside(_resolved(path)))
+        yield list(temporary)
+        check_outputs(paths, overwrite=overwrite)
+        for path, part in zip(paths, temporary, strict=True):
+            place = _resolved(path)
+            part.chmod(_permissions(place))
+            part.replace(place)
+    except OSError as error:
+        raise InputError(_cannot_write(paths[0] if paths else Path(), error)) from error
+    finally:
+        for part in temporary:
+            part.unlink(missing_ok=True)
+
+
+def _temporary_beside(place: Path) -> Path:
+    handle, name = tempfile.mkstemp(dir=place.parent, prefix=f".{place.name[:100]}.", suffix=".part")
+    os.close(handle)
+    return Path(name)
+
+
+def _permissions(place: Path) -> int:
+    """Return the permissions of the file that is replaced, or those that a new file would get."""
+    if place.exists():
+        return stat.S_IMODE(place.stat().st_mode)
+    mask = os.umask(0)
+    os.umask(mask)
+    return 0o666 & ~mask
+
+
+def _cannot_write(path: Path, error: Exception) -> str:
+    reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+    return f"{path}: the file cannot be written ({reason})."
+
+
+@dataclass(frozen=True)
+class Outputs:
+    """The files that a command writes.
+
+    Attributes
+    ----------
+    data, figure
+        None where it is not wanted.
+    overwrite
+        Whether files may be there already.
+    """
+
+    data: Path | None = None
+    figure: Path | None = None
+    overwrite: bool = False
+
+    @classmethod
+    def checked(
+        cls, data: str | None, figure: str | None, *, overwrite: bool, inputs: Iterable[Path] = ()
+    ) -> "Outputs":
+        """Return the outputs once it is known that each can be written in a known format.
+
+        Raises
+        ------
+        InputError
+            If not.
+        """
+        outputs = cls(
+            _known(data, DATA_EXTENSIONS, "data") if data is not None else None,
+            _known(figure, FIGURE_EXTENSIONS, "a figure") if figure is not None else None,
+            overwrite,
+        )
+        check_outputs(outputs.paths, overwrite=overwrite, inputs=inputs)
+        return outputs
+
+    @property
+    def paths(self) -> list[Path]:
+        """Every file that is wanted."""
+        return [path for path in (self.data, self.figure) if path is not None]
+
+    def write(self, responses: "Sequence[Response]") -> None:
+        """Write the analyses into every file, or leave all files as they were."""
+        writers: list[Callable[[Path], None]] = []
+        if self.data is not None:
+            kind = self.data.suffix.lower()
+            writers.append(lambda part: write_data(part, responses, kind))
+        if self.figure is not None:
+            form = self.figure.suffix.lower()[1:]
+            writers.append(lambda part: write_figure(part, responses, form))
+        with whole_files(self.paths, overwrite=self.overwrite) as parts:
+            for writer, part in zip(writers, parts, strict=True):
+                writer(part)
+
+
+def _known(name: str, extensions: tuple[str, ...], what: str) -> Path:
+    path = Path(name)
+    if path.suffix.lower() not in extensions:
+        msg = f"{name}: {what} can be written as {', '.join(extensions)}; give the file one of these extensions."
+        raise InputError(msg)
+    return path
+
+
+def write_data(path: Path, responses: "Sequence[Response]", kind: str) -> None:
+    """Write analyses into `path` as ``".nc"`` or ``".csv"``.
+
+    NetCDF of one analysis is its data set; of several, a summary and one group for each. CSV of one analysis is its
+    histories, of several the summary.
+    """
+    from dcfp import tabulation  # late: xarray takes long to import
+
+    if kind == ".csv":
+        path.write_text(tabulation.csv_text(responses), encoding="utf-8")
+    else:
+        tabulation.write_netcdf(path, responses)
+
+
+def write_figure(path: Path, responses: "Sequence[Response]", form: str) -> None:
+    """Draw one analysis, or an overview of several, into `path` as ``"png"``, ``"pdf"`` or ``"svg"``."""
+    from dcfp.plots import plot_overview, plot_response, save_figure  # late: Matplotlib takes long to import
+
+    figure = plot_response(responses[0]) if len(responses) == 1 else plot_overview(responses)
+    save_figure(figure, path, form)

@@ -1,0 +1,118 @@
+"""Analyses as NetCDF groups and as lines of text, with units."""
+
+import csv
+import io
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+import xarray
+
+if TYPE_CHECKING:
+    from dcfp.response import Response
+
+
+@dataclass(frozen=True)
+class Column:
+    """One quantity of a summary: its key in `Response.summary`, and its name, unit (UDUNITS) and words."""
+
+    key: str
+    name: str
+    unit: str
+    words: str
+
+
+COLUMNS = (
+    Column("pgv_m_s", "pgv", "m s-1", "peak ground velocity"),
+    Column("y_max_mm", "y_max", "mm", "largest displacement of the isolation layer"),
+    Column("dy_max_mm", "dy_max", "mm", "largest change of displacement between two successive peaks"),
+    Column("v_max_mm_s", "v_max", "mm s-1", "largest relative velocity"),
+    Column("residual_mm", "residual", "mm", "residual displacement"),
+    Column("force_max_kN", "force_max", "kN", "largest horizontal force"),
+    Column("temperature_max_degC", "temperature_max", "degC", "highest temperature of the contact"),
+    Column("friction_min", "friction_min", "1", "smallest coefficient of friction while sliding"),
+    Column("V_E_mm_s", "V_E", "mm s-1", "equivalent velocity of the input energy"),
+    Column("V_Eh_mm_s", "V_Eh", "mm s-1", "equivalent velocity of the hysteretic energy"),
+    Column("energy_residual", "energy_residual", "1", "residual of the energy balance over the largest input energy"),
+    Column("elapsed_s", "elapsed", "s", "computing time of the analysis"),
+)
+WORDS = ("record", "friction", "heating", "status")
+
+
+def summary_dataset(responses: "Sequence[Response]") -> xarray.Dataset:
+    """Return the peaks of every analysis over the dimension ``analysis``."""
+    rows = [response.summary() for response in responses]
+    words = {name: ("analysis", np.array([str(row[name]) for row in rows], dtype=object)) for name in WORDS}
+    numbers = {
+        column.name: (
+            "analysis",
+            np.array([float(row[column.key]) for row in rows]),
+            {"long_name": column.words, "units": column.unit},
+        )
+        for column in COLUMNS
+    }
+    remarks = np.array([" ".join(response.remarks) for response in responses], dtype=object)
+    return xarray.Dataset(
+        {**words, **numbers, "remarks": ("analysis", remarks)},
+        coords={"analysis": ("analysis", np.array(group_names(responses), dtype=object))},
+        attrs={
+            "Conventions": "CF-1.11",
+            "title": "Peaks of several response history analyses; the histories are in a group for each",
+            "source": str(responses[0].to_dataset().attrs["source"]),
+        },
+    )
+
+
+def group_names(responses: "Sequence[Response]") -> list[str]:
+    """Return a name for each analysis, such as ``NCC_0.50``: the record and the PGV [m/s]."""
+    names: list[str] = []
+    for response in responses:
+        record = re.sub(r"[^\w.-]+", "-", response.motion.name)
+        pgv = response.motion.peak_velocity / 1e3
+        choices = [f"{record}_{pgv:.2f}", f"{record}_{pgv:.6g}"]
+        choices += [f"{choices[0]}_{number}" for number in range(2, len(responses) + 2)]
+        names.append(next(choice for choice in choices if choice not in names))
+    return names
+
+
+def write_netcdf(path: Path, responses: "Sequence[Response]") -> None:
+    """Write one data set, or a tree with the summary at its root and a group for each analysis."""
+    datasets = [_compressed(response.to_dataset()) for response in responses]
+    if len(datasets) == 1:
+        datasets[0].to_netcdf(path, engine="h5netcdf")
+        return
+    groups = {f"/{name}": data for name, data in zip(group_names(responses), datasets, strict=True)}
+    tree = xarray.DataTree.from_dict({"/": summary_dataset(responses), **groups})
+    tree.to_netcdf(path, engine="h5netcdf")
+
+
+def _compressed(data: xarray.Dataset) -> xarray.Dataset:
+    for variable in data.variables.values():
+        variable.encoding.update(zlib=True, complevel=4, shuffle=True)
+    return data
+
+
+def csv_text(responses: "Sequence[Response]") -> str:
+    """Return the histories of one analysis, or the summary of several, with units in the head."""
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    if len(responses) == 1:
+        data = responses[0].to_dataset().drop_dims(["profile_time"], errors="ignore")
+        names = ["time", *(str(name) for name in data.data_vars)]
+        writer.writerow([_head(name, str(data[name].attrs["units"])) for name in names])
+        table = np.column_stack([data[name].to_numpy() for name in names])
+        writer.writerows([[f"{value:.9g}" for value in row] for row in table.tolist()])
+    else:
+        writer.writerow([*WORDS, *(_head(column.name, column.unit) for column in COLUMNS), "remarks"])
+        for response in responses:
+            row = response.summary()
+            numbers = [f"{float(row[column.key]):.9g}" for column in COLUMNS]
+            writer.writerow([*(row[name] for name in WORDS), *numbers, " ".join(response.remarks)])
+    return stream.getvalue()
+
+
+def _head(name: str, unit: str) -> str:
+    return f"{name} [{'-' if unit == '1' else unit}]"
