@@ -88,12 +88,13 @@ def high_pass(
     Notes
     -----
     The margins last ``1.5 order / corner`` together, as Boore and Bommer (2005) recommend after Converse and
-    Brady (1992): an acausal filter needs that time to rise and to decay. Boore (2005) shows that they must stay
-    in the motion for its velocity and displacement, and the response to it, to agree with the filter.
+    Brady (1992): an acausal filter needs that time to rise and to decay. Boore (2005) shows that they must
+    stay in the motion for its velocity and displacement, and the response to it, to agree with the filter.
 
     References: Boore, D. M., and Bommer, J. J. (2005), Processing of strong-motion accelerograms: needs,
-    options and consequences, Soil Dynamics and Earthquake Engineering 25, 93-115. Boore, D. M. (2005), On pads
-    and filters: processing strong-motion data, Bulletin of the Seismological Society of America 95, 745-750.
+    options and consequences, Soil Dynamics and Earthquake Engineering 25, 93-115. Boore, D. M. (2005), On
+    pads and filters: processing strong-motion data, Bulletin of the Seismological Society of America 95,
+    745-750.
     """
     limit = 0.5 / motion.time_step
     if not 0.0 < corner < limit:
@@ -107,7 +108,7 @@ def high_pass(
         msg = f"{motion.name}: a corner of {corner!r} Hz is too low for this time step; raise it."
         raise InputError(msg)
     margin = max(1, round(zeros))
-    signal: Any = import_module("scipy.signal")  # only here: it takes a second to import
+    signal: Any = import_module("scipy.signal")  # only here: it takes half a second to import
     sections = signal.butter(order, corner, "highpass", fs=1.0 / motion.time_step, output="sos")
     filtered = signal.sosfiltfilt(sections, np.pad(motion.acceleration, margin), padtype=None)
     step = f"zero-phase Butterworth high-pass {corner:g} Hz, order {order}, forward and backward"
@@ -124,8 +125,9 @@ def resample(motion: GroundMotion, factor: int) -> GroundMotion:
     InputError
         If the factor is not a positive whole number, or makes too many values.
     """
-    if factor != int(factor) or factor < 1 or factor * motion.acceleration.size > MAXIMUM_POINTS:
-        msg = f"{motion.name}: the factor must be a whole number from 1, and not so large, not {factor!r}."
+    largest = MAXIMUM_POINTS // motion.acceleration.size
+    if factor not in range(1, largest + 1):
+        msg = f"{motion.name}: the factor must be a whole number from 1 to {largest}, not {factor!r}."
         raise InputError(msg)
     old = np.arange(motion.acceleration.size, dtype=np.float64)
     new = np.arange((motion.acceleration.size - 1) * factor + 1, dtype=np.float64) / factor

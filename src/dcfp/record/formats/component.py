@@ -33,6 +33,7 @@ def build_component(
     unit: str,
     time_step: float,
     origin: Origin,
+    scale: float = 1.0,
     names: tuple[str, ...] = (),
     several: bool = False,
 ) -> Component:
@@ -50,6 +51,8 @@ def build_component(
         Interval between two values [s].
     origin
         Where the values came from.
+    scale
+        How many units one value stands for [-].
     names
         Further names of the component, beside ``origin.component``.
     several
@@ -65,7 +68,7 @@ def build_component(
     if values.size < 2:
         source.fail("the file holds fewer than two acceleration values.")
     with np.errstate(over="ignore", under="ignore"):
-        acceleration = values * unit_size(unit)
+        acceleration = values * (scale * unit_size(unit))
     wrong = np.flatnonzero(~(np.abs(acceleration) <= LARGEST_ACCELERATION))
     if wrong.size:
         source.fail(f"acceleration value {wrong[0] + 1} is beyond 100 000 g; the value or the unit is wrong.")

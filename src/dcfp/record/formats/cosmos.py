@@ -22,7 +22,7 @@ NAME = "COSMOS"
 
 _REAL_HEADER = re.compile(r"^\s*(\d{1,4})\s+Real-header values follow on.*?Format\s*=\s*(.*)$", re.IGNORECASE)
 _SERIES = re.compile(
-    rf"^\s*(\d{{1,12}})\s+(\w+)\s+pts,\s*approx\s*({NUMBER})\s*secs?,\s*units\s*=\s*([^,(]+?)\s*(?:\((\d+)\))?\s*,"
+    rf"^\s*(\d{{1,15}})\s+(\w+)\s+pts,\s*approx\s*({NUMBER})\s*secs?,\s*units\s*=\s*([^,(]+?)\s*(?:\((\d+)\))?\s*,"
     r"\s*Format\s*=\s*(.*)$",
     re.IGNORECASE,
 )
@@ -38,8 +38,10 @@ _UNIT_CODES = {2: "g", 4: "cm/s2"}
 
 
 def recognises(source: SourceText) -> bool:
-    """Whether a line announces the real headers in the words of the format."""
-    return any("real-header values follow" in line.lower() for line in source.lines)
+    """Whether the first line names the format, or a line announces the real headers in its words."""
+    return "(Format v" in source.lines[0] or any(
+        "real-header values follow" in line.lower() for line in source.lines
+    )
 
 
 def read(source: SourceText) -> list[Component]:

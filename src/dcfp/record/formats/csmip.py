@@ -19,7 +19,7 @@ from dcfp.record.ground_motion import Origin
 NAME = "CSMIP V2"
 
 _BLOCK = re.compile(
-    rf"^\s*(\d{{1,12}})\s+points of\s+(\w+) data equally spaced at\s*({NUMBER})\s*sec(.*)$", re.IGNORECASE
+    rf"^\s*(\d{{1,15}})\s+points of\s+(\w+) data equally spaced at\s*({NUMBER})\s*sec(.*)$", re.IGNORECASE
 )
 _CHANNEL = re.compile(r"^Chan\s+(\d+):\s*(.*?)\s*$", re.IGNORECASE)
 _EVENT = re.compile(r"^(?:Record|Rcrd) of\s+(.*?)(?:\s{2,}|\(|$)", re.IGNORECASE)
@@ -52,19 +52,20 @@ def read(source: SourceText) -> list[Component]:
 
 
 def _blocks(source: SourceText) -> Iterator[_Block]:
-    line = header_start = block_end = 0
+    line = header_start = 0
     while line < len(source.lines):
         found = _BLOCK.match(source.lines[line])
         if found:
             block, line = _block(source, found, line, source.lines[header_start:line])
-            block_end = line
             yield block
         else:
             line += 1
             if source.lines[line - 1].startswith("/&"):
-                header_start = block_end = line
-    if block_end < len(source.lines):
-        source.fail("a channel begins here and has no data; the file is truncated.", line=block_end + 1)
+                header_start = line
+    if header_start < len(source.lines):
+        source.fail(
+            "the channel that begins here has no end ('/&'); the file is truncated.", line=header_start + 1
+        )
 
 
 def _block(

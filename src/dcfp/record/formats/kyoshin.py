@@ -64,8 +64,9 @@ def read(source: SourceText) -> list[Component]:
     return [
         build_component(
             source,
-            counts * _scale(source, header),
+            counts,
             unit="gal",
+            scale=_scale(source, header),
             time_step=1.0 / rate,
             origin=origin,
             names=names,

@@ -15,8 +15,8 @@ from dcfp.record.ground_motion import Origin
 NAME = "PEER AT2"
 
 _HEADER_LINES = 8
-_NAMED = re.compile(rf"NPTS\s*=\s*(\d{{1,12}})\s*[,;]?\s*DT\s*=\s*({NUMBER})", re.IGNORECASE)
-_OLDEST = re.compile(rf"^\s*(\d{{1,12}})\s*,?\s*({NUMBER})\s*,?\s*NPTS\s*,?\s*DT", re.IGNORECASE)
+_NAMED = re.compile(rf"NPTS\s*=\s*(\d{{1,15}})\s*[,;]?\s*DT\s*=\s*({NUMBER})", re.IGNORECASE)
+_OLDEST = re.compile(rf"^\s*(\d{{1,15}})\s*,?\s*({NUMBER})\s*,?\s*NPTS\s*,?\s*DT", re.IGNORECASE)
 _UNIT = re.compile(r"IN UNITS? OF\s+([A-Z/0-9^*]+)", re.IGNORECASE)
 
 

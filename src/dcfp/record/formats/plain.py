@@ -52,7 +52,7 @@ def read(source: SourceText, units: str | None, time_step: float | None) -> list
     table = table_numbers(source, first, columns, separator)
     words = [line.split(separator)[0] for line in source.lines[first:]]
     step = _given_step(source, time_step) if columns == 1 else _column_step(source, words, table[:, 0])
-    if time_step is not None and abs(time_step - step) > 1e-6 * step:
+    if columns == 2 and time_step is not None and abs(time_step - step) > 1e-6 * step:
         source.fail(f"the column of times has a step of {step:g} s, but time_step={time_step!r} was given.")
     origin = Origin(source=source.path.name, file_format=NAME, processing="unknown; the file does not say")
     return [build_component(source, table[:, -1], unit=unit, time_step=step, origin=origin)]

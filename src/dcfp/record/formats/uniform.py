@@ -1,6 +1,7 @@
 """Times in a column: whether they are equally spaced, as far as the printed digits can tell."""
 
 import re
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -24,8 +25,9 @@ def check_times(source: SourceText, time: FloatArray, time_step: float, resoluti
     InputError
         If a time is off by more than `resolution` [s].
     """
-    expected = time[0] + np.arange(time.size) * time_step
-    off = np.abs(time - expected) > 1.001 * resolution + 1e-9 * np.abs(expected)
+    with np.errstate(over="ignore", invalid="ignore"):
+        expected = time[0] + np.arange(time.size) * time_step
+        off = ~(np.abs(time - expected) <= 1.001 * resolution + 1e-9 * np.abs(expected))
     if off.any():
         place = int(np.flatnonzero(off)[0])
         source.fail(
@@ -35,7 +37,7 @@ def check_times(source: SourceText, time: FloatArray, time_step: float, resoluti
 
 
 def uniform_step(source: SourceText, time: FloatArray, resolution: float) -> float:
-    """Return the time step [s] of equally spaced times: the roundest number that agrees with all of them.
+    """Return the step [s] of equally spaced times: the roundest step or rate that agrees with them.
 
     Raises
     ------
@@ -44,21 +46,30 @@ def uniform_step(source: SourceText, time: FloatArray, resolution: float) -> flo
     """
     if time.size < 2:
         source.fail("the file holds fewer than two times.")
-    if not (np.diff(time) > 0.0).all():
-        place = int(np.flatnonzero(~(np.diff(time) > 0.0))[0])
+    with np.errstate(over="ignore"):
+        steps = np.diff(time)
+    if not (steps > 0.0).all():
+        place = int(np.flatnonzero(~(steps > 0.0))[0])
         source.fail(
             f"time {place + 2} ({time[place + 1]:g} s) is not later than the one before it; "
             "times must go up and be printed with enough digits."
         )
-    mean_step = float((time[-1] - time[0]) / (time.size - 1))
-    step = _roundest(mean_step, resolution / (time.size - 1))
+    mean_step = (float(time[-1]) - float(time[0])) / (time.size - 1)
+    step, tolerance = next(_fitting_steps(time, mean_step, resolution), (mean_step, resolution))
+    if tolerance > 0.0 and resolution > 0.5 * mean_step:
+        source.fail("the times are printed with too few digits to tell their step; print more digits.")
     check_times(source, time, step, resolution)
     return step
 
 
-def _roundest(value: float, tolerance: float) -> float:
-    for digits in range(1, 12):
-        rounded = float(f"{value:.{digits}g}")
-        if abs(rounded - value) <= tolerance:
-            return rounded
-    return value
+def _fitting_steps(time: FloatArray, mean_step: float, resolution: float) -> Iterator[tuple[float, float]]:
+    """Yield steps, or rates, of few digits and how far the times are off: not at all, rounded, or cut off."""
+    if not 1e-9 < mean_step < 1e9:
+        return
+    place = np.arange(time.size)
+    for tolerance in (0.0, 0.5 * resolution, resolution):
+        for digits in range(1, 10):
+            for step in (float(f"{mean_step:.{digits}g}"), 1.0 / float(f"{1.0 / mean_step:.{digits}g}")):
+                off = np.abs(time - time[0] - place * step).max()
+                if off <= tolerance + 1e-3 * resolution:
+                    yield step, tolerance
