@@ -2,44 +2,93 @@
 
 Numba keeps compiled code in a folder and looks only at the file of the compiled function to tell whether
 it is still valid: an edited callee in another file is not noticed. Here the folder's name carries a digest of
-every kernel source and of the versions of numba and LLVM, so that any edit opens a new folder.
+every kernel source and of all else that the code depends on, so that any edit opens a new folder.
 """
 
 import contextlib
 import hashlib
 import os
+import shutil
+import tempfile
+import time
 from collections.abc import Callable, Generator
 from functools import cache
 from pathlib import Path
-from typing import Any, ParamSpec, TypeVar
+from typing import Any, ParamSpec, TypeVar, cast
 
 import llvmlite
 import numba
 import platformdirs
 from numba.core import config
+from numba.core.caching import FunctionCache
+from numba.extending import is_jitted
 
 P = ParamSpec("P")
 R = TypeVar("R")
 
-numba_config: Any = config  # numba fills it at run time, out of sight of a type checker
+# numba makes these at run time, out of sight of a type checker
+numba_config: Any = config
 njit: Any = numba.njit
+
+#: A folder of compiled kernels that no process has opened for so long is deleted [s].
+LONGEST_DISUSE = 60 * 24 * 3600.0
+
+
+class _KernelCache(FunctionCache):
+    """Numba's store of compiled code, made indifferent to damage.
+
+    What cannot be read is compiled again and what cannot be written is not kept: a full disk, a folder that has gone or
+    a file cut short must not fail an analysis.
+    """
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        """Return the code kept for the argument types `sig`, or None."""
+        try:
+            found = cast("Any", super()).load_overload(sig, target_context)
+            # of two processes that save code for different types at once, one may overwrite the other's file
+            return found if found is not None and found.signature.args == tuple(sig) else None
+        except Exception:  # unpickling a damaged file can raise anything
+            with contextlib.suppress(OSError):
+                self.flush()
+            return None
+
+    def save_overload(self, sig: Any, data: Any) -> None:
+        """Keep the code `data`, compiled for the argument types `sig`."""
+        with contextlib.suppress(OSError):
+            super().save_overload(sig, data)
+
+
+def _digest() -> str:
+    """Return a name for all that compiled code depends on, apart from the processor, which numba minds itself."""
+    switches = (numba_config.OPT, numba_config.BOUNDSCHECK)
+    digest = hashlib.sha256(f"{numba.__version__} {llvmlite.__version__} {switches}".encode())
+    for source in sorted(Path(__file__).parent.glob("*.py")):
+        digest.update(source.name.encode() + hashlib.sha256(source.read_bytes()).digest())
+    return digest.hexdigest()[:16]
+
+
+def _delete_disused(root: Path) -> None:
+    """Delete the folders that earlier versions of the kernels left behind."""
+    for folder in root.glob("[0-9a-f]" * 16):
+        with contextlib.suppress(OSError):
+            if time.time() - folder.stat().st_mtime > LONGEST_DISUSE:
+                shutil.rmtree(folder, ignore_errors=True)
 
 
 @cache
 def cache_folder() -> str:
     """Return the folder for compiled kernels, or an empty string where none can be written."""
-    digest = hashlib.sha256(f"{numba.__version__} {llvmlite.__version__}".encode())
-    for source in sorted(Path(__file__).parent.glob("*.py")):
-        digest.update(source.name.encode() + source.read_bytes())
-    root = os.environ.get("DCFP_CACHE_DIR") or platformdirs.user_cache_dir("dcfp", appauthor=False)
-    folder = Path(root) / "kernels" / digest.hexdigest()[:16]
-    probe = folder / f".probe-{os.getpid()}"
+    root = Path(os.environ.get("DCFP_CACHE_DIR") or platformdirs.user_cache_dir("dcfp", appauthor=False))
+    folder = root.absolute() / "kernels" / _digest()
     try:
+        is_new = not folder.exists()
         folder.mkdir(parents=True, exist_ok=True)
-        probe.touch()
-        probe.unlink(missing_ok=True)
+        tempfile.TemporaryFile(dir=folder).close()
+        os.utime(folder)  # in use: see LONGEST_DISUSE
     except OSError:
         return ""
+    if is_new:
+        _delete_disused(folder.parent)
     return str(folder)
 
 
@@ -53,17 +102,25 @@ def _caching_in(folder: str) -> Generator[None]:
         numba_config.CACHE_DIR = previous
 
 
-def _compile(function: Callable[P, R], *, reassociate: bool) -> Callable[P, R]:
-    folder = cache_folder()
+def _keep(compiled: Any, folder: str) -> None:
+    """Let a compiled function be kept in `folder`."""
     with _caching_in(folder):
-        return njit(
-            cache=bool(folder),
-            nogil=True,
-            error_model="numpy",  # a division by zero is an infinity, not a branch in every division
-            fastmath={"contract", "reassoc", "nsz"} if reassociate else {"contract"},
-            forceinline=True,  # a call with structures as arguments costs more than most kernels do
-            _nrt=False,  # no reference counts: kernels neither make nor keep arrays, and atomic counting took 3/4 of the time
-        )(function)
+        store: Any = _KernelCache(compiled.py_func)
+    if store.cache_path.startswith(folder):  # else numba could not write there, and chose a place of its own
+        compiled._cache = store
+
+
+def _compile(function: Callable[P, R], *, reassociate: bool) -> Callable[P, R]:
+    compiled = njit(
+        nogil=True,
+        error_model="numpy",  # a division by zero is an infinity, not a branch in every division
+        fastmath={"contract", "reassoc", "nsz"} if reassociate else {"contract"},
+        forceinline=True,  # a call with structures as arguments costs more than most kernels do
+        _nrt=False,  # no reference counts: kernels neither make nor keep arrays, and atomic counting took 3/4 of the time
+    )(function)
+    if is_jitted(compiled) and (folder := cache_folder()):  # not jitted: NUMBA_DISABLE_JIT is set
+        _keep(compiled, folder)
+    return compiled
 
 
 def kernel(function: Callable[P, R]) -> Callable[P, R]:
