@@ -13,7 +13,7 @@ from dcfp.kernels.sliding import slide_step
 from dcfp.kernels.sticking import stick_step
 
 # how a march can end
-DONE, OUT_OF_CELLS, NO_PROGRESS = 0, 1, 2
+DONE, AT_REST, OUT_OF_CELLS, NO_PROGRESS = range(4)
 
 # columns of the histories; temperatures of the plates follow
 DISPLACEMENT, VELOCITY, ELONGATION, FRICTION, SIDE, INPUT, HYSTERETIC, TEMPERATURE = range(8)
@@ -105,6 +105,7 @@ def march(
         state[STEPS] += steps
         _record(histories, done, structure, motion, friction, state, heat.notes)
         if done >= free_from and _rests(law, structure, heat, motion):
+            status = AT_REST
             break
     state[STATE_DISPLACEMENT] = motion.displacement
     state[STATE_VELOCITY] = motion.velocity

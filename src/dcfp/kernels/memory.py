@@ -28,9 +28,9 @@ MODES = 20
 def fading_modes(horizon: float = 1000.0) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
     """Return rates [1/s] (slowest first), weights [s^-1/2] and the instant weight [s^1/2] for 1/sqrt(tau).
 
-    The slowest mode barely fades within the `horizon` [s]; the fastest lives 50 microseconds for the default one.
+    The slowest mode barely fades within the `horizon` [s]; the fastest lives 0.1 milliseconds for the default one.
     """
-    rates = 0.05 / horizon * RATE_RATIO ** np.arange(MODES)
+    rates = 0.02 / horizon * RATE_RATIO ** np.arange(MODES)
     spacing = 0.5 * math.log(RATE_RATIO)  # of ln x, x = sqrt(s)
     weights = 2.0 / math.sqrt(math.pi) * spacing * np.sqrt(rates)
     shrink = 1.0 / math.sqrt(RATE_RATIO)

@@ -68,7 +68,7 @@ def slide_step(
             if abs(bend) > tolerance * last and level < FINEST_LEVEL:
                 level += 1
                 continue
-        if abs(bend) < 0.2 * tolerance * last and level > 0:
+        if abs(bend) < 0.2 * tolerance * last and level > 0 and not fresh:
             level -= 1
         break
 
@@ -81,23 +81,21 @@ def slide_step(
     push_curve = pull * curve
     swung = swing(structure.restoring, length, v, start, push_rate, push_curve)
     if turns or v * swung.velocity < 0.0:
-        turns = True
-        length = _polish_turn(structure.restoring, length, room, v, start, push_rate, push_curve)
+        furthest = min(room, 2.0 * length)
+        length, turns = _polish_turn(structure.restoring, length, furthest, v, start, push_rate, push_curve)
         swung = swing(structure.restoring, length, v, start, push_rate, push_curve)
         last = friction + length * (slope + length * curve)
         if not is_prepared(heat, place, length):
             place = ODD_LENGTH
             prepare(heat, place, length)
-        if abs(swung.velocity) > 1e-6:  # the turn lies beyond the room
-            turns = False
 
     reach = side * last * structure.reach
     if side * (swung.displacement - reach + motion.elongation) < 0.0:
         # spring (b) lags behind: the force can grow faster than the yield force, so this is sticking
         if not fresh:
             return Advance(Motion(y, v, motion.elongation, 0), 0.0, 0.0, 0.0, friction, math.nan, True), level
-        if level < FINEST_LEVEL:  # it has just begun to slide: once more, with the shortest step
-            return Advance(motion, 0.0, 0.0, 0.0, friction, math.nan, True), FINEST_LEVEL
+        if level < FINEST_LEVEL:  # it has just begun to slide: once more, with a shorter step
+            return Advance(motion, 0.0, 0.0, 0.0, friction, math.nan, True), level + 1
 
     end = y + swung.displacement
     speed = 0.0 if turns else swung.velocity
@@ -157,24 +155,38 @@ def _turning_time(velocity: float, acceleration: float, jerk: float, length: flo
 def _polish_turn(
     stiffness: float,
     length: float,
-    room: float,
+    furthest: float,
     velocity: float,
     acceleration: float,
     push_rate: float,
     push_curve: float,
-) -> float:
-    """Newton's iteration for the time at which the velocity is zero, kept within the room."""
+) -> tuple[float, bool]:
+    """Return the time at which the velocity is zero, and True; or `length` and False if that is not by `furthest`.
+
+    Newton's iteration inside a bracket: with the friction corrected, a turn that was expected may come later or never.
+    """
+    low, high = 0.0, length
+    if swing(stiffness, length, velocity, acceleration, push_rate, push_curve).velocity * velocity > 0.0:
+        last = swing(stiffness, furthest, velocity, acceleration, push_rate, push_curve)
+        if last.velocity * velocity > 0.0:
+            return length, False
+        low, high = length, furthest
     h = length
-    for _ in range(8):
+    for _ in range(50):
         swung = swing(stiffness, h, velocity, acceleration, push_rate, push_curve)
+        if swung.velocity * velocity > 0.0:
+            low = h
+        else:
+            high = h
         now = acceleration + h * (push_rate + h * push_curve) - stiffness * swung.displacement
-        if now == 0.0:
+        better = h - swung.velocity / now if now != 0.0 else 0.5 * (low + high)
+        if not low <= better <= high:
+            better = 0.5 * (low + high)
+        close = abs(better - h) < 1e-15
+        h = better
+        if close:
             break
-        change = swung.velocity / now
-        h = min(max(h - change, 0.0), room)
-        if abs(change) < 1e-15:
-            break
-    return h
+    return h, True
 
 
 @kernel

@@ -7,7 +7,7 @@ from dcfp.kernels.friction import Law, mean_coefficient
 from dcfp.kernels.heat_state import BETWEEN, ODD_LENGTH, PRESENT, Heat
 from dcfp.kernels.heating import cool_down, expect_cooling, mix, prepare_cooling
 from dcfp.kernels.motion import Advance, Motion, Push, Structure
-from dcfp.kernels.oscillator import swing, work
+from dcfp.kernels.oscillator import Swing, swing, work
 
 #: Largest angle of a sticking step [rad], so that spring (b) cannot pass the yield surface and return unseen.
 LARGEST_ANGLE = 0.55
@@ -35,9 +35,10 @@ def stick_step(
     going = v if v != 0.0 else start
     if going * swung.velocity < 0.0:
         turn = _turn(stiffness, length, swung.velocity, v, start, push.rate)
-        turning = y + swing(stiffness, turn, v, start, -push.rate, 0.0).displacement
+        turned = swing(stiffness, turn, v, start, -push.rate, 0.0).displacement
+        turning = y + turned
         slow = mean_coefficient(law, structure, 0.0, heat.notes, PRESENT)
-        if abs(x + turning - y) > slow * structure.reach:
+        if abs(x + turned) > slow * structure.reach:
             slips, high = True, turn
         else:
             low = turn
@@ -45,11 +46,16 @@ def stick_step(
         prepare_cooling(heat, ODD_LENGTH, length)
         expect_cooling(heat, structure, ODD_LENGTH)
         slip = _slip_time(law, structure, heat, motion, push, start, length, low, high)
+        cut = high < length
         slips = slip <= high
         length = min(slip, high)
         swung = swing(stiffness, length, v, start, -push.rate, 0.0)
         friction = abs(x + swung.displacement) / structure.reach
-        if low == 0.0 and length < high:
+        if cut and (not slips or going * swung.velocity <= 0.0):
+            # the turn no more than touches the surface: it stays, and goes on from rest
+            slips = False
+            swung = Swing(swung.displacement, 0.0, swung.area, swung.moment)
+        elif low == 0.0 and length < high:
             turning = math.nan  # it slips before it turns
     if length > 0.0:
         place = 0 if length == interval else ODD_LENGTH

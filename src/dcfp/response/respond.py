@@ -13,7 +13,7 @@ from dcfp.errors import AnalysisError, InputError
 from dcfp.kernels import march as m
 from dcfp.kernels.friction import Law
 from dcfp.kernels.heat_state import NO_HEATING, PRESENT, Heat
-from dcfp.kernels.march import DONE, OUT_OF_CELLS, TEMPERATURE, march
+from dcfp.kernels.march import AT_REST, NO_PROGRESS, OUT_OF_CELLS, TEMPERATURE, march
 from dcfp.kernels.motion import Structure
 from dcfp.kernels.plate import write_profile
 from dcfp.record.ground_motion import GroundMotion
@@ -220,7 +220,7 @@ def _march(
         done += samples
         if status == OUT_OF_CELLS:
             return None
-        if status != DONE:
+        if status == NO_PROGRESS:
             msg = (
                 f"The analysis makes no progress at {done * interval:.4g} s;"
                 " look at the friction law, or try a shorter step."
@@ -228,9 +228,7 @@ def _march(
             raise AnalysisError(msg)
         if settings.profile_every is not None:
             profiles.append((done * interval, _profile(heat, structure, state, lines[done])))
-        if done < stop:
-            break  # at rest
-        if settings.profile_every is not None and samples == 0:
+        if status == AT_REST:
             break
     return _Run(state, lines, profiles, done, time.perf_counter() - began)
 
