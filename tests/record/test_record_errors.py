@@ -238,3 +238,20 @@ def test_units(tmp_path, units, size):
     np.testing.assert_allclose(
         read_motion(path, units=units, time_step=0.01).acceleration, [0, size, 2 * size]
     )
+
+
+@pytest.mark.parametrize(
+    ("name", "line", "match"),
+    [
+        ("csmip", b"/&", "2 blocks of acceleration"),
+        ("csmip", b"    43 points of accel", "0 blocks of acceleration"),
+        ("cosmos", b"     43 acceleration pts", "2 real headers"),
+    ],
+)
+def test_channels_are_not_confused(name, line, match, make_file, written):
+    """A channel whose end or announcement is lost must not lend its name to the next one."""
+    made = make_file(name)
+    lines = made.content.split(b"\n")
+    place = next(index for index, text in enumerate(lines) if text.startswith(line))
+    with pytest.raises(InputError, match=match):
+        read_motions(written(made, b"\n".join(lines[:place] + lines[place + 1 :])))

@@ -122,7 +122,8 @@ def test_own_unit_must_agree(made, written):
         ("csmip", ".005 sec", "0. sec", "time step"),
         ("cosmos", "cm/sec2(04)", "counts(50)", "acceleration in cm/s2 or g"),
         ("cosmos", "cm/sec2(04)", "cm/sec2(02)", "contradicts its code"),
-        ("cosmos", "acceleration pts", "velocity pts", "acceleration in cm/s2 or g"),
+        ("cosmos", "acceleration pts", "velocity pts", "no acceleration"),
+        ("cosmos", "acceleration pts", "voltage pts", "acceleration in cm/s2 or g"),
         ("cosmos", "approx    0 secs", "approx    90 secs", "do not last"),
         ("cosmos", "Real-header values", "Unreal header values", "real header"),
         ("esm", "cm/s^2", "cm/s", "acceleration was expected"),
@@ -146,6 +147,18 @@ def test_cosmos_time_step_is_that_of_the_series(make_file, written):
     """Real header 34, the recorder's step of 20 ms, must not be taken for header 62, 5 ms."""
     made = make_file("cosmos")
     assert read_motions(written(made, made.content))[0].time_step == 0.005
+
+
+def test_cosmos_velocity_is_left_out(make_file, written):
+    made = make_file("cosmos")
+    first, second = made.components
+    content = made.content.replace(
+        b"acceleration pts, approx    0 secs, units=cm/sec2(04)",
+        b"velocity pts, approx    0 secs, units=cm/sec(05)",
+        1,
+    )
+    motions = read_motions(written(made, content))
+    assert [motion.origin.component for motion in motions] == [second] != [first]
 
 
 def test_processing_in_words(make_file, written):

@@ -33,6 +33,9 @@ _UNKNOWN = -999.0
 _SERIES_STEP = 62 - 1
 _RECORDER_STEP = 34 - 1
 
+#: Series that a volume 2 file may hold beside the acceleration.
+_LEFT_OUT = frozenset({"velocity", "displacement"})
+
 #: Table 2 of the format: the codes of units of acceleration.
 _UNIT_CODES = {2: "g", 4: "cm/s2"}
 
@@ -45,40 +48,57 @@ def recognises(source: SourceText) -> bool:
 
 
 def read(source: SourceText) -> list[Component]:
-    """Return the acceleration of every channel.
+    """Return the acceleration of every channel; velocity and displacement are checked and left out.
 
     Raises
     ------
     InputError
         If a header is incomplete, or does not agree with its values, or no series is acceleration.
     """
-    starts = [index for index, line in enumerate(source.lines) if _SERIES.match(line)]
-    if not starts:
-        source.fail("no line announces a series ('acceleration pts, approx'); the file is truncated.")
+    series = [(index, found) for index, line in enumerate(source.lines) if (found := _SERIES.match(line))]
+    accelerations = sum(found[2].lower() == "acceleration" for _, found in series)
     components: list[Component] = []
     after = 0
-    for number, start in enumerate(starts, 1):
-        if start < after:
-            continue
-        component, after = _channel(source, after, start, number, several=len(starts) > 1)
-        components.append(component)
-        after = _end(source, after)
+    for start, found in series:
+        header_start = after
+        values, after = _values(source, found, start)
+        if found[2].lower() not in _LEFT_OUT:
+            component = _component(
+                source, (header_start, start), found, values, len(components) + 1, several=accelerations > 1
+            )
+            components.append(component)
     if after < len(source.lines):
-        source.fail("a channel begins here and has no series; the file is truncated.", line=after + 1)
+        source.fail(
+            "the channel that begins here has no series ('acceleration pts, approx'); the file is truncated.",
+            line=after + 1,
+        )
+    if not components:
+        source.fail("the file holds no acceleration; give the file of corrected acceleration.")
     return components
 
 
-def _channel(
-    source: SourceText, header_start: int, start: int, number: int, *, several: bool
-) -> tuple[Component, int]:
-    found = _SERIES.match(source.lines[start])
-    layout = parse_layout(found[6]) if found else None
-    if found is None or layout is None:
+def _values(source: SourceText, found: re.Match[str], start: int) -> tuple[FloatArray, int]:
+    """Return the values of a series and the line after its end."""
+    layout = parse_layout(found[6])
+    if layout is None:
         source.fail("the series needs a format such as '(8F10.5)'.", line=start + 1)
-    unit = _unit(source, found, start)
-    header = source.lines[header_start:start]
-    time_step = _time_step(source, _real_header(source, header_start, start), found, start)
     values, after = fixed_numbers(source, start + 1, int(found[1]), layout)
+    return values, _end(source, after)
+
+
+def _component(
+    source: SourceText,
+    lines: tuple[int, int],
+    found: re.Match[str],
+    values: FloatArray,
+    number: int,
+    *,
+    several: bool,
+) -> Component:
+    first, start = lines
+    header = source.lines[first:start]
+    unit = _unit(source, found, start)
+    time_step = _time_step(source, _real_header(source, first, start), found, start)
     label, *names = cosmos_text.channel_names(header, number)
     origin = Origin(
         event=cosmos_text.event(header),
@@ -89,10 +109,9 @@ def _channel(
         processing=cosmos_text.processing(header),
         citation="COSMOS; Center for Engineering Strong Motion Data.",
     )
-    component = build_component(
+    return build_component(
         source, values, unit=unit, time_step=time_step, origin=origin, names=tuple(names), several=several
     )
-    return component, after
 
 
 def _unit(source: SourceText, found: re.Match[str], line: int) -> str:
@@ -110,14 +129,16 @@ def _unit(source: SourceText, found: re.Match[str], line: int) -> str:
 
 
 def _real_header(source: SourceText, first: int, last: int) -> FloatArray:
-    for index in range(first, last):
-        found = _REAL_HEADER.match(source.lines[index])
-        if found:
-            layout = parse_layout(found[2])
-            if layout is None:
-                source.fail("the real header needs a format such as '(6F13.6)'.", line=index + 1)
-            return fixed_numbers(source, index + 1, int(found[1]), layout)[0]
-    return source.fail("the channel has no real header; the file is damaged.", line=first + 1)
+    found = [index for index in range(first, last) if _REAL_HEADER.match(source.lines[index])]
+    if len(found) != 1:
+        source.fail(
+            f"the channel that begins here has {len(found)} real headers instead of one.", line=first + 1
+        )
+    announced = _REAL_HEADER.match(source.lines[found[0]])
+    layout = parse_layout(announced[2]) if announced else None
+    if announced is None or layout is None:
+        source.fail("the real header needs a format such as '(6F13.6)'.", line=found[0] + 1)
+    return fixed_numbers(source, found[0] + 1, int(announced[1]), layout)[0]
 
 
 def _time_step(source: SourceText, real: FloatArray, found: re.Match[str], line: int) -> float:

@@ -47,25 +47,39 @@ def read(source: SourceText) -> list[Component]:
     InputError
         If a header is incomplete, or does not agree with its values.
     """
-    blocks = [block for block in _blocks(source) if block.quantity == "accel"]
+    blocks = [_acceleration(source, first, last) for first, last in _channels(source)]
     return [_component(source, block, several=len(blocks) > 1) for block in blocks]
 
 
-def _blocks(source: SourceText) -> Iterator[_Block]:
-    line = header_start = 0
-    while line < len(source.lines):
-        found = _BLOCK.match(source.lines[line])
-        if found:
-            block, line = _block(source, found, line, source.lines[header_start:line])
-            yield block
+def _channels(source: SourceText) -> Iterator[tuple[int, int]]:
+    """Yield the first line of each channel and the line that ends it."""
+    first = 0
+    for index, line in enumerate(source.lines):
+        if line.startswith("/&"):
+            yield first, index
+            first = index + 1
+    if first < len(source.lines):
+        source.fail("the channel that begins here has no end ('/&'); the file is truncated.", line=first + 1)
+
+
+def _acceleration(source: SourceText, first: int, last: int) -> _Block:
+    """Read all blocks of a channel, and return the one of acceleration."""
+    found: list[_Block] = []
+    line = first
+    while line < last:
+        announced = _BLOCK.match(source.lines[line])
+        if announced:
+            block, line = _block(source, announced, line, source.lines[first:line])
+            found.append(block)
         else:
             line += 1
-            if source.lines[line - 1].startswith("/&"):
-                header_start = line
-    if header_start < len(source.lines):
+    accelerations = [block for block in found if block.quantity == "accel"]
+    if len(accelerations) != 1:
         source.fail(
-            "the channel that begins here has no end ('/&'); the file is truncated.", line=header_start + 1
+            f"the channel that begins here has {len(accelerations)} blocks of acceleration instead of one.",
+            line=first + 1,
         )
+    return accelerations[0]
 
 
 def _block(

@@ -38,6 +38,8 @@ def read(source: SourceText) -> list[Component]:
         source.fail(f"the unit is {header['UNIT'][:30]!r}; 'gal(cm/s/s)' was expected.")
     rate = required_number(source, header, "SAMPLING RATE")
     table = table_numbers(source, titles_line + 1, len(titles), ",")
+    begun = header.get("INITIAL TIME", "")
+    event = f"record of {begun}" if begun else ""
     station = re.split(r",|\s{2,}", header.get("SITE CODE", ""))[0].strip()
     return [
         build_component(
@@ -46,7 +48,7 @@ def read(source: SourceText) -> list[Component]:
             unit=unit,
             time_step=1.0 / rate,
             origin=Origin(
-                event=f"record of {header.get('INITIAL TIME', '')}".removesuffix("record of "),
+                event=event,
                 station=station,
                 component=title,
                 source=source.path.name,

@@ -17,6 +17,31 @@ _NUMBER = re.compile(NUMBER)
 _PLAIN_CHARACTERS = frozenset("0123456789+-.eE \t\n")
 
 
+@dataclass(frozen=True)
+class Layout:
+    """A Fortran format of one kind of field: how many on a line, and how wide."""
+
+    per_line: int
+    width: int
+
+    def fields(self, line: str, count: int) -> list[str]:
+        """Return the first `count` fields of a line."""
+        return [line[place * self.width : (place + 1) * self.width] for place in range(count)]
+
+    def remainder(self, line: str, count: int) -> str:
+        """Return what follows the first `count` fields of a line."""
+        return line[count * self.width :]
+
+
+def parse_layout(text: str) -> Layout | None:
+    """Return the layout that a Fortran format such as ``8F10.5`` or ``(1E15.6)`` says, or None."""
+    found = re.search(r"(?<![\w.])(\d{0,3})\s*[FEDGI](\d{1,2})(?![\w])", text, re.IGNORECASE)
+    if found is None:
+        return None
+    per_line, width = int(found[1] or 1), int(found[2])
+    return Layout(per_line, width) if per_line > 0 and width > 0 else None
+
+
 def to_number(text: str) -> float | None:
     """Return the finite number that `text` is, or None when it is anything else."""
     word = text.strip()
@@ -26,15 +51,15 @@ def to_number(text: str) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def free_numbers(source: SourceText, first: int, last: int | None = None) -> FloatArray:
-    """Return the numbers, separated by blanks, in ``lines[first:last]`` of the file.
+def free_numbers(source: SourceText, first: int) -> FloatArray:
+    """Return the numbers, separated by blanks, from ``lines[first]`` of the file on.
 
     Raises
     ------
     InputError
         If anything there is not a finite number.
     """
-    lines = source.lines[first:last]
+    lines = source.lines[first:]
     text = "\n".join(lines)
     if _PLAIN_CHARACTERS.issuperset(text):
         try:
@@ -68,10 +93,8 @@ def check_count(source: SourceText, found: int, promised: int) -> None:
         source.fail(f"the header promises {promised} values but {found} are there; the file is damaged.")
 
 
-def table_numbers(
-    source: SourceText, first: int, columns: int, separator: str | None = None, last: int | None = None
-) -> FloatArray:
-    """Return ``lines[first:last]`` as a table of numbers, shape (rows, columns).
+def table_numbers(source: SourceText, first: int, columns: int, separator: str | None = None) -> FloatArray:
+    """Return the lines from ``lines[first]`` on as a table of numbers, shape (rows, columns).
 
     Raises
     ------
@@ -79,7 +102,7 @@ def table_numbers(
         If a row has more or fewer values, or one that is not a finite number.
     """
     rows: list[list[float]] = []
-    for number, line in enumerate(source.lines[first:last], first + 1):
+    for number, line in enumerate(source.lines[first:], first + 1):
         words = line.split(separator)
         if len(words) != columns:
             source.fail(f"{len(words)} values stand where {columns} were expected.", line=number)
@@ -87,7 +110,7 @@ def table_numbers(
     return np.array(rows, dtype=np.float64).reshape(-1, columns)
 
 
-def fixed_numbers(source: SourceText, first: int, count: int, layout: "Layout") -> tuple[FloatArray, int]:
+def fixed_numbers(source: SourceText, first: int, count: int, layout: Layout) -> tuple[FloatArray, int]:
     """Return `count` numbers in fields of fixed width from ``lines[first]`` on, and the line after them.
 
     Raises
@@ -107,31 +130,6 @@ def fixed_numbers(source: SourceText, first: int, count: int, layout: "Layout") 
             source.fail(f"more stands here than the {expected} values that the header promises.", line=number)
     check_count(source, len(values), count)
     return np.array(values, dtype=np.float64), first + rows
-
-
-@dataclass(frozen=True)
-class Layout:
-    """A Fortran format of one kind of field: how many on a line, and how wide."""
-
-    per_line: int
-    width: int
-
-    def fields(self, line: str, count: int) -> list[str]:
-        """Return the first `count` fields of a line."""
-        return [line[place * self.width : (place + 1) * self.width] for place in range(count)]
-
-    def remainder(self, line: str, count: int) -> str:
-        """Return what follows the first `count` fields of a line."""
-        return line[count * self.width :]
-
-
-def parse_layout(text: str) -> Layout | None:
-    """Return the layout that a Fortran format such as ``8F10.5`` or ``(1E15.6)`` says, or None."""
-    found = re.search(r"(?<![\w.])(\d{0,3})\s*[FEDGI](\d{1,2})(?![\w])", text, re.IGNORECASE)
-    if found is None:
-        return None
-    per_line, width = int(found[1] or 1), int(found[2])
-    return Layout(per_line, width) if per_line > 0 and width > 0 else None
 
 
 def _value_at(source: SourceText, word: str, line: int, place: int) -> float:
