@@ -28,8 +28,6 @@ _SERIES = re.compile(
 )
 _END = re.compile(r"^\s*(?:/&|End-of-data)", re.IGNORECASE)
 
-#: What the format calls an unknown number; the files may name another, which none in use does.
-_UNKNOWN = -999.0
 _SERIES_STEP = 62 - 1
 _RECORDER_STEP = 34 - 1
 
@@ -145,7 +143,8 @@ def _time_step(source: SourceText, real: FloatArray, found: re.Match[str], line:
     if real.size <= _SERIES_STEP:
         source.fail(f"the real header has {real.size} values; at least {_SERIES_STEP + 1} were expected.")
     series, recorder = float(real[_SERIES_STEP]), float(real[_RECORDER_STEP])
-    step = recorder if series == _UNKNOWN else series / 1000.0
+    # A number that is not known is written as -999, or as another negative number that the file names.
+    step = series / 1000.0 if series > 0.0 else recorder
     duration = int(found[1]) * step
     stated = to_number(found[3])
     # The duration on this line is rounded, by some agencies down; it still tells 5 ms from 20 ms.
