@@ -136,10 +136,12 @@ def heat_up(
     middle: float,
     flux_start: float,
     flux_end: float,
+    flux_now: float,
 ) -> bool:
     """Take a sliding step of `length` [s] to `time` [s] and `displacement` [mm]; return False where the cells end.
 
-    `middle` [mm] is the displacement inside the step, from which contact with the centre is judged.
+    `middle` [mm] is the displacement inside the step, from which contact with the centre is judged. Over the step the flux
+    is as if it went linearly from `flux_start` to `flux_end`; `flux_now` is what it is at the end [N/(mm s)].
     """
     if heat.kind == NO_HEATING:
         return True
@@ -153,7 +155,7 @@ def heat_up(
             # half of the way before the heat and half after it: second order in the step
             fits = plate.sweep_to(heat, i, time - length, portion * middle) and fits
         rise = feed(heat.bank, fade, first + COMMON, felt * flux_start, felt * flux_end)
-        rise += heat.instant * felt * flux_end
+        rise += heat.instant * felt * flux_now
         if heat.kind == LINE:
             plate.fade_edges(heat, fade, i)
             let_fade(heat.bank, fade, first + INSIDE)

@@ -50,6 +50,7 @@ def march(
     heat: Heat,
     acceleration: NDArray[np.float64],
     interval: float,
+    coarsest: int,
     free_from: int,
     tolerance: float,
     state: NDArray[np.float64],
@@ -57,7 +58,7 @@ def march(
 ) -> tuple[int, int]:
     """Respond to the samples of `acceleration` [mm/s2], `interval` [s] apart; return how it ended and the samples done.
 
-    `state` and `heat` are where it starts from, and are left where it ends. Row i + 1 of `histories` is written
+    A sliding step is at most the interval halved `coarsest` times. `state` and `heat` are where it starts from, and are left where it ends. Row i + 1 of `histories` is written
     at sample i + 1. From sample `free_from` on, where the ground must be at rest, it stops as soon as no more
     sliding can come.
     """
@@ -67,7 +68,7 @@ def march(
         state[STATE_ELONGATION],
         int(state[STATE_SIDE]),
     )
-    level = int(state[STATE_LEVEL])
+    level = max(int(state[STATE_LEVEL]), coarsest)
     fresh = state[STATE_FRESH] > 0.0
     began = state[STATE_TIME]
     friction = 0.0
@@ -86,7 +87,7 @@ def march(
             else:
                 now = began + i * interval + elapsed
                 advance, level = slide_step(
-                    law, structure, heat, fresh, motion, push, now, room, interval, level, tolerance
+                    law, structure, heat, fresh, motion, push, now, room, interval, level, coarsest, tolerance
                 )
                 fresh = fresh and advance.length == 0.0
             motion, friction = advance.motion, advance.friction

@@ -29,11 +29,12 @@ def slide_step(
     room: float,
     interval: float,
     level: int,
+    coarsest: int,
     tolerance: float,
 ) -> tuple[Advance, int]:
     """Slide for at most `room` [s] of the sample `interval`; return the step and the level of halving for the next one.
 
-    `fresh` says that sliding has just begun.
+    `fresh` says that sliding has just begun; `coarsest` is the level that may not be gone below.
     """
     friction = abs(motion.elongation) / structure.reach
     y, v, side = motion.displacement, motion.velocity, motion.side
@@ -68,7 +69,7 @@ def slide_step(
             if abs(bend) > tolerance * last and level < FINEST_LEVEL:
                 level += 1
                 continue
-        if abs(bend) < 0.2 * tolerance * last and level > 0 and not fresh:
+        if abs(bend) < 0.2 * tolerance * last and level > coarsest and not fresh:
             level -= 1
         break
 
@@ -99,6 +100,10 @@ def slide_step(
 
     end = y + swung.displacement
     speed = 0.0 if turns else swung.velocity
+    rubbed = work(friction, slope, curve, length, swung)
+    opening, closing = flux * abs(v), structure.pressure * last * abs(speed)
+    # the flux is taken as linear, and raised so that the heat is the work of friction
+    missing = structure.pressure * abs(rubbed) / length - 0.5 * (opening + closing)
     fits = heat_up(
         heat,
         structure,
@@ -107,15 +112,16 @@ def slide_step(
         length,
         end,
         y + 0.5 * swung.displacement,
-        flux * abs(v),
-        structure.pressure * last * abs(speed),
+        opening + missing,
+        closing + missing,
+        closing,
     )
     stored = 0.5 * structure.elastic * (reach * reach - motion.elongation * motion.elongation)
     advance = Advance(
         Motion(end, speed, reach, 0 if turns else side),
         length,
         -work(push.now, push.rate, 0.0, length, swung),
-        -pull * work(friction, slope, curve, length, swung) - stored,
+        -pull * rubbed - stored,
         last,
         end if turns else math.nan,
         fits,

@@ -12,7 +12,7 @@ from dcfp.bearing import LI_2020, Bearing, FrictionLaw, Heating, Li2020, Simplif
 from dcfp.errors import AnalysisError, InputError
 from dcfp.kernels import march as m
 from dcfp.kernels.friction import Law
-from dcfp.kernels.heat_state import NO_HEATING, PRESENT, Heat
+from dcfp.kernels.heat_state import FINEST_LEVEL, NO_HEATING, PRESENT, Heat
 from dcfp.kernels.march import AT_REST, NO_PROGRESS, OUT_OF_CELLS, TEMPERATURE, march
 from dcfp.kernels.motion import Structure
 from dcfp.kernels.plate import write_profile
@@ -22,6 +22,8 @@ from dcfp.response.response import Histories, Profiles, Response, Settings
 
 #: Default of `Settings.tolerance`.
 TOLERANCE = 0.02
+#: Longest step of sliding [s], whatever the record's own: peaks are looked for at the ends of steps.
+LONGEST_STEP = 0.01
 #: Longest free motion after the record that is waited for [s].
 LONGEST_TAIL = 120.0
 
@@ -67,7 +69,7 @@ def respond(
     tolerance
         How far the coefficient of friction in the middle of a step may be from the mean of its ends, relative to it [-].
     step
-        Longest step [s]; by default the record's own.
+        Longest step [s]; by default the record's own, and for sliding at most 0.01 s.
     start
         State to begin from, `Response.final_state` of an earlier analysis of the same bearing; by default at rest.
     profile_every
@@ -154,6 +156,11 @@ def _checked(
     return Settings(tail=tail, tolerance=tolerance, step=step, profile_every=profile_every)
 
 
+def _halvings(interval: float) -> int:
+    """How often a sample interval [s] must be halved not to exceed the longest step."""
+    return min(max(0, math.ceil(math.log2(interval / LONGEST_STEP * (1.0 - 1e-9)))), FINEST_LEVEL)
+
+
 def _refined(acceleration: FloatArray, parts: int) -> FloatArray:
     """Return the same piecewise linear motion with `parts` steps in place of one."""
     if parts == 1:
@@ -182,7 +189,7 @@ def _compile_for(kind: type, structure: Structure, law: Law) -> None:
     state = state_at_rest(structure, LI_2020, heating, 0.0)
     heat = heat_of(state, LI_2020, heating)._replace(kind=NO_HEATING)
     lines = np.zeros((2, TEMPERATURE + structure.plates))
-    march(law, structure, heat, np.zeros(2), 1e-3, 2, TOLERANCE, state.march, lines)
+    march(law, structure, heat, np.zeros(2), 1e-3, 0, 2, TOLERANCE, state.march, lines)
 
 
 def _march(
@@ -212,6 +219,7 @@ def _march(
             heat,
             acceleration[done : stop + 1],
             interval,
+            _halvings(interval),
             free_from - done,
             settings.tolerance,
             state.march,
