@@ -7,9 +7,8 @@ or an interruption leaves what was there before.
 import os
 import stat
 import tempfile
-from collections.abc import Callable, Generator, Iterable, Sequence
+from collections.abc import Generator, Iterable, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -129,61 +128,14 @@ def _cannot_write(path: Path, error: Exception) -> str:
     return f"{path}: the file cannot be written ({reason})."
 
 
-@dataclass(frozen=True)
-class Outputs:
-    """The files that a command writes.
+def known_extension(name: str, extensions: tuple[str, ...], what: str) -> Path:
+    """Return the path `name` if it has one of `extensions`; `what` is for the sentence.
 
-    Attributes
-    ----------
-    data, figure
-        None where it is not wanted.
-    overwrite
-        Whether files may be there already.
+    Raises
+    ------
+    InputError
+        If not.
     """
-
-    data: Path | None = None
-    figure: Path | None = None
-    overwrite: bool = False
-
-    @classmethod
-    def checked(
-        cls, data: str | None, figure: str | None, *, overwrite: bool, inputs: Iterable[Path] = ()
-    ) -> "Outputs":
-        """Return the outputs once it is known that each can be written in a known format.
-
-        Raises
-        ------
-        InputError
-            If not.
-        """
-        outputs = cls(
-            _known(data, DATA_EXTENSIONS, "data") if data is not None else None,
-            _known(figure, FIGURE_EXTENSIONS, "a figure") if figure is not None else None,
-            overwrite,
-        )
-        check_outputs(outputs.paths, overwrite=overwrite, inputs=inputs)
-        return outputs
-
-    @property
-    def paths(self) -> list[Path]:
-        """Every file that is wanted."""
-        return [path for path in (self.data, self.figure) if path is not None]
-
-    def write(self, responses: "Sequence[Response]") -> None:
-        """Write the analyses into every file, or leave all files as they were."""
-        writers: list[Callable[[Path], None]] = []
-        if self.data is not None:
-            kind = self.data.suffix.lower()
-            writers.append(lambda part: write_data(part, responses, kind))
-        if self.figure is not None:
-            form = self.figure.suffix.lower()[1:]
-            writers.append(lambda part: write_figure(part, responses, form))
-        with whole_files(self.paths, overwrite=self.overwrite) as parts:
-            for writer, part in zip(writers, parts, strict=True):
-                writer(part)
-
-
-def _known(name: str, extensions: tuple[str, ...], what: str) -> Path:
     path = Path(name)
     if path.suffix.lower() not in extensions:
         msg = f"{name}: {what} can be written as {', '.join(extensions)}; give the file one of these extensions."
@@ -203,11 +155,3 @@ def write_data(path: Path, responses: "Sequence[Response]", kind: str) -> None:
         path.write_text(tabulation.csv_text(responses), encoding="utf-8")
     else:
         tabulation.write_netcdf(path, responses)
-
-
-def write_figure(path: Path, responses: "Sequence[Response]", form: str) -> None:
-    """Draw one analysis, or an overview of several, into `path` as ``"png"``, ``"pdf"`` or ``"svg"``."""
-    from dcfp.plots import plot_overview, plot_response, save_figure  # late: Matplotlib takes long to import
-
-    figure = plot_response(responses[0]) if len(responses) == 1 else plot_overview(responses)
-    save_figure(figure, path, form)

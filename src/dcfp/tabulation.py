@@ -3,7 +3,6 @@
 import csv
 import io
 import re
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,6 +11,8 @@ import numpy as np
 import xarray
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from dcfp.response import Response
 
 
@@ -36,7 +37,12 @@ COLUMNS = (
     Column("friction_min", "friction_min", "1", "smallest coefficient of friction while sliding"),
     Column("V_E_mm_s", "V_E", "mm s-1", "equivalent velocity of the input energy"),
     Column("V_Eh_mm_s", "V_Eh", "mm s-1", "equivalent velocity of the hysteretic energy"),
-    Column("energy_residual", "energy_residual", "1", "residual of the energy balance over the largest input energy"),
+    Column(
+        "energy_residual",
+        "energy_residual",
+        "1",
+        "residual of the energy balance over the largest input energy",
+    ),
     Column("elapsed_s", "elapsed", "s", "computing time of the analysis"),
 )
 WORDS = ("record", "friction", "heating", "status")

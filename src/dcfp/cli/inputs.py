@@ -57,7 +57,9 @@ def _treated(motion: "GroundMotion", options: argparse.Namespace) -> "GroundMoti
         motion = treatment.remove_linear_velocity(motion)
     if options.high_pass is not None:
         if not options.baseline:
-            motion = treatment.remove_mean(motion)  # a filter between margins of zeros would see it as two steps
+            motion = treatment.remove_mean(
+                motion
+            )  # a filter between margins of zeros would see it as two steps
         motion = treatment.high_pass(motion, options.high_pass)
     return motion
 
@@ -80,7 +82,9 @@ def model(options: argparse.Namespace) -> Model:
         base = Model(file.bearing, file.friction, file.heating)
     else:
         base = Model(LI_2020, Li2020(), SimplifiedHeating())
-    return Model(_bearing(base.bearing, options), _friction(base.friction, options), _heating(base.heating, options))
+    return Model(
+        _bearing(base.bearing, options), _friction(base.friction, options), _heating(base.heating, options)
+    )
 
 
 def _bearing(base: "Bearing", options: argparse.Namespace) -> "Bearing":
@@ -119,6 +123,9 @@ def _heating(base: "Heating", options: argparse.Namespace) -> "Heating":
     heating = base
     if options.heating is not None and options.heating.strip().lower() != base.name:
         heating = heating_model(
-            options.heating, conductivity=base.conductivity, diffusivity=base.diffusivity, ambient=base.ambient
+            options.heating,
+            conductivity=base.conductivity,
+            diffusivity=base.diffusivity,
+            ambient=base.ambient,
         )
     return heating if options.ambient is None else replace(heating, ambient=options.ambient)

@@ -8,7 +8,9 @@ def add_records(parser: Parser, count: str, words: str) -> None:
     parser.add_argument("records", nargs="*", metavar="RECORD", help=words)
     parser.set_defaults(later_records=[], needs_records=count == "+")
     group = parser.add_argument_group("reading a file")
-    group.add_argument("--component", metavar="NAME", help="component of a file that holds several (NS, EW, ...)")
+    group.add_argument(
+        "--component", metavar="NAME", help="component of a file that holds several (NS, EW, ...)"
+    )
     group.add_argument("--units", metavar="U", help="unit of a plain file: mm/s2, cm/s2, gal, m/s2 or g")
     group.add_argument(
         "--time-step", type=positive("s"), metavar="S", help="time step of a plain file with one column [s]"
@@ -31,16 +33,21 @@ def add_treatment(parser: Parser) -> None:
         help="remove the constant acceleration whose velocity fits best (an instrument's offset)",
     )
     group.add_argument(
-        "--high-pass", type=positive("Hz"), metavar="HZ", help="zero-phase Butterworth high-pass filter, corner [Hz]"
+        "--high-pass",
+        type=positive("Hz"),
+        metavar="HZ",
+        help="zero-phase Butterworth high-pass filter, corner [Hz]",
     )
 
 
 def add_bearing(parser: Parser) -> None:
     """Add the bearing, its friction law and its heating model."""
     group = parser.add_argument_group(
-        "bearing", "The bearing of Li et al. (2020), or that of a file; single values go before both."
+        "bearing", "The bearing of Li et al. (2020), or that of a file; single values override either."
     )
-    group.add_argument("--bearing", metavar="FILE.toml", help="bearing file: geometry, load, friction, heating")
+    group.add_argument(
+        "--bearing", metavar="FILE.toml", help="bearing file: geometry, load, friction, heating"
+    )
     group.add_argument(
         "--radius",
         action=Numbers,
@@ -50,24 +57,44 @@ def add_bearing(parser: Parser) -> None:
         help="effective radius of both plates, or of the lower and the upper one [mm]",
     )
     group.add_argument("--slider", type=positive("mm"), metavar="MM", help="diameter of the slider [mm]")
-    group.add_argument("--pressure", type=positive("N/mm2"), metavar="N_PER_MM2", help="pressure on the slider")
-    group.add_argument("--stiffness", type=positive("kN/mm"), metavar="KN_PER_MM", help="stiffness before sliding")
+    group.add_argument(
+        "--pressure", type=positive("N/mm2"), metavar="N_PER_MM2", help="pressure on the slider"
+    )
+    group.add_argument(
+        "--stiffness", type=positive("kN/mm"), metavar="KN_PER_MM", help="stiffness before sliding"
+    )
     group.add_argument("--capacity", type=positive("mm"), metavar="MM", help="displacement capacity [mm]")
-    group.add_argument("--friction", metavar="NAME", help="friction law: li2020 (default), constant, kumar2015, ...")
-    group.add_argument("--mu", type=fraction(), metavar="VALUE", help="reference coefficient of the friction law [-]")
-    group.add_argument("--heating", metavar="NAME", help="heating model: simplified (default), precise or none")
-    group.add_argument("--ambient", type=any_number("degC"), metavar="DEGC", help="temperature at the start [degC]")
+    group.add_argument(
+        "--friction", metavar="NAME", help="friction law: li2020 (default), constant, kumar2015, ..."
+    )
+    group.add_argument(
+        "--mu", type=fraction(), metavar="VALUE", help="reference coefficient of the friction law [-]"
+    )
+    group.add_argument(
+        "--heating", metavar="NAME", help="heating model: simplified (default), precise or none"
+    )
+    group.add_argument(
+        "--ambient", type=any_number("degC"), metavar="DEGC", help="temperature at the start [degC]"
+    )
 
 
 def add_integration(parser: Parser) -> None:
     """Add how finely and how far the analysis goes."""
     group = parser.add_argument_group("integration")
-    group.add_argument("--step", type=positive("s"), metavar="S", help="longest step [s]; by default the record's")
     group.add_argument(
-        "--tail", type=not_negative("s"), metavar="S", help="time after the record [s]; by default until it rests"
+        "--step", type=positive("s"), metavar="S", help="longest step [s]; by default the record's"
     )
     group.add_argument(
-        "--tolerance", type=fraction(), metavar="VALUE", help="of the coefficient of friction in a step, relative [-]"
+        "--tail",
+        type=not_negative("s"),
+        metavar="S",
+        help="time after the record [s]; by default until it rests",
+    )
+    group.add_argument(
+        "--tolerance",
+        type=fraction(),
+        metavar="VALUE",
+        help="of the coefficient of friction in a step, relative [-]",
     )
 
 

@@ -45,7 +45,9 @@ class Numbers(argparse.Action):
     ``--pgv 0.25 0.5 NCC`` means the record NCC at two PGVs.
     """
 
-    def __init__(self, *args: Any, check: Callable[[str], float], most: int | None = None, **kwargs: Any) -> None:
+    def __init__(
+        self, *args: Any, check: Callable[[str], float], most: int | None = None, **kwargs: Any
+    ) -> None:
         super().__init__(*args, nargs="+", **kwargs)
         self.check = check
         self.most = most

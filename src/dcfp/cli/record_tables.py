@@ -1,12 +1,13 @@
 """The tables of `dcfp records`."""
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from dcfp.cli.tables import add_row, console, new_table, print_labelled, print_remarks
+from dcfp.cli.tables import add_row, new_table, page, print_labelled, print_remarks
 from dcfp.constants import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from dcfp.cli.records import Described
     from dcfp.record.named import NamedRecord
 
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 def print_named(rows: "Sequence[NamedRecord]") -> None:
     """Print the list of named records."""
     table = new_table(
-        ["Record", "Paper"],
+        ["Record", "In P-695"],
         ["dt\n[s]", "length\n[s]", "PGA\n[g]", "PGV\n[m/s]", "M\n[-]"],
         ["Event", "Station"],
     )
@@ -22,8 +23,8 @@ def print_named(rows: "Sequence[NamedRecord]") -> None:
         add_row(
             table,
             [
-                row.name,
-                row.alias,
+                row.alias or row.name,
+                row.name if row.alias else "",
                 _shown(row.time_step, 1.0, ".3f"),
                 _shown(row.duration, 1.0, ".1f"),
                 _shown(row.peak_acceleration, 1.0 / STANDARD_GRAVITY, ".3f"),
@@ -33,9 +34,9 @@ def print_named(rows: "Sequence[NamedRecord]") -> None:
                 row.station,
             ],
         )
-    out = console()
-    out.print(table)
-    print_remarks(out, [f"{row.name}: {row.note}." for row in rows if row.note])
+    with page() as out:
+        out.print(table)
+        print_remarks(out, [f"{row.name}: {row.note}." for row in rows if row.note])
 
 
 def print_described(described: "Sequence[Described]") -> None:
@@ -72,12 +73,12 @@ def print_described(described: "Sequence[Described]") -> None:
                 f"{100.0 * found.baseline_drift:.1f}",
             ],
         )
-    out = console()
-    out.print(table)
-    for lines in dict.fromkeys(_origin(entry) for entry in described):
-        out.print()
-        print_labelled(out, lines)
-    print_remarks(out, [remark for entry in described for remark in entry.remarks])
+    with page() as out:
+        out.print(table)
+        for lines in dict.fromkeys(_origin(entry) for entry in described):
+            out.print()
+            print_labelled(out, lines)
+        print_remarks(out, [remark for entry in described for remark in entry.remarks])
 
 
 def _origin(entry: "Described") -> tuple[tuple[str, str], ...]:

@@ -12,7 +12,6 @@ from dcfp.cli.parser import Parser
 if TYPE_CHECKING:
     from dcfp.record.ground_motion import GroundMotion
     from dcfp.record.measures import Measures
-    from dcfp.record.named import NamedRecord
 
 
 def add_arguments(parser: Parser) -> None:
@@ -48,9 +47,9 @@ class Described:
     def of(cls, motion: "GroundMotion") -> "Described":
         """Measure a motion."""
         from dcfp.cli.remarks import motion_remarks
-        from dcfp.record.measures import measures
+        from dcfp.record.measures import measure
 
-        return cls(motion, measures(motion), motion_remarks(motion))
+        return cls(motion, measure(motion), motion_remarks(motion))
 
     def row(self) -> dict[str, object]:
         """Return what the JSON holds, with units in the names."""
@@ -83,9 +82,12 @@ def _motions(name: str, chosen: argparse.Namespace) -> "list[GroundMotion]":
 
 
 def _list_named(chosen: argparse.Namespace) -> int:
-    from dcfp.record.named import named_records
+    from dcfp.record.named import ALIASES, named_records
 
-    rows = sorted(named_records(), key=_rank)  # stable: the sets keep their order
+    named = named_records()
+    # the paper's records first, then those of the paper that have to be supplied, then the sets in their own order
+    places = [*ALIASES, *(row.name for row in named if not row.alias)]
+    rows = sorted(named, key=lambda row: places.index(row.alias or row.name))
     if chosen.json:
         print(json.dumps([asdict(row) for row in rows], indent=2, ensure_ascii=False, allow_nan=False))
     else:
@@ -93,8 +95,3 @@ def _list_named(chosen: argparse.Namespace) -> int:
 
         print_named(rows)
     return 0
-
-
-def _rank(row: "NamedRecord") -> int:
-    """Put the records of the paper first, those that have to be supplied after those that are there."""
-    return 0 if row.alias else 2 if row.available else 1

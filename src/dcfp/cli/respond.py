@@ -5,8 +5,8 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from dcfp.cli import inputs, options
+from dcfp.cli.outputs import Outputs
 from dcfp.cli.parser import Parser
-from dcfp.files import Outputs
 
 if TYPE_CHECKING:
     from dcfp.record.ground_motion import GroundMotion
@@ -54,9 +54,7 @@ def _analyse(
     from dcfp.response import respond
 
     settings: dict[str, Any] = {
-        name: value
-        for name in ("step", "tail", "tolerance")
-        if (value := getattr(chosen, name)) is not None
+        name: value for name in ("step", "tail", "tolerance") if (value := getattr(chosen, name)) is not None
     }
     responses: list[Response] = []
     with progress("analyses", len(motions)) as advance:

@@ -1,12 +1,13 @@
 """The table of `dcfp respond`."""
 
-from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from dcfp.cli.remarks import motion_remarks
-from dcfp.cli.tables import add_row, console, new_table, print_labelled, print_remarks
+from dcfp.cli.tables import add_row, new_table, page, print_labelled, print_remarks
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
     from dcfp.bearing import Bearing
     from dcfp.response import Response
 
@@ -29,23 +30,21 @@ _NUMBERS: "tuple[tuple[str, Callable[[Response], str]], ...]" = (
 
 def print_responses(responses: "Sequence[Response]") -> None:
     """Print what was analysed, one row for each analysis, and the remarks."""
-    out = console()
     first = responses[0]
-    print_labelled(
-        out,
-        [
-            ("Bearing", _bearing(first.bearing)),
-            ("Friction", f"{first.friction_law.name}, reference coefficient {first.friction_law.reference:g}"),
-            ("Heating", f"{first.heating.name}, from {first.heating.ambient:g} °C"),
-        ],
-    )
+    labelled = [
+        ("Bearing", _bearing(first.bearing)),
+        ("Friction", f"{first.friction_law.name}, reference coefficient {first.friction_law.reference:g}"),
+        ("Heating", f"{first.heating.name}, from {first.heating.ambient:g} °C"),
+    ]
     table = new_table(["Record"], [head for head, _ in _NUMBERS], ["Status"])
     for response in responses:
         numbers = [show(response) for _, show in _NUMBERS]
         add_row(table, [response.motion.name, *numbers, response.status.value])
-    out.print()
-    out.print(table)
-    print_remarks(out, _remarks(responses))
+    with page() as out:
+        print_labelled(out, labelled)
+        out.print()
+        out.print(table)
+        print_remarks(out, _remarks(responses))
 
 
 def _bearing(bearing: "Bearing") -> str:

@@ -1,7 +1,10 @@
 """What the tables of every command look like."""
 
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Generator, Iterable, Sequence
+from contextlib import contextmanager
+from io import StringIO
+from typing import Any
 
 from rich.console import Console
 from rich.table import Table
@@ -11,14 +14,24 @@ from rich.text import Text
 WIDTH = 100
 
 
-def console() -> Console:
-    """Return standard output, without colours and of a fixed width where it is not a terminal."""
-    width = None if sys.stdout.isatty() else WIDTH
-    return Console(file=sys.stdout, width=width, highlight=False, markup=False, emoji=False)
+@contextmanager
+def page() -> Generator[Console]:
+    """Give a console for standard output; where that is no terminal, of a fixed width and without colours."""
+    settings: dict[str, Any] = {"highlight": False, "markup": False, "emoji": False}
+    if sys.stdout.isatty():
+        terminal = Console(file=sys.stdout, **settings)
+        # better a line that the terminal breaks than a number cut short
+        terminal.width = max(terminal.width, WIDTH)
+        yield terminal
+        return
+    text = StringIO()
+    yield Console(file=text, width=WIDTH, color_system=None, **settings)
+    for line in text.getvalue().splitlines():
+        print(line.rstrip())
 
 
 def new_table(words: Iterable[str], numbers: Iterable[str], last_words: Iterable[str] = ()) -> Table:
-    """Return an empty table: columns of words, which may be folded, then numbers, then words again.
+    r"""Return an empty table: columns of words, which may be folded, then numbers, then words again.
 
     A head is ``"name"`` or ``"name\\n[unit]"``.
     """

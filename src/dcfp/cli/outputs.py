@@ -1,0 +1,80 @@
+"""Where a command's results go besides standard output."""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from dcfp.files import (
+    DATA_EXTENSIONS,
+    FIGURE_EXTENSIONS,
+    check_outputs,
+    known_extension,
+    whole_files,
+    write_data,
+)
+
+if TYPE_CHECKING:
+    from dcfp.response import Response
+
+
+@dataclass(frozen=True)
+class Outputs:
+    """The files that a command writes.
+
+    Attributes
+    ----------
+    data, figure
+        None where it is not wanted.
+    overwrite
+        Whether files may be there already.
+    """
+
+    data: Path | None = None
+    figure: Path | None = None
+    overwrite: bool = False
+
+    @classmethod
+    def checked(
+        cls, data: str | None, figure: str | None, *, overwrite: bool, inputs: Iterable[Path] = ()
+    ) -> "Outputs":
+        """Return the outputs once it is known that each can be written in a known format.
+
+        Raises
+        ------
+        InputError
+            If not.
+        """
+        outputs = cls(
+            known_extension(data, DATA_EXTENSIONS, "data") if data is not None else None,
+            known_extension(figure, FIGURE_EXTENSIONS, "a figure") if figure is not None else None,
+            overwrite,
+        )
+        check_outputs(outputs.paths, overwrite=overwrite, inputs=inputs)
+        return outputs
+
+    @property
+    def paths(self) -> list[Path]:
+        """Every file that is wanted."""
+        return [path for path in (self.data, self.figure) if path is not None]
+
+    def write(self, responses: "Sequence[Response]") -> None:
+        """Write the analyses into every file, or leave all files as they were."""
+        writers: list[Callable[[Path], None]] = []
+        if self.data is not None:
+            kind = self.data.suffix.lower()
+            writers.append(lambda part: write_data(part, responses, kind))
+        if self.figure is not None:
+            form = self.figure.suffix.lower()[1:]
+            writers.append(lambda part: write_figure(part, responses, form))
+        with whole_files(self.paths, overwrite=self.overwrite) as parts:
+            for writer, part in zip(writers, parts, strict=True):
+                writer(part)
+
+
+def write_figure(path: Path, responses: "Sequence[Response]", form: str) -> None:
+    """Draw one analysis, or an overview of several, into `path` as ``"png"``, ``"pdf"`` or ``"svg"``."""
+    from dcfp.plots import plot_overview, plot_response, save_figure  # late: Matplotlib takes long to import
+
+    figure = plot_response(responses[0]) if len(responses) == 1 else plot_overview(responses)
+    save_figure(figure, path, form)

@@ -1,0 +1,48 @@
+"""How much of a response is worth showing."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from dcfp.response import Response
+
+#: Part of the hysteretic energy, or of the peak velocity of the ground, below which nothing of note happens [-].
+_LITTLE = 0.001
+_QUIET = 0.05
+#: Part of the time at the start that has to be quiet before it is left out [-].
+_LONG_START = 0.2
+
+
+def shown(response: "Response") -> slice:
+    """Return the samples in which something happens.
+
+    They end a little after the last thousandth of the hysteretic energy, or after the ground has become quiet where
+    nothing slides; a long quiet start is left out.
+    """
+    samples = int(response.time.size)
+    places = np.flatnonzero(_busy(response))
+    if places.size < 2:
+        return slice(0, samples)
+    first, last = int(places[0]), int(places[-1])
+    margin = 2 + (last - first) // 12
+    start = max(0, first - margin) if first > _LONG_START * last else 0
+    return slice(start, min(samples, last + margin))
+
+
+def _busy(response: "Response") -> "NDArray[np.bool_]":
+    dissipated = response.energy.hysteretic
+    whole = float(dissipated[-1])
+    if whole > 0.0:
+        return (dissipated > _LITTLE * whole) & (dissipated < (1.0 - _LITTLE) * whole)
+    ground = np.abs(response.ground_velocity)
+    return ground > _QUIET * float(ground.max())
+
+
+def line_width(response: "Response") -> float:
+    """Return the width [pt] at which the waves of a history stay apart."""
+    part = shown(response)
+    span = float(response.time[part.stop - 1] - response.time[part.start])
+    return 0.9 if span < 25.0 else 0.7 if span < 60.0 else 0.5

@@ -1,0 +1,95 @@
+"""Force against displacement."""
+
+from typing import TYPE_CHECKING, Literal, TypeAlias
+
+import numpy as np
+from matplotlib.collections import LineCollection
+from matplotlib.colors import Normalize
+
+from dcfp.nomenclature import quantity
+from dcfp.plots.extent import line_width, shown
+from dcfp.plots.style import GREY, calm_ticks, colour_bar_beside, new_axes, time_colours, warm_colours
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from dcfp.response import Response
+
+ColourQuantity: TypeAlias = Literal["temperature", "time"]
+
+#: Number of pieces above which a line of changing colour is drawn as an image in a PDF or an SVG.
+_MANY = 6000
+
+
+def plot_loop(
+    response: "Response",
+    axes: "Axes | None" = None,
+    *,
+    colour: ColourQuantity | None = None,
+    norm: Normalize | None = None,
+    colour_bar: bool = True,
+    thin: float = 1.0,
+) -> "Axes":
+    """Draw the force against the displacement.
+
+    Parameters
+    ----------
+    response
+        The analysis.
+    axes
+        Where to draw; by default on a new figure.
+    colour
+        What the colour of the line shows; by default the temperature, or the time where nothing heats up.
+    norm
+        Range of the colours, when several figures share one.
+    colour_bar
+        Whether a scale of the colours is drawn beside the axes.
+    thin
+        Factor on the width of the line, for small axes [-].
+    """
+    axes = new_axes() if axes is None else axes
+    shows = colour_quantity(response) if colour is None else colour
+    part = shown(response)
+    values = (response.temperature if shows == "temperature" else response.time)[part]
+    displacement = quantity("displacement").display(response.displacement[part])
+    force = quantity("force").display(response.force[part])
+    points = np.column_stack((displacement, force))
+    line = LineCollection(
+        list(np.stack((points[:-1], points[1:]), axis=1)),
+        array=0.5 * (values[:-1] + values[1:]),
+        cmap=warm_colours() if shows == "temperature" else time_colours(),
+        norm=colour_range(response, shows) if norm is None else norm,
+        linewidths=thin * line_width(response),
+        capstyle="round",
+        rasterized=len(points) > _MANY,
+    )
+    axes.axhline(0.0, color=GREY, linewidth=0.4, zorder=0)
+    axes.axvline(0.0, color=GREY, linewidth=0.4, zorder=0)
+    axes.add_collection(line)
+    reach, height = (1.08 * max(float(np.abs(values).max()), 1e-6) for values in (displacement, force))
+    axes.set_xlim(-reach, reach)
+    axes.set_ylim(-height, height)
+    calm_ticks(axes, 5, 6)
+    axes.set_xlabel(quantity("displacement").label)
+    axes.set_ylabel(quantity("force").label)
+    if colour_bar:
+        colour_bar_beside(axes, line, quantity(shows).label)
+    return axes
+
+
+def colour_quantity(response: "Response") -> ColourQuantity:
+    """Return what the colour of a loop shows best."""
+    rise = float(response.temperature.max()) - response.heating.ambient
+    return "temperature" if rise > 1.0 else "time"
+
+
+def colour_range(response: "Response", shows: ColourQuantity) -> Normalize:
+    """Return the range of the colours of a loop, which the temperature of the plates shares."""
+    if shows == "time":
+        time = response.time[shown(response)]
+        return Normalize(float(time[0]), float(time[-1]))
+    highest = float(response.temperature.max())
+    if response.profiles is not None:
+        highest = max(highest, float(response.profiles.temperature.max()))
+    ambient = response.heating.ambient
+    return Normalize(min(ambient, float(response.temperature.min())), max(highest, ambient + 1.0))

@@ -1,0 +1,156 @@
+"""What every figure has in common: sizes, colours, fonts, and how it is saved."""
+
+from collections.abc import Generator
+from contextlib import contextmanager
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import matplotlib as mpl
+from matplotlib import font_manager
+from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Colormap
+
+#: Width of the text on an A4 page, in inches as Matplotlib wants it.
+PAGE_WIDTH = 7.2
+#: Resolution of a PNG, and of what is drawn as an image inside a PDF [dots per inch].
+RESOLUTION = 250
+
+# Blue, ochre and red of Paul Tol's high-contrast set, which stay apart for colour-blind eyes and in grey.
+BLUE = "#004488"
+OCHRE = "#DDAA33"
+RED = "#BB5566"
+GREY = "#8A8A8A"
+PALE = "#EAEFF4"
+INK = "#222222"
+
+_FAMILIES = (
+    "DejaVu Sans",
+    "Noto Sans CJK JP",
+    "IPAexGothic",
+    "Hiragino Sans",
+    "Yu Gothic",
+    "Microsoft JhengHei",
+)
+
+_STYLE: dict[str, Any] = {
+    "font.size": 7.5,
+    "mathtext.fontset": "dejavusans",
+    "axes.titlesize": 8.0,
+    "axes.labelsize": 7.5,
+    "axes.linewidth": 0.6,
+    "axes.edgecolor": INK,
+    "axes.labelcolor": INK,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.formatter.useoffset": False,
+    "axes.unicode_minus": True,
+    "text.color": INK,
+    "xtick.color": INK,
+    "ytick.color": INK,
+    "xtick.labelsize": 7.0,
+    "ytick.labelsize": 7.0,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "xtick.major.size": 2.5,
+    "ytick.major.size": 2.5,
+    "legend.fontsize": 7.0,
+    "legend.frameon": False,
+    "legend.handlelength": 1.4,
+    "legend.borderaxespad": 0.0,
+    "legend.borderpad": 0.1,
+    "legend.columnspacing": 1.2,
+    "legend.handletextpad": 0.5,
+    "lines.solid_joinstyle": "round",
+    "figure.constrained_layout.h_pad": 0.03,
+    "figure.constrained_layout.w_pad": 0.03,
+    "pdf.fonttype": 42,
+    "svg.hashsalt": "dcfp",
+}
+
+
+@contextmanager
+def style() -> Generator[None]:
+    """Draw in the style of this package; whatever was set before comes back afterwards."""
+    settings: Any = {**_STYLE, "font.family": _families()}
+    with mpl.rc_context(settings):
+        yield
+
+
+@cache
+def _families() -> list[str]:
+    installed = {font.name for font in font_manager.fontManager.ttflist}
+    return [family for family in _FAMILIES if family in installed]
+
+
+@cache
+def _covers(character: str) -> bool:
+    paths = (font_manager.findfont(family) for family in _families())
+    return any(font_manager.get_font(path).get_char_index(ord(character)) for path in paths)
+
+
+def drawable(text: str) -> str:
+    """Return a text without the characters that no installed font can draw."""
+    return " ".join("".join(c for c in text if c.isspace() or _covers(c)).split())
+
+
+def new_axes(width: float = PAGE_WIDTH / 2, height: float = 2.6) -> "Axes":
+    """Return axes alone on a new figure [in]; their ``figure`` is what to save."""
+    with style():
+        return Figure(figsize=(width, height), layout="constrained").add_subplot()
+
+
+def save_figure(figure: Figure, path: Path, form: str | None = None) -> None:
+    """Save a figure as ``"png"``, ``"pdf"`` or ``"svg"``, by default as the extension says.
+
+    The same figure always gives the same bytes: no date is written into it.
+    """
+    chosen = path.suffix.lower()[1:] if form is None else form
+    dates: dict[str, dict[str, None]] = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}
+    with style():
+        figure.savefig(path, format=chosen, dpi=RESOLUTION, metadata=dates.get(chosen))
+
+
+def calm_ticks(axes: "Axes", along_x: int = 6, along_y: int = 4) -> None:
+    """Give axes few ticks at round numbers."""
+    axes.xaxis.set_major_locator(MaxNLocator(along_x, steps=[1, 2, 2.5, 5, 10]))
+    axes.yaxis.set_major_locator(MaxNLocator(along_y, steps=[1, 2, 2.5, 5, 10]))
+
+
+def legend_above(axes: "Axes") -> None:
+    """Put the legend in one row above the axes, at the right, where it can hide nothing."""
+    handles, labels = axes.get_legend_handles_labels()
+    axes.legend(handles, labels, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=len(labels))
+
+
+def colour_bar_beside(axes: "Axes", drawn: "ScalarMappable", label: str) -> None:
+    """Draw the scale of what is drawn in colours, as high as the axes and right of them."""
+    figure: Any = axes.get_figure(root=False)
+    place = axes.inset_axes((1.03, 0.0, 0.035, 1.0))
+    bar = figure.colorbar(drawn, cax=place)
+    bar.set_label(label)
+    bar.outline.set_visible(False)
+
+
+@cache
+def warm_colours() -> "Colormap":
+    """Return the colours of temperatures: inferno without its ends, which vanish on black and on white."""
+    return _middle("inferno", 0.06, 0.86)
+
+
+@cache
+def time_colours() -> "Colormap":
+    """Return the colours of times."""
+    return _middle("viridis", 0.0, 0.9)
+
+
+def _middle(name: str, first: float, last: float) -> "Colormap":
+    whole = mpl.colormaps[name]
+    parts = [whole(first + (last - first) * i / 255.0) for i in range(256)]
+    return LinearSegmentedColormap.from_list(f"{name}_middle", parts)
