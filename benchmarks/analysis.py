@@ -1,0 +1,84 @@
+"""One response analysis, with the call of the kernels apart from all that is around it."""
+
+import math
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import numpy as np
+from stopwatch import once
+
+from dcfp.bearing import Bearing, FrictionLaw, Heating, SimplifiedHeating
+from dcfp.kernels.march import PEAK_DISPLACEMENT, STEPS, TEMPERATURE, march
+from dcfp.record.ground_motion import GroundMotion
+from dcfp.record.load import load_motion
+from dcfp.response.kernel_input import FIRST_REACH, State, heat_of, state_at_rest, structure_of
+from dcfp.response.respond import LONGEST_STEP, TOLERANCE
+
+if TYPE_CHECKING:
+    from dcfp.arrays import FloatArray
+
+#: The records of the paper that come with `dcfp`.
+RECORDS = ("KNA", "NCC", "LPG", "IVD")
+#: The single concave bearing with the pendulum of the paper's double concave one.
+SINGLE = Bearing(radii=(9000.0,), slider_diameter=400.0, pressure=60.0, elastic_stiffness=1.9e6)
+
+
+def motion_at(name: str, peak_velocity: float = 500.0) -> GroundMotion:
+    """Return a named record scaled to a PGV [mm/s]."""
+    return load_motion(name).scaled_to_pgv(peak_velocity)
+
+
+def refined(motion: GroundMotion, parts: int) -> GroundMotion:
+    """Return the same piecewise linear motion with `parts` steps in place of one."""
+    samples = motion.acceleration.size
+    places = np.arange((samples - 1) * parts + 1) / parts
+    return GroundMotion(np.interp(places, np.arange(samples), motion.acceleration), motion.time_step / parts)
+
+
+@dataclass
+class Analysis:
+    """An analysis without free motion after the record, from rest, on the arrays that `dcfp.respond` would make.
+
+    Attributes
+    ----------
+    state
+        What the last march left behind.
+    lines
+        The histories that it wrote.
+    """
+
+    motion: GroundMotion
+    bearing: Bearing
+    friction: FrictionLaw
+    heating: Heating = field(default_factory=SimplifiedHeating)
+    tolerance: float = TOLERANCE
+
+    def __post_init__(self) -> None:
+        """Make all that a march takes, and run one so that the kernels are compiled."""
+        self.structure = structure_of(self.bearing, self.friction)
+        self.law = self.friction.at_pressure(self.bearing.pressure)
+        self.acceleration: FloatArray = np.array(self.motion.acceleration)
+        self.at_rest = state_at_rest(self.structure, self.bearing, self.heating, FIRST_REACH)
+        self.lines: FloatArray = np.zeros((self.acceleration.size, TEMPERATURE + self.structure.plates))
+        self.state: State = self.at_rest
+        self.coarsest = max(0, math.ceil(math.log2(self.motion.time_step / LONGEST_STEP * (1.0 - 1e-9))))
+        self.march()
+
+    def march(self) -> float:
+        """March once through the record; return the time of the kernels' call [s]."""
+        self.state = self.at_rest.copy()
+        heat = heat_of(self.state, self.bearing, self.heating)
+        size = self.acceleration.size
+        given = (self.law, self.structure, heat, self.acceleration, self.motion.time_step)
+        rules = (self.coarsest, size, self.tolerance)
+        return once(lambda: march(*given, *rules, self.state.march, self.lines))
+
+    @property
+    def peak_displacement(self) -> float:
+        """Largest displacement [mm]."""
+        return float(self.state.march[PEAK_DISPLACEMENT])
+
+    @property
+    def steps(self) -> int:
+        """Number of steps that the integration took."""
+        return int(self.state.march[STEPS])

@@ -1,0 +1,146 @@
+"""The march of the kernels against the same algorithm written by hand in C."""
+
+import ctypes
+import os
+import shutil
+import subprocess
+from ctypes import POINTER, Structure, byref, c_double, c_int, c_long, c_size_t
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+from analysis import SINGLE, Analysis, motion_at
+from figure import Figure
+from stopwatch import in_turn, microseconds, once, ratio
+
+from dcfp.arrays import FloatArray
+from dcfp.bearing import LI_2020, Bearing, FrictionLaw, Kumar2015, Li2020
+from dcfp.kernels.friction import ExponentialLaw
+from dcfp.kernels.heat_state import RATES, WEIGHTS
+from dcfp.kernels.march import PEAK_DISPLACEMENT, STEPS
+from dcfp.kernels.memory import MODES
+from dcfp.kernels.motion import Structure as KernelStructure
+from dcfp.response.kernel_input import heat_of
+
+SOURCE = Path(__file__).parent / "c" / "march.c"
+#: The last two let a C compiler do what ours is allowed to: sums in any order, and no errno to set.
+FLAGS = ("-O3", "-march=native", "-fopenmp-simd", "-fno-math-errno")
+ROUNDS = 300
+#: Largest relative difference of the peak displacement [-].
+AGREEMENT = 1e-9
+
+Doubles = POINTER(c_double)
+
+
+class _Law(Structure):
+    _fields_ = [(name, c_double) for name in ExponentialLaw._fields]
+
+
+class _Structure(Structure):
+    _fields_ = [(name, c_long if name == "plates" else c_double) for name in KernelStructure._fields]
+
+
+class _Steel(Structure):
+    _fields_ = [
+        ("ambient", c_double),
+        ("half_contact", c_double),
+        ("instant", c_double),
+        ("rates", c_double * MODES),
+        ("weights", c_double * MODES),
+    ]
+
+
+_ARGUMENTS = (
+    *(POINTER(_Law), POINTER(_Structure), POINTER(_Steel), c_size_t, Doubles, c_double),
+    *(c_int, c_size_t, c_double),
+    *(Doubles, c_size_t, Doubles, POINTER(c_size_t)),
+)
+
+
+def compiler() -> str | None:
+    """Return a C compiler, if there is one."""
+    return shutil.which(os.environ.get("CC", "cc")) or shutil.which("gcc") or shutil.which("clang")
+
+
+def build(folder: Path, command: str) -> ctypes.CDLL:
+    """Compile the C source into `folder` and load it."""
+    library = folder / "march.so"
+    arguments = [command, *FLAGS, "-shared", "-fPIC", "-o", str(library), str(SOURCE), "-lm"]
+    subprocess.run(arguments, check=True, capture_output=True)
+    loaded = ctypes.CDLL(str(library))
+    loaded.march.argtypes = _ARGUMENTS
+    loaded.march.restype = c_int
+    return loaded
+
+
+def _pointer(values: FloatArray) -> "ctypes._Pointer[c_double]":
+    return values.ctypes.data_as(Doubles)
+
+
+class HandWritten:
+    """The C program on the arrays of an `Analysis`."""
+
+    def __init__(self, library: ctypes.CDLL, analysis: Analysis) -> None:
+        self.function = library.march
+        self.analysis = analysis
+        heat = heat_of(analysis.at_rest, analysis.bearing, analysis.heating)
+        row = c_double * MODES
+        self.steel = _Steel(
+            heat.ambient, heat.half_contact, heat.instant, row(*heat.bank[RATES]), row(*heat.bank[WEIGHTS])
+        )
+        self.law = _Law(*analysis.law)
+        self.structure = _Structure(*analysis.structure)
+        self.lines = np.zeros_like(analysis.lines)
+        self.state = analysis.at_rest.march
+
+    def march(self) -> float:
+        """March once through the record; return the time of the call [s]."""
+        analysis = self.analysis
+        self.state = analysis.at_rest.march.copy()
+        size = analysis.acceleration.size
+        arguments = (
+            *(byref(self.law), byref(self.structure), byref(self.steel), size),
+            *(_pointer(analysis.acceleration), analysis.motion.time_step),
+            *(analysis.coarsest, size, analysis.tolerance),
+            *(_pointer(self.state), size, _pointer(self.lines), byref(c_size_t())),
+        )
+        function = self.function
+        return once(lambda: function(*arguments))
+
+    def check(self) -> None:
+        """Raise unless it does what the kernels do: the same steps to the same displacement."""
+        self.analysis.march()
+        self.march()
+        expected = self.analysis.peak_displacement
+        difference = abs(self.state[PEAK_DISPLACEMENT] / expected - 1.0)
+        if difference > AGREEMENT or self.state[STEPS] != self.analysis.steps:
+            msg = (
+                f"the C program is off by {difference:.1e} with {self.state[STEPS]:.0f} steps"
+                f" against {self.analysis.steps}"
+            )
+            raise AssertionError(msg)
+
+
+def _figures(library: ctypes.CDLL, friction: FrictionLaw, bearing: Bearing, label: str) -> list[Figure]:
+    analysis = Analysis(motion_at("NCC"), bearing, friction)
+    hand_written = HandWritten(library, analysis)
+    try:
+        hand_written.check()
+    except AssertionError as difference:
+        return [Figure(f"march over C, {label}", None, at_most=1.5, note=str(difference))]
+    ours, theirs = in_turn([analysis.march, hand_written.march], ROUNDS)
+    note = f"{microseconds(ours):.0f} us over {microseconds(theirs):.0f} us, {analysis.steps} steps each"
+    return [Figure(f"march over C, {label}", ratio(ours, theirs), at_most=1.5, note=note)]
+
+
+def figures() -> list[Figure]:
+    """Return the ratios of our time to that of the C program."""
+    command = compiler()
+    if command is None:
+        return [Figure("march over C", None, at_most=1.5, note="there is no C compiler here")]
+    with TemporaryDirectory() as folder:
+        library = build(Path(folder), command)
+        return [
+            *_figures(library, Li2020(), LI_2020, "Li 2020, double concave"),
+            *_figures(library, Kumar2015(), SINGLE, "Kumar 2015, single concave"),
+        ]
