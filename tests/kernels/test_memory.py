@@ -21,11 +21,11 @@ def bank():
 
 def test_modes_sum_to_the_half_order_kernel_within_the_stated_bound():
     rates, weights, _ = fading_modes()
-    times = np.geomspace(1e-3, 100.0, 2000)
+    times = np.geomspace(1e-3, 300.0, 2000)
     modes = (weights * np.exp(-rates * times[:, None])).sum(axis=1)
     error = np.abs(modes * np.sqrt(times) - 1.0)
     assert pytest.approx(2.1e-4, rel=0.05) == BOUND
-    assert error.max() < 1.1 * BOUND
+    assert error.max() < 1.01 * BOUND
     assert error.max() > 0.3 * BOUND  # the bound is tight, not generous
 
 

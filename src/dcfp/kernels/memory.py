@@ -7,7 +7,7 @@ The kernel of Eq. (11) is an integral of exponentials, and the trapezoidal rule 
 
 with rates in geometric ratio. Beylkin and Monzon (2005) give the idea. The rule with ratio :math:`r = s_{j+1}/s_j` is off by at most
 :math:`2\sqrt2\,e^{-\pi^2/\ln r}` of the kernel. Modes faster than anything that happens in a step act at once
-(:math:`w_\infty`); modes slower than the whole history are lumped into the slowest one.
+(:math:`w_\infty`); modes slower than the whole history are lumped into the two slowest.
 Each mode is a first-order recursion, so a step costs the same whatever came before it, and neither a change of step nor a
 restart can alter the answer.
 """
@@ -28,14 +28,19 @@ MODES = 20
 def fading_modes(horizon: float = 1000.0) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
     """Return rates [1/s] (slowest first), weights [s^-1/2] and the instant weight [s^1/2] for 1/sqrt(tau).
 
-    The slowest mode barely fades within the `horizon` [s]; the fastest lives 0.1 milliseconds for the default one.
+    The slowest mode hardly fades within the `horizon` [s]; the fastest lives 0.1 milliseconds for the default one.
     """
     rates = 0.02 / horizon * RATE_RATIO ** np.arange(MODES)
     spacing = 0.5 * math.log(RATE_RATIO)  # of ln x, x = sqrt(s)
     weights = 2.0 / math.sqrt(math.pi) * spacing * np.sqrt(rates)
     shrink = 1.0 / math.sqrt(RATE_RATIO)
     instant = weights[-1] / rates[-1] * shrink / (1.0 - shrink)
-    weights[0] /= 1.0 - shrink
+    # the slower modes are not there: the two slowest take over their weight and their first fading
+    slower = weights[0] * shrink / (1.0 - shrink)
+    fading = weights[0] * rates[0] * shrink**3 / (1.0 - shrink**3)
+    moved = (fading - slower * rates[0]) / (rates[1] - rates[0])
+    weights[0] += slower - moved
+    weights[1] += moved
     return rates, weights, float(instant)
 
 
