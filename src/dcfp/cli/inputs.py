@@ -57,9 +57,8 @@ def _treated(motion: "GroundMotion", options: argparse.Namespace) -> "GroundMoti
         motion = treatment.remove_linear_velocity(motion)
     if options.high_pass is not None:
         if not options.baseline:
-            motion = treatment.remove_mean(
-                motion
-            )  # a filter between margins of zeros would see it as two steps
+            # the filter pads with zeros, between which a mean would be two steps
+            motion = treatment.remove_mean(motion)
         motion = treatment.high_pass(motion, options.high_pass)
     return motion
 

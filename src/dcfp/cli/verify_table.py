@@ -18,7 +18,8 @@ def print_checks(checks: Sequence[Any]) -> None:
         for group, members in groupby(checks, key=lambda check: check.group):
             _print_group(out, group, list(members))
         out.print(
-            f"{verdicts.count(True)} passed, {verdicts.count(False)} failed, {verdicts.count(None)} skipped"
+            f"{verdicts.count(True)} passed, {verdicts.count(False)} failed, {verdicts.count(None)} skipped; "
+            "dcfp verify --json has a note on each check"
         )
 
 
@@ -30,8 +31,9 @@ def _print_group(out: Console, group: str, checks: list[Any]) -> None:
     out.print(group, style="bold")
     out.print(table)
     sources = dict.fromkeys(check.source for check in checks if check.source)
-    print_labelled(out, [("Source", source) for source in sources])
-    print_remarks(out, [f"{check.name}: {check.note}" for check in checks if check.note])
+    if sources:
+        print_labelled(out, [("Against", "; ".join(sources))])
+    print_remarks(out, [f"{check.name}: {check.note}" for check in checks if check.note and not check.passed])
     out.print()
 
 

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 from dcfp.nomenclature import quantity
 from dcfp.plots.extent import line_width, shown
-from dcfp.plots.style import BLUE, INK, OCHRE, calm_ticks, legend_above, new_axes
+from dcfp.plots.style import BLUE, INK, OCHRE, calm_ticks, legend_above, new_axes, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 _PALE_BLUE = "#7FA3CB"
 
 
+@styled
 def plot_energies(response: "Response", axes: "Axes | None" = None) -> "Axes":
     """Draw the hysteretic, strain and kinetic energies on top of each other, and the input energy as a line."""
     axes = new_axes(height=1.8) if axes is None else axes

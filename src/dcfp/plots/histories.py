@@ -6,7 +6,7 @@ import numpy as np
 
 from dcfp.nomenclature import quantity
 from dcfp.plots.extent import line_width, shown
-from dcfp.plots.style import BLUE, GREY, INK, OCHRE, PALE, RED, calm_ticks, legend_above, new_axes
+from dcfp.plots.style import BLUE, GREY, INK, OCHRE, PALE, RED, calm_ticks, legend_above, new_axes, styled
 from dcfp.plots.words import millimetres
 
 if TYPE_CHECKING:
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 _NEAR_CAPACITY = 0.6
 
 
+@styled
 def plot_velocities(response: "Response", axes: "Axes | None" = None) -> "Axes":
     """Draw the velocities of the ground and of the structure, with the times of sliding shaded."""
     axes = _history_axes(response, axes)
@@ -52,6 +53,7 @@ def plot_velocities(response: "Response", axes: "Axes | None" = None) -> "Axes":
     return axes
 
 
+@styled
 def plot_displacement(response: "Response", axes: "Axes | None" = None) -> "Axes":
     """Draw the displacement with its peak, and the capacity where the peak comes near it."""
     axes = _history_axes(response, axes)
@@ -71,6 +73,7 @@ def plot_displacement(response: "Response", axes: "Axes | None" = None) -> "Axes
     return axes
 
 
+@styled
 def plot_temperature(response: "Response", axes: "Axes | None" = None) -> "Axes":
     """Draw the temperature of the contact."""
     axes = _history_axes(response, axes)
@@ -83,6 +86,7 @@ def plot_temperature(response: "Response", axes: "Axes | None" = None) -> "Axes"
     return axes
 
 
+@styled
 def plot_friction(response: "Response", axes: "Axes | None" = None) -> "Axes":
     """Draw the coefficient of friction: at work while it slides, faint where it only has to be overcome."""
     axes = _history_axes(response, axes)
@@ -110,7 +114,7 @@ def _history_axes(response: "Response", axes: "Axes | None") -> "Axes":
 def _between_equal_limits(axes: "Axes", largest: float) -> None:
     """Put zero in the middle, and room beyond the largest value."""
     axes.axhline(0.0, color=GREY, linewidth=0.4, zorder=0)
-    limit = 1.2 * largest if largest > 0.0 else 1.0
+    limit = 1.3 * largest if largest > 0.0 else 1.0
     axes.set_ylim(-limit, limit)
 
 
@@ -122,7 +126,7 @@ def _mark_peak(axes: "Axes", time: "FloatArray", values: "FloatArray") -> None:
     axes.annotate(
         millimetres(abs(peak)),
         (float(time[place]), peak),
-        xytext=(-4 if later else 4, 0),
+        xytext=(-4 if later else 4, 2 if peak < 0.0 else -2),
         textcoords="offset points",
         ha="right" if later else "left",
         va="center",

@@ -8,7 +8,7 @@ from matplotlib.colors import Normalize
 
 from dcfp.nomenclature import quantity
 from dcfp.plots.extent import line_width, shown
-from dcfp.plots.style import GREY, calm_ticks, colour_bar_beside, new_axes, time_colours, warm_colours
+from dcfp.plots.style import GREY, calm_ticks, colour_bar_beside, new_axes, styled, time_colours, warm_colours
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -21,6 +21,7 @@ ColourQuantity: TypeAlias = Literal["temperature", "time"]
 _MANY = 6000
 
 
+@styled
 def plot_loop(
     response: "Response",
     axes: "Axes | None" = None,

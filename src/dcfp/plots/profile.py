@@ -9,7 +9,7 @@ from dcfp.errors import InputError
 from dcfp.nomenclature import quantity
 from dcfp.plots.extent import shown
 from dcfp.plots.loop import colour_range
-from dcfp.plots.style import calm_ticks, colour_bar_beside, new_axes, warm_colours
+from dcfp.plots.style import calm_ticks, colour_bar_beside, new_axes, styled, warm_colours
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 _COOL = 0.01
 
 
+@styled
 def plot_profile(
     response: "Response",
     axes: "Axes | None" = None,

@@ -1,10 +1,10 @@
 """What every figure has in common: sizes, colours, fonts, and how it is saved."""
 
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from contextlib import contextmanager
-from functools import cache
+from functools import cache, wraps
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ParamSpec
 
 import matplotlib as mpl
 from matplotlib import font_manager
@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Colormap
+
+P = ParamSpec("P")
 
 #: Width of the text on an A4 page, in inches as Matplotlib wants it.
 PAGE_WIDTH = 7.2
@@ -83,6 +85,20 @@ def style() -> Generator[None]:
         yield
 
 
+def styled(draw: Callable[P, "Axes"]) -> Callable[P, "Axes"]:
+    """Let a function ``draw(response, axes=None)`` use the style of this package where it makes its own axes."""
+
+    @wraps(draw)
+    def in_style(*args: P.args, **kwargs: P.kwargs) -> "Axes":
+        given = args[1] if len(args) > 1 else kwargs.get("axes")
+        if given is not None:
+            return draw(*args, **kwargs)
+        with style():
+            return draw(*args, **kwargs)
+
+    return in_style
+
+
 @cache
 def _families() -> list[str]:
     installed = {font.name for font in font_manager.fontManager.ttflist}
@@ -102,8 +118,7 @@ def drawable(text: str) -> str:
 
 def new_axes(width: float = PAGE_WIDTH / 2, height: float = 2.6) -> "Axes":
     """Return axes alone on a new figure [in]; their ``figure`` is what to save."""
-    with style():
-        return Figure(figsize=(width, height), layout="constrained").add_subplot()
+    return Figure(figsize=(width, height), layout="constrained").add_subplot()
 
 
 def save_figure(figure: Figure, path: Path, form: str | None = None) -> None:
