@@ -10,7 +10,6 @@ Three models share one interface:
 from dcfp.kernels import plate
 from dcfp.kernels._jit import kernel
 from dcfp.kernels.heat_state import (
-    BETWEEN,
     COMMON,
     EXPECTED,
     INSIDE,
@@ -56,12 +55,6 @@ def prepare(heat: Heat, place: int, length: float) -> None:
         closing += heat.bank[fade + 2, j]
     heat.notes[entry + 1] = opening
     heat.notes[entry + 2] = closing
-
-
-@kernel
-def is_prepared(heat: Heat, place: int, length: float) -> bool:
-    """Whether the step at `place` has that length [s]."""
-    return heat.kind == NO_HEATING or heat.notes[STEP_NOTE + STEP_NOTES * place] == length
 
 
 @kernel
@@ -118,11 +111,11 @@ def expect_cooling(heat: Heat, structure: Structure, place: int) -> None:
 
 
 @kernel
-def mix(heat: Heat, structure: Structure, part: float) -> None:
-    """Note the temperatures at a `part` of the way from the present to the expected ones."""
+def mix(heat: Heat, structure: Structure, part: float, entry: int) -> None:
+    """Note at `entry` the temperatures at a `part` of the way from the present to the expected ones."""
     notes = heat.notes
     for i in range(structure.plates):
-        notes[BETWEEN + i] = notes[PRESENT + i] + part * (notes[EXPECTED + i] - notes[PRESENT + i])
+        notes[entry + i] = notes[PRESENT + i] + part * (notes[EXPECTED + i] - notes[PRESENT + i])
 
 
 @kernel

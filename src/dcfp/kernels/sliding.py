@@ -9,7 +9,7 @@ import math
 from dcfp.kernels._jit import kernel
 from dcfp.kernels.friction import Law, mean_coefficient
 from dcfp.kernels.heat_state import BETWEEN, EXPECTED, FINEST_LEVEL, ODD_LENGTH, POINT, Heat
-from dcfp.kernels.heating import expect, heat_up, is_prepared, mix, prepare
+from dcfp.kernels.heating import expect, heat_up, mix, prepare
 from dcfp.kernels.motion import Advance, Motion, Push, Structure, share
 from dcfp.kernels.oscillator import swing, work
 
@@ -49,26 +49,32 @@ def slide_step(
         turn = _turning_time(v, start, jerk, length)
         if turn < length:
             length, turns = turn, True
-        if heat.kind == POINT:
-            leave = _leaving_time(heat, structure, y, v, start, jerk, length)
-            if leave < length:
-                length, turns = leave, False
-        place = level if length == regular else ODD_LENGTH
-        prepare(heat, place, length)
-        speed = 0.0 if turns else abs(v + length * (start + 0.5 * length * jerk))
-        halfway = y + 0.5 * length * (v + 0.25 * length * start)
         travel = length * (v + 0.5 * length * start)
-        expect(heat, structure, place, halfway, travel, flux * abs(v), flux * speed)
+        if heat.kind == POINT:
+            leave = _leaving_time(heat, structure, y, travel, v, start, jerk, length)
+            if leave < length:
+                travel *= leave / length
+                length, turns = leave, False
+        speed = 0.0 if turns else abs(v + length * (start + 0.5 * length * jerk))
+        # what an odd length brings is a part of what the regular one would: its modes are at hand
+        part = length / regular
+        opening = flux * abs(v)
+        closing = opening + (flux * speed - opening) / part
+        prepare(heat, level, regular)
+        expect(heat, structure, level, y + 0.5 * travel, travel / part, opening, closing)
+        if part != 1.0:
+            mix(heat, structure, part, EXPECTED)
         last = mean_coefficient(law, structure, speed, heat.notes, EXPECTED)
         bend = 0.0
         if abs(last - friction) > tolerance * last:
-            mix(heat, structure, 0.5)
+            mix(heat, structure, 0.5, BETWEEN)
             half_speed = abs(v + 0.5 * length * (start + 0.25 * length * jerk))
             central = mean_coefficient(law, structure, half_speed, heat.notes, BETWEEN)
             bend = central - 0.5 * (friction + last)
             if abs(bend) > tolerance * last and level < FINEST_LEVEL:
                 level += 1
                 continue
+        place = level
         if abs(bend) < 0.2 * tolerance * last and level > coarsest and not fresh:
             level -= 1
         break
@@ -86,9 +92,6 @@ def slide_step(
         length, turns = _polish_turn(structure.restoring, length, furthest, v, start, push_rate, push_curve)
         swung = swing(structure.restoring, length, v, start, push_rate, push_curve)
         last = friction + length * (slope + length * curve)
-        if not is_prepared(heat, place, length):
-            place = ODD_LENGTH
-            prepare(heat, place, length)
 
     reach = side * last * structure.reach
     if side * (swung.displacement - reach + motion.elongation) < 0.0:
@@ -101,9 +104,11 @@ def slide_step(
     end = y + swung.displacement
     speed = 0.0 if turns else swung.velocity
     rubbed = work(friction, slope, curve, length, swung)
-    opening, closing = flux * abs(v), structure.pressure * last * abs(speed)
+    closing = structure.pressure * last * abs(speed)
     # the flux is taken as linear, and raised so that the heat is the work of friction
     missing = structure.pressure * abs(rubbed) / length - 0.5 * (opening + closing)
+    place = place if length == regular else ODD_LENGTH
+    prepare(heat, place, length)
     fits = heat_up(
         heat,
         structure,
@@ -200,6 +205,7 @@ def _leaving_time(
     heat: Heat,
     structure: Structure,
     displacement: float,
+    travel: float,
     velocity: float,
     acceleration: float,
     jerk: float,
@@ -207,19 +213,21 @@ def _leaving_time(
 ) -> float:
     """Time at which a plate's monitoring point comes under the slider or leaves it, or infinity: Eq. (12)."""
     earliest = math.inf
-    end = displacement + length * (velocity + length * (0.5 * acceleration + length * jerk / 6.0))
+    end = displacement + travel
     for i in range(structure.plates):
-        edge = heat.half_contact / share(structure, i)
-        for target in (edge, -edge):
-            if (displacement - target) * (end - target) >= 0.0:
-                continue
-            t = length * (target - displacement) / (end - displacement)
-            for _ in range(6):
-                away = displacement - target + t * (velocity + t * (0.5 * acceleration + t * jerk / 6.0))
-                rate = velocity + t * (acceleration + 0.5 * t * jerk)
-                if rate == 0.0:
-                    break
-                t = min(max(t - away / rate, 0.0), length)
-            if t > 1e-9 * length:
-                earliest = min(earliest, t)
+        portion = share(structure, i)
+        inside = portion * abs(displacement) <= heat.half_contact
+        if inside == (portion * abs(end) <= heat.half_contact):
+            continue
+        outer = displacement if abs(displacement) > abs(end) else end
+        target = math.copysign(heat.half_contact / portion, outer)
+        t = length * (target - displacement) / travel
+        for _ in range(6):
+            away = displacement - target + t * (velocity + t * (0.5 * acceleration + t * jerk / 6.0))
+            rate = velocity + t * (acceleration + 0.5 * t * jerk)
+            if rate == 0.0:
+                break
+            t = min(max(t - away / rate, 0.0), length)
+        if t > 1e-9 * length:
+            earliest = min(earliest, t)
     return earliest

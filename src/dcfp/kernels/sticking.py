@@ -12,7 +12,7 @@ from dcfp.kernels.oscillator import Swing, swing, work
 #: Largest angle of a sticking step [rad], so that spring (b) cannot pass the yield surface and return unseen.
 LARGEST_ANGLE = 0.55
 #: How close to the yield surface the start of sliding is found [mm].
-_CLOSE = 1e-11
+_CLOSE = 1e-10
 
 
 @kernel
@@ -43,8 +43,9 @@ def stick_step(
         else:
             low = turn
     if slips:
-        prepare_cooling(heat, ODD_LENGTH, length)
-        expect_cooling(heat, structure, ODD_LENGTH)
+        place = 0 if length == interval else ODD_LENGTH
+        prepare_cooling(heat, place, length)
+        expect_cooling(heat, structure, place)
         slip = _slip_time(law, structure, heat, motion, push, start, length, low, high)
         cut = high < length
         slips = slip <= high
@@ -89,7 +90,7 @@ def _excess(
     length: float,
 ) -> float:
     """How far spring (b) is beyond the yield surface on a side, r_f = mu N / kf [mm], `time` [s] into the step."""
-    mix(heat, structure, time / length)
+    mix(heat, structure, time / length, BETWEEN)
     swung = swing(structure.restoring + structure.elastic, time, motion.velocity, start, -push.rate, 0.0)
     friction = mean_coefficient(law, structure, abs(swung.velocity), heat.notes, BETWEEN)
     return side * (motion.elongation + swung.displacement) - friction * structure.reach
