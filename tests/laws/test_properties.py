@@ -1,0 +1,284 @@
+"""Laws that hold for every bearing, friction law, heating model and motion."""
+
+import math
+from dataclasses import replace
+
+import numba
+import numpy as np
+from hypothesis import HealthCheck, example, given, settings
+from hypothesis import strategies as st
+
+from dcfp.bearing import (
+    LI_2020,
+    Bearing,
+    ConstantFriction,
+    Constantinou1990,
+    FrictionLaw,
+    Heating,
+    Kumar2015,
+    Li2020,
+    NoHeating,
+    PreciseHeating,
+    SimplifiedHeating,
+    UserFriction,
+)
+from dcfp.record.ground_motion import GroundMotion
+from dcfp.record.synthetic import harmonic, ricker
+from dcfp.response import Response, respond
+
+# ----- random cases -----
+
+
+@numba.njit
+def wavy_law(pressure, speed, temperature):
+    return 0.05 * (1.0 + 0.3 * math.sin(speed / 50.0)) * math.exp(-0.005 * temperature)
+
+
+#: Compiled once for the whole session: each object of this class costs a compilation of the kernels.
+WAVY = UserFriction(wavy_law, label="wavy")
+
+
+def logarithmic(low: float, high: float) -> st.SearchStrategy[float]:
+    """Numbers whose logarithm is spread evenly."""
+    return st.floats(math.log(low), math.log(high)).map(math.exp)
+
+
+@st.composite
+def bearings(draw: st.DrawFn) -> Bearing:
+    one = draw(logarithmic(500.0, 20_000.0))
+    kind = draw(st.sampled_from(("single", "equal", "unequal")))
+    other = draw(logarithmic(500.0, 20_000.0)) if kind == "unequal" else one
+    radii = (one,) if kind == "single" else (one, other)
+    diameter = min(draw(logarithmic(10.0, 800.0)), 1.5 * min(radii))
+    pressure = draw(st.floats(3.0, 150.0))
+    pendulum = pressure * math.pi * diameter**2 / 4.0 / sum(radii)
+    return Bearing(radii, diameter, pressure, pendulum * draw(logarithmic(3.0, 10_000.0)))
+
+
+def friction_laws() -> st.SearchStrategy[FrictionLaw]:
+    mu = logarithmic(0.003, 0.3)
+    switches = {f"{effect}_dependent": st.booleans() for effect in ("pressure", "velocity", "temperature")}
+    return st.one_of(
+        st.builds(ConstantFriction, mu),
+        mu.flatmap(
+            lambda fast: st.builds(
+                Constantinou1990,
+                st.just(fast),
+                st.floats(0.1, 1.0).map(lambda part: part * fast),
+                logarithmic(1e-3, 1.0),
+            )
+        ),
+        st.builds(Li2020, mu, **switches),
+        st.builds(
+            Kumar2015, mu, temperature_law=st.sampled_from(("half", "one third", "two thirds")), **switches
+        ),
+        st.just(WAVY),
+    )
+
+
+def heating_models() -> st.SearchStrategy[NoHeating | SimplifiedHeating | PreciseHeating]:
+    return st.one_of(
+        st.just(NoHeating()),
+        st.builds(SimplifiedHeating, conductivity=logarithmic(2.0, 100.0), ambient=st.floats(-20.0, 40.0)),
+        st.builds(PreciseHeating, cells=st.integers(2, 80), conductivity=logarithmic(4.0, 100.0)),
+    )
+
+
+@st.composite
+def motions(draw: st.DrawFn) -> GroundMotion:
+    step = draw(logarithmic(1e-3, 0.05))
+    points = draw(st.integers(2, 600))
+    time = np.arange(points) * step
+    kind = draw(st.sampled_from(("sines", "box", "square wave", "noise", "spikes", "stairs", "zeros")))
+    random = np.random.default_rng(draw(st.integers(0, 2**32 - 1)))
+    period = draw(logarithmic(0.05, 8.0))
+    if kind == "sines":
+        angles = random.uniform(0.0, 2.0 * np.pi, (4, 1)) + 2.0 * np.pi / period * np.outer(
+            (1, 2.3, 0.4, 5.1), time
+        )
+        values = random.normal(size=4) @ np.sin(angles)
+    elif kind == "box":
+        values = np.where(time < period, 1.0, 0.0)
+    elif kind == "square wave":
+        values = np.sign(np.sin(2.0 * np.pi * time / period + 0.1))
+    elif kind == "noise":
+        values = random.normal(size=points)
+    elif kind == "spikes":
+        values = np.zeros(points)
+        values[random.integers(0, points, 5)] = random.normal(size=5)
+    elif kind == "stairs":
+        values = np.repeat(random.normal(size=points // 20 + 1), 20)[:points]
+    else:
+        values = np.zeros(points)
+    motion = GroundMotion(values, step, kind)
+    if motion.peak_velocity > 0.0:
+        motion = motion.scaled_to_pgv(draw(logarithmic(1.0, 3000.0)))
+    # above 10 g it would be another subject
+    return motion.scaled(min(1.0, 1e5 / max(motion.peak_acceleration, 1e-30)))
+
+
+# ----- laws -----
+
+#: The laws are searched at random but reproducibly, so that a run of the suite does not depend on its luck.
+SEARCH = settings(
+    max_examples=150, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow]
+)
+#: Inside a step spring (b) may lag behind the yield surface unseen, which is of the order of the step's error.
+UNSEEN_LAG = 1e-6
+
+every_case = given(motions(), bearings(), friction_laws(), heating_models())
+
+
+def largest_energy(response: Response) -> float:
+    energy = response.energy
+    return float(max(np.abs(energy.input).max(), energy.kinetic.max(), energy.strain.max()))
+
+
+@SEARCH
+@every_case
+def test_the_energy_closes(
+    motion: GroundMotion, bearing: Bearing, law: FrictionLaw, heating: Heating
+) -> None:
+    response = respond(motion, bearing, law, heating)
+    assert np.abs(response.energy.residual).max() <= 1e-9 * largest_energy(response)
+
+
+@SEARCH
+@every_case
+def test_the_mirror_image_responds_with_the_mirror_image(
+    motion: GroundMotion, bearing: Bearing, law: FrictionLaw, heating: Heating
+) -> None:
+    there = respond(motion, bearing, law, heating)
+    back = respond(motion.scaled(-1.0), bearing, law, heating)
+    assert np.abs(there.displacement + back.displacement).max() <= 1e-12 * max(there.peak_displacement, 1e-30)
+    # the line of cells is swept from the other end, so sums round differently
+    assert np.abs(there.temperature - back.temperature).max() <= 1e-9 * max(there.peak_temperature, 1.0)
+
+
+@SEARCH
+@every_case
+def test_friction_stays_below_the_yield_force_and_never_gives_energy_back(
+    motion: GroundMotion, bearing: Bearing, law: FrictionLaw, heating: Heating
+) -> None:
+    response = respond(motion, bearing, law, heating)
+    friction_force = np.abs(response.force - bearing.restoring_stiffness * response.displacement)
+    rounding = 1e-12 * np.abs(response.force).max()
+    assert (friction_force <= response.friction * bearing.vertical_force * (1.0 + 1e-9) + rounding).all()
+    dissipated = np.diff(response.energy.hysteretic, prepend=0.0)
+    assert dissipated.min() >= -UNSEEN_LAG * largest_energy(response)
+
+
+@SEARCH
+@every_case
+def test_histories_are_finite_and_never_colder_than_the_surroundings(
+    motion: GroundMotion, bearing: Bearing, law: FrictionLaw, heating: Heating
+) -> None:
+    response = respond(motion, bearing, law, heating)
+    for history in (response.displacement, response.velocity, response.friction, response.temperature):
+        assert np.isfinite(history).all()
+    assert response.temperature.min() >= heating.ambient - 1e-9
+    assert response.peak_displacement >= np.abs(response.displacement).max() * (1.0 - 1e-12)
+    assert response.peak_temperature >= response.temperature.max() - 1e-9
+
+
+@SEARCH
+@every_case
+def test_a_restart_changes_nothing(
+    motion: GroundMotion, bearing: Bearing, law: FrictionLaw, heating: Heating
+) -> None:
+    whole = respond(motion, bearing, law, heating, tail=0.0)
+    if motion.acceleration.size < 4 or whole.peak_displacement > 500.0:
+        return  # a state has room for displacements that the first part of the motion makes
+    half = motion.acceleration.size // 2
+    first = respond(
+        GroundMotion(motion.acceleration[: half + 1], motion.time_step), bearing, law, heating, tail=0.0
+    )
+    second = respond(
+        GroundMotion(motion.acceleration[half:], motion.time_step), bearing, law, heating, tail=0.0,
+        start=first.final_state,
+    )  # fmt: skip
+    gap = np.abs(second.displacement - whole.displacement[half:]).max()
+    assert gap <= 1e-9 * max(whole.peak_displacement, 1e-9)
+
+
+@SEARCH
+@every_case
+def test_ground_at_rest_moves_nothing(
+    motion: GroundMotion, bearing: Bearing, law: FrictionLaw, heating: Heating
+) -> None:
+    response = respond(motion.scaled(0.0), bearing, law, heating, tail=0.0)
+    assert not response.displacement.any()
+    assert not response.sliding.any()
+
+
+# ----- limits -----
+
+
+def exact_oscillator(motion: GroundMotion, stiffness: float) -> np.ndarray:
+    """Displacement of an undamped oscillator, omega squared `stiffness`, under a piecewise linear motion."""
+    w, h = np.sqrt(stiffness), motion.time_step
+    cos, sin = np.cos(w * h), np.sin(w * h)
+    y, v = np.zeros(motion.acceleration.size), 0.0
+    for i, (a, b) in enumerate(zip(motion.acceleration[:-1], motion.acceleration[1:], strict=True)):
+        slope = (b - a) / h
+        particular, particular_end = -a / stiffness, -b / stiffness
+        c, s = y[i] - particular, (v + slope / stiffness) / w
+        y[i + 1] = c * cos + s * sin + particular_end
+        v = w * (s * cos - c * sin) - slope / stiffness
+    return y
+
+
+def test_a_large_coefficient_leaves_the_elastic_oscillator() -> None:
+    motion = ricker(300.0, 1.0, time_step=0.01)
+    response = respond(motion, friction=ConstantFriction(0.999), heating=NoHeating(), tail=0.0)
+    stiffness = (LI_2020.restoring_stiffness + LI_2020.elastic_stiffness) / LI_2020.mass
+    expected = exact_oscillator(motion, stiffness)
+    assert not response.sliding.any()
+    assert np.abs(response.displacement - expected).max() < 1e-9 * np.abs(expected).max()
+
+
+def test_a_small_coefficient_leaves_the_pendulum() -> None:
+    motion = ricker(300.0, 0.5, time_step=0.01)
+    expected = exact_oscillator(motion, LI_2020.restoring_stiffness / LI_2020.mass)
+    errors = []
+    for mu in (1e-5, 1e-6):
+        response = respond(motion, friction=ConstantFriction(mu), heating=NoHeating(), tail=0.0)
+        errors.append(np.abs(response.displacement - expected).max() / np.abs(expected).max())
+    assert errors[1] < 1e-3
+    assert 8.0 < errors[0] / errors[1] < 12.0  # in proportion to the coefficient
+
+
+def test_steel_that_conducts_perfectly_does_not_heat() -> None:
+    motion = ricker(500.0, 0.5)
+    cold = respond(motion, friction=Li2020(), heating=NoHeating(), tail=5.0)
+    for heating in (SimplifiedHeating(conductivity=1e12), PreciseHeating(conductivity=1e12)):
+        response = respond(motion, friction=Li2020(), heating=heating, tail=5.0)
+        assert np.abs(response.displacement - cold.displacement).max() < 1e-6 * cold.peak_displacement
+
+
+def test_both_heating_models_agree_where_the_slider_hardly_moves() -> None:
+    large = replace(LI_2020, slider_diameter=8000.0, elastic_stiffness=400.0 * LI_2020.elastic_stiffness)
+    motion = harmonic(2000.0, 0.5, 10.0)
+    simplified = respond(motion, large, Kumar2015(), SimplifiedHeating(), tail=0.0)
+    precise = respond(motion, large, Kumar2015(), PreciseHeating(), tail=0.0)
+    travelled = simplified.peak_displacement / 2.0 / large.contact_half_side
+    rise = simplified.peak_temperature - 20.0
+    assert rise > 10.0
+    assert abs(precise.peak_temperature - simplified.peak_temperature) < travelled * rise
+
+
+# ----- cases that once failed -----
+
+
+@example(step=0.0421)
+@example(step=0.004)
+@given(step=motions().map(lambda motion: motion.time_step))
+@settings(max_examples=40, deadline=None, derandomize=True)
+def test_the_yield_surface_is_crossed_from_side_to_side_in_one_step(step: float) -> None:
+    """A slip belongs to the side that spring (b) moves to, however short the way across is."""
+    bearing = Bearing((2000.0,), 100.0, 30.0, 5e4)
+    motion = ricker(400.0, 1.2, time_step=step)
+    response = respond(motion, bearing, ConstantFriction(0.004), NoHeating())
+    slides = response.sliding != 0.0
+    assert (response.sliding[slides] * response.velocity[slides] >= 0.0).all()
+    assert np.diff(response.energy.hysteretic).min() >= -1e-12 * largest_energy(response)
