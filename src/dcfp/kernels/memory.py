@@ -21,14 +21,15 @@ from dcfp.kernels._jit import kernel, reassociating_kernel
 
 #: Ratio of neighbouring rates; 2 sqrt(2) exp(-pi2/ln r) = 2.1e-4 of the kernel, a tenth of it in a temperature.
 RATE_RATIO = 2.0**1.5
-#: Number of modes; fixed, so that the compiler can lay every loop over them out flat.
-MODES = 20
+#: Number of modes; fixed and a multiple of the lanes of a processor, so that every loop over them is laid out flat.
+MODES = 16
 
 
-def fading_modes(horizon: float = 1000.0) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
+def fading_modes(horizon: float = 100.0) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
     """Return rates [1/s] (slowest first), weights [s^-1/2] and the instant weight [s^1/2] for 1/sqrt(tau).
 
-    The slowest mode hardly fades within the `horizon` [s]; the fastest lives 0.1 milliseconds for the default one.
+    The slowest mode hardly fades within the `horizon` [s]. For the default one the fastest lives 0.8 milliseconds, and the
+    sum is within 2.7e-4 of the kernel for lags from 4 milliseconds to 100 s, within 1e-3 up to 300 s.
     """
     rates = 0.02 / horizon * RATE_RATIO ** np.arange(MODES)
     spacing = 0.5 * math.log(RATE_RATIO)  # of ln x, x = sqrt(s)
