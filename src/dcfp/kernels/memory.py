@@ -23,6 +23,8 @@ from dcfp.kernels._jit import kernel, reassociating_kernel
 RATE_RATIO = 2.0**1.5
 #: Number of modes; fixed and a multiple of the lanes of a processor, so that every loop over them is laid out flat.
 MODES = 16
+#: What a fading mode keeps [degC]: a processor takes fifty times as long to reckon with the smallest numbers there are.
+_TRACE = 1e-100
 
 
 def fading_modes(horizon: float = 100.0) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
@@ -114,7 +116,7 @@ def let_fade(bank: NDArray[np.float64], fade: int, row: int) -> float:
     """Advance a row of modes over a step without flux; return their new sum."""
     s = 0.0
     for j in range(MODES):
-        mode = bank[fade, j] * bank[row, j]
+        mode = bank[fade, j] * bank[row, j] + _TRACE
         bank[row, j] = mode
         s += mode
     return s
