@@ -97,7 +97,7 @@ def write_netcdf(path: Path, responses: "Sequence[Response]") -> None:
 
 def _compressed(data: xarray.Dataset) -> xarray.Dataset:
     for variable in data.variables.values():
-        variable.encoding.update(zlib=True, complevel=4, shuffle=True)
+        variable.encoding.update(zlib=True, complevel=1, shuffle=True)
     return data
 
 

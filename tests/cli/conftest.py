@@ -53,6 +53,19 @@ def zeros(tmp_path: Path) -> Path:
     return _write(tmp_path / "zeros.txt", time, np.zeros_like(time))
 
 
+@pytest.fixture
+def three_components(tmp_path: Path) -> Path:
+    """A file as the Japan Meteorological Agency writes it, with three components."""
+    head = (
+        "SITE CODE= 47662SENDAI        ,35.69,139.76\n LAT.=   35.6890\n LON.=  139.7559\n SAMPLING RATE= 100Hz\n"
+        " UNIT  = gal(cm/s/s)\nINITIAL TIME = 2011 03 11 14 47 10\n NS,EW,UD\n"
+    )
+    wave = 200.0 * np.sin(0.1 * np.arange(200))
+    path = tmp_path / "three.csv"
+    path.write_text(head + "".join(f"{value:.3f},{-value:.3f},{value / 2:.3f}\n" for value in wave))
+    return path
+
+
 def _write(path: Path, time: np.ndarray, acceleration: np.ndarray) -> Path:
     np.savetxt(path, np.column_stack((time, acceleration)), fmt="%.6f")
     return path

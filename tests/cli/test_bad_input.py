@@ -86,8 +86,11 @@ def test_names(run, words: tuple[str, ...], expected: tuple[str, ...]) -> None:
     is_refused(run("respond", *words), *expected)
 
 
-def test_a_file_with_several_components_asks_for_one(run, tmp_path: Path) -> None:
-    is_refused(run("respond", f"{tmp_path}/none.txt::NS", "--component", "EW"), "NS", "EW")
+def test_a_file_with_several_components_asks_for_one(run, three_components: Path) -> None:
+    is_refused(run("respond", three_components), "3 components", "'NS', 'EW', 'UD'")
+    is_refused(run("respond", f"{three_components}::NS", "--component", "EW"), "NS", "EW")
+    is_refused(run("respond", three_components, "--component", "XY"), "XY")
+    assert run("respond", three_components, "--component", "EW").status == 0
 
 
 def test_a_bearing_file_with_a_slip(run, tmp_path: Path) -> None:

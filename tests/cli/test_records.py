@@ -47,16 +47,14 @@ def test_a_file_with_a_drift_is_warned_of(run, drifting: Path) -> None:
     assert row["baseline_drift"] > 0.5
 
 
-def test_every_component_of_a_file_or_one(run, tmp_path: Path) -> None:
-    file = tmp_path / "three.csv"
-    file.write_text("time [s],NS [gal],EW [gal]\n0.00,1,2\n0.01,3,4\n0.02,-1,-2\n0.03,1,0\n")
-    status, out, err = run("records", file, "--json")
-    if status == 2:  # plain files of several columns may not be read; then they are refused in a sentence
-        assert err.count("\n") == 1
-        return
-    assert len(json.loads(out)) == 2
-    one = json.loads(run("records", file, "--component", "EW", "--json").out)
-    assert [row["component"] for row in one] == ["EW"]
+def test_every_component_of_a_file_or_one(run, three_components: Path) -> None:
+    rows = json.loads(run("records", three_components, "--json").out)
+    assert [row["component"] for row in rows] == ["NS", "EW", "UD"]
+    one = json.loads(run("records", three_components, "--component", "EW", "--json").out)
+    assert one == rows[1:2]
+    assert json.loads(run("records", f"{three_components}::EW", "--json").out) == one
+    _, out, _ = run("records", three_components)
+    assert "offset not removed" in out
 
 
 def test_nothing_of_that_name(run) -> None:

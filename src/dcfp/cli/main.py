@@ -31,6 +31,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         The words after ``dcfp``; by default those that the process was started with.
     """
     words = list(sys.argv[1:] if argv is None else argv)
+    _write_what_can_be_written()
     try:
         status = _run(words)
         sys.stdout.flush()
@@ -96,6 +97,14 @@ def _help() -> str:
 
 def _complain(sentence: str) -> None:
     print(f"dcfp: {' '.join(sentence.split())}", file=sys.stderr)
+
+
+def _write_what_can_be_written() -> None:
+    """Put a question mark where a terminal's encoding has no sign, rather than fail."""
+    for stream in (sys.stdout, sys.stderr):
+        reconfigure = getattr(stream, "reconfigure", None)
+        if reconfigure is not None:
+            reconfigure(errors="replace")
 
 
 def _silence_output() -> None:

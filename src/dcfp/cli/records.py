@@ -27,7 +27,7 @@ def run(chosen: argparse.Namespace) -> int:
         return _list_named(chosen)
     described = [Described.of(motion) for name in names for motion in _motions(name, chosen)]
     if chosen.json:
-        print(json.dumps([entry.row() for entry in described], indent=2, ensure_ascii=False, allow_nan=False))
+        print(json.dumps([entry.row() for entry in described], indent=2, allow_nan=False))
     else:
         from dcfp.cli.record_tables import print_described
 
@@ -89,7 +89,7 @@ def _list_named(chosen: argparse.Namespace) -> int:
     places = [*ALIASES, *(row.name for row in named if not row.alias)]
     rows = sorted(named, key=lambda row: places.index(row.alias or row.name))
     if chosen.json:
-        print(json.dumps([asdict(row) for row in rows], indent=2, ensure_ascii=False, allow_nan=False))
+        print(json.dumps([asdict(row) for row in rows], indent=2, allow_nan=False))
     else:
         from dcfp.cli.record_tables import print_named
 

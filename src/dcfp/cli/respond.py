@@ -41,7 +41,7 @@ def run(chosen: argparse.Namespace) -> int:
     outputs.write(responses)
     if chosen.json:
         rows = [{**response.summary(), "remarks": remarks_on(response)} for response in responses]
-        print(json.dumps(rows, indent=2, ensure_ascii=False, allow_nan=False))
+        print(json.dumps(rows, indent=2, allow_nan=False))
     else:
         print_responses(responses)
     return 0

@@ -23,7 +23,7 @@ def run(chosen: argparse.Namespace) -> int:
     with progress("checks", None) as advance:
         checks: list[Any] = run_checks(chosen.full, lambda check: advance())
     if chosen.json:
-        print(json.dumps([asdict(check) for check in checks], indent=2, ensure_ascii=False))
+        print(json.dumps([asdict(check) for check in checks], indent=2))
     else:
         from dcfp.cli.verify_table import print_checks
 

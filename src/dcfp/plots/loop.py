@@ -13,10 +13,13 @@ from dcfp.plots.style import GREY, calm_ticks, colour_bar_beside, new_axes, styl
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from dcfp.arrays import FloatArray
     from dcfp.response import Response
 
 ColourQuantity: TypeAlias = Literal["temperature", "time"]
 
+#: Colours that are told apart.
+_LEVELS = 100
 #: Number of pieces above which a line of changing colour is drawn as an image in a PDF or an SVG.
 _MANY = 6000
 
@@ -54,15 +57,16 @@ def plot_loop(
     values = (response.temperature if shows == "temperature" else response.time)[part]
     displacement = quantity("displacement").display(response.displacement[part])
     force = quantity("force").display(response.force[part])
-    points = np.column_stack((displacement, force))
+    scale = colour_range(response, shows) if norm is None else norm
+    pieces, colours = _pieces(displacement, force, values, scale)
     line = LineCollection(
-        list(np.stack((points[:-1], points[1:]), axis=1)),
-        array=0.5 * (values[:-1] + values[1:]),
+        pieces,
+        array=colours,
         cmap=warm_colours() if shows == "temperature" else time_colours(),
-        norm=colour_range(response, shows) if norm is None else norm,
+        norm=scale,
         linewidths=thin * line_width(response),
         capstyle="round",
-        rasterized=len(points) > _MANY,
+        rasterized=len(pieces) > _MANY,
     )
     axes.axhline(0.0, color=GREY, linewidth=0.4, zorder=0)
     axes.axvline(0.0, color=GREY, linewidth=0.4, zorder=0)
@@ -76,6 +80,19 @@ def plot_loop(
     if colour_bar:
         colour_bar_beside(axes, line, quantity(shows).label)
     return axes
+
+
+def _pieces(
+    displacement: "FloatArray", force: "FloatArray", values: "FloatArray", scale: Normalize
+) -> "tuple[list[FloatArray], FloatArray]":
+    """Cut the loop where its colour changes visibly; return the pieces and the value that colours each."""
+    points = np.column_stack((displacement, force))
+    middle = 0.5 * (values[:-1] + values[1:])
+    levels = np.floor(_LEVELS * np.asarray(scale(middle)))
+    starts = np.concatenate(([0], np.flatnonzero(np.diff(levels)) + 1))
+    stops = np.append(starts[1:], middle.size)
+    pieces = [points[start : stop + 1] for start, stop in zip(starts, stops, strict=True)]
+    return pieces, middle[starts]
 
 
 def colour_quantity(response: "Response") -> ColourQuantity:

@@ -1,27 +1,42 @@
 """Several analyses beside each other."""
 
 import math
+import textwrap
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 
 from dcfp.nomenclature import quantity
 from dcfp.plots.loop import ColourQuantity, colour_quantity, colour_range, plot_loop
-from dcfp.plots.style import INK, PAGE_WIDTH, RED, calm_ticks, drawable, style, time_colours, warm_colours
+from dcfp.plots.style import (
+    INK,
+    PAGE_WIDTH,
+    RED,
+    calm_ticks,
+    drawable,
+    finish_colour_bar,
+    style,
+    time_colours,
+    warm_colours,
+)
 from dcfp.plots.words import metres_per_second, millimetres, number
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    import numpy as np
     from matplotlib.axes import Axes
 
     from dcfp.response import Response
 
-#: Most panels in a row.
-_COLUMNS = 5
+#: Most panels in a row, when they follow each other and when each is a PGV.
+_COLUMNS, _TABLE_COLUMNS = 5, 7
+#: Characters of a title in the width of the page.
+_TITLE_WIDTH = 92
+#: Height of two lines of numbers [in].
+_NUMBERS_HEIGHT = 0.36
 
 
 def plot_overview(responses: "Sequence[Response]") -> Figure:
@@ -39,7 +54,7 @@ def plot_overview(responses: "Sequence[Response]") -> Figure:
             figsize=(min(width, panel * columns + 0.9), 0.62 + len(grid) * (0.85 * panel + 0.1)),
             layout="constrained",
         )
-        axes = figure.subplots(len(grid), columns, sharex=True, sharey=True, squeeze=False)
+        axes = figure.subplots(len(grid), columns, squeeze=False)
         warm = any(colour_quantity(response) == "temperature" for response in responses)
         shows: ColourQuantity = "temperature" if warm else "time"
         norm = _shared_range(responses, shows)
@@ -63,7 +78,7 @@ def _grid(responses: "Sequence[Response]") -> "list[list[Response | None]]":
     for response in responses:
         records.setdefault(response.motion.name, []).append(response)
     velocities = [[_pgv(response) for response in row] for row in records.values()]
-    if all(row == velocities[0] for row in velocities) and 1 < len(velocities[0]) <= 2 * _COLUMNS:
+    if all(row == velocities[0] for row in velocities) and 1 < len(velocities[0]) <= _TABLE_COLUMNS:
         return [list(row) for row in records.values()]
     columns = min(_COLUMNS, math.ceil(math.sqrt(len(responses))))
     filled: list[Response | None] = [*responses, *([None] * (-len(responses) % columns))]
@@ -96,28 +111,42 @@ def _draw_panel(axes: "Axes", response: "Response", shows: ColourQuantity, norm:
 
 
 def _name_panels(axes: "np.ndarray", grid: "list[list[Response | None]]") -> None:
-    if _is_table(grid):
-        for one, response in zip(axes[0], grid[0], strict=True):
-            if response is not None:
-                one.set_title(f"PGV {_pgv(response)}")
-        for one, row in zip(axes[:, 0], grid, strict=True):
-            if row[0] is not None:
-                one.set_ylabel(drawable(row[0].motion.name), weight="bold", parse_math=False)
-        return
-    for one, response in zip(axes.flat, [entry for row in grid for entry in row], strict=True):
-        if response is not None:
-            one.set_title(f"{drawable(response.motion.name)}, {_pgv(response)}", parse_math=False)
+    table = _is_table(grid)
+    width = _TITLE_WIDTH // max(len(grid[0]), 3)
+    for row, (panels, responses) in enumerate(zip(axes, grid, strict=True)):
+        for one, response in zip(panels, responses, strict=True):
+            if response is None:
+                continue
+            name = drawable(response.motion.name)
+            if not table:
+                one.set_title(_folded(f"{name}, ", response, width), parse_math=False)
+            elif row == 0:
+                one.set_title(_folded("PGV ", response, width))
+            if table and one is panels[0]:
+                one.set_ylabel(textwrap.fill(name, 16), weight="bold", parse_math=False)
+
+
+def _folded(words: str, response: "Response", width: int) -> str:
+    """Return words and a PGV in lines of at most `width` characters, the number and its unit together."""
+    velocity = _pgv(response).replace(" ", "\u00a0")
+    return textwrap.fill(words + velocity, width).replace("\u00a0", " ")
 
 
 def _share_limits(axes: "np.ndarray", responses: "Sequence[Response]") -> None:
-    reach = 1.06 * max(response.peak_displacement for response in responses)
-    height = 1.1 * quantity("force").factor * max(response.peak_force for response in responses)
-    first = axes[0, 0]
-    first.set_xlim(-reach, reach)
-    first.set_ylim(-height, height)
-    calm_ticks(first, 4, 5)
+    """Give all panels the same limits, and only the outer ones numbers."""
+    reach = 1.06 * max(max(response.peak_displacement for response in responses), 1e-6)
+    height = 1.1 * quantity("force").factor * max(max(response.peak_force for response in responses), 1e-3)
+    columns = axes.shape[1]
+    # in small panels the two lines of numbers need a band of their own above the loop
+    band = 0.0 if columns <= _COLUMNS else min(0.5, _NUMBERS_HEIGHT * columns / PAGE_WIDTH)
     capacity = responses[0].bearing.displacement_capacity
-    for one in axes.flat:
+    shown = np.array([[one.axison for one in row] for row in axes])
+    for (row, column), one in np.ndenumerate(axes):
+        one.set_xlim(-reach, reach)
+        one.set_ylim(-height, height * (1.0 + band) / (1.0 - band))
+        calm_ticks(one, 4 if columns <= _COLUMNS else 2, 5)
+        lowest = row + 1 == len(axes) or not shown[row + 1, column]
+        one.tick_params(labelbottom=bool(lowest), labelleft=column == 0)
         if capacity is not None and capacity < reach and one.axison:
             for side in (-capacity, capacity):
                 one.axvline(side, color=RED, linewidth=0.5, linestyle=(0, (5, 3)), zorder=0)
@@ -133,5 +162,4 @@ def _add_scale(figure: Figure, axes: "np.ndarray", shows: ColourQuantity, norm: 
     bar: Any = figure.colorbar(
         ScalarMappable(norm, colours), ax=axes, pad=0.015, aspect=18 * len(axes), fraction=0.03
     )
-    bar.set_label(quantity(shows).label)
-    bar.outline.set_visible(False)
+    finish_colour_bar(bar, quantity(shows).label)

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 _ROW_HEIGHT = 0.92
 _KILO = 1e3
 #: Characters in a line of the notes, and lines in a paragraph of them.
-_NOTE_WIDTH, _NOTE_LINES = 54, 5
+_NOTE_WIDTH, _NOTE_LINES = 56, 5
 
 
 def plot_response(response: "Response") -> Figure:

@@ -136,6 +136,20 @@ def calm_ticks(axes: "Axes", along_x: int = 6, along_y: int = 4) -> None:
     """Give axes few ticks at round numbers."""
     axes.xaxis.set_major_locator(MaxNLocator(along_x, steps=[1, 2, 2.5, 5, 10]))
     axes.yaxis.set_major_locator(MaxNLocator(along_y, steps=[1, 2, 2.5, 5, 10]))
+    _keep_ticks(axes)
+
+
+def _keep_ticks(axes: "Axes") -> None:
+    """Fix the look of ticks that are yet to be made: they are made when a figure is drawn, in the style of then."""
+    now: Any = mpl.rcParams
+    for name in ("x", "y"):
+        axes.tick_params(
+            axis=name,
+            labelsize=now[f"{name}tick.labelsize"],
+            length=now[f"{name}tick.major.size"],
+            width=now[f"{name}tick.major.width"],
+            color=now[f"{name}tick.color"],
+        )
 
 
 def legend_above(axes: "Axes") -> None:
@@ -146,11 +160,16 @@ def legend_above(axes: "Axes") -> None:
 
 def colour_bar_beside(axes: "Axes", drawn: "ScalarMappable", label: str) -> None:
     """Draw the scale of what is drawn in colours, as high as the axes and right of them."""
-    figure: Any = axes.get_figure(root=False)
     place = axes.inset_axes((1.03, 0.0, 0.035, 1.0))
-    bar = figure.colorbar(drawn, cax=place)
+    figure: Any = axes.get_figure(root=False)
+    finish_colour_bar(figure.colorbar(drawn, cax=place), label)
+
+
+def finish_colour_bar(bar: Any, label: str) -> None:
+    """Write the label of a scale of colours and take away its frame."""
     bar.set_label(label)
     bar.outline.set_visible(False)
+    _keep_ticks(bar.ax)
 
 
 @cache
