@@ -6,7 +6,8 @@ from functools import cache
 @cache
 def version() -> str:
     """Return the version of the installed package."""
-    from importlib.metadata import PackageNotFoundError  # late: it costs more time than the rest of a short command
+    # late: the import costs more time than the rest of a short command
+    from importlib.metadata import PackageNotFoundError
     from importlib.metadata import version as installed_version
 
     try:
