@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numba
 import numpy as np
+import pytest
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
@@ -282,3 +283,50 @@ def test_the_yield_surface_is_crossed_from_side_to_side_in_one_step(step: float)
     slides = response.sliding != 0.0
     assert (response.sliding[slides] * response.velocity[slides] >= 0.0).all()
     assert np.diff(response.energy.hysteretic).min() >= -1e-12 * largest_energy(response)
+
+
+def spikes(time_step: float, points: int, values: dict[int, float]) -> GroundMotion:
+    acceleration = np.zeros(points)
+    acceleration[list(values)] = list(values.values())
+    return GroundMotion(acceleration, time_step, "spikes")
+
+
+TOUCHING = [
+    (
+        spikes(0.017166611760724114, 543, {
+            115: -6819.638046727978, 153: 5722.562061012657, 184: 40755.55215960237,
+            265: 13303.175879574777, 389: -13020.021577167874,
+        }),
+        Bearing((2488.141332777557,) * 2, 81.58635501568824, 81.13243706853923, 487421.88037481345),
+        ConstantFriction(0.09666882311472137),
+    ),
+    (
+        spikes(0.014248328254217117, 684, {
+            36: -17.00117367505179, 238: -1210.2490636037764, 503: 622.6253145068881,
+            605: 723.536270578471, 622: 45.89476059221437,
+        }),
+        Bearing((798.513698424338,) * 2, 579.34209203523, 41.49342088852841, 21524790.09077706),
+        ConstantFriction(0.020621575695296993),
+    ),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("motion", "bearing", "law"), TOUCHING)
+def test_an_oscillation_that_only_touches_the_yield_surface_goes_on(
+    motion: GroundMotion, bearing: Bearing, law: FrictionLaw
+) -> None:
+    """A turn on the surface itself once led to ever shorter steps, because rounding took it for a slip."""
+    response = respond(motion, bearing, law, NoHeating())
+    assert response.energy.relative_residual < 1e-9
+
+
+def test_a_predicted_turn_that_does_not_come_is_passed() -> None:
+    """Friction that falls steeply with speed may keep the slider going; its steps once became nothing there."""
+    step = 0.03856689118012172
+    time = np.arange(358) * step
+    motion = GroundMotion(1322.1534773462813 * np.sin(2.0 * np.pi * time / 2.0), step, "sine")
+    motion = motion.scaled_to_pgv(840.7)
+    bearing = Bearing((1170.099621002478,), 24.64968395561074, 12.829581185922477, 24.05034038732717)
+    law = Kumar2015(0.17621568942579952, temperature_law="two thirds", pressure_dependent=False)
+    response = respond(motion, bearing, law, NoHeating())
+    assert response.energy.relative_residual < 1e-9
