@@ -65,7 +65,17 @@ def compiler() -> str | None:
 def build(folder: Path, command: str) -> ctypes.CDLL:
     """Compile the C source into `folder` and load it."""
     library = folder / "march.so"
-    arguments = [command, *FLAGS, "-shared", "-fPIC", "-o", str(library), str(SOURCE), "-lm"]
+    arguments = [
+        command,
+        *FLAGS,
+        f"-DMODES={MODES}",
+        "-shared",
+        "-fPIC",
+        "-o",
+        str(library),
+        str(SOURCE),
+        "-lm",
+    ]
     subprocess.run(arguments, check=True, capture_output=True)
     loaded = ctypes.CDLL(str(library))
     loaded.march.argtypes = _ARGUMENTS
