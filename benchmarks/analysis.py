@@ -11,7 +11,7 @@ from dcfp.bearing import Bearing, FrictionLaw, Heating, SimplifiedHeating
 from dcfp.kernels.march import PEAK_DISPLACEMENT, STEPS, TEMPERATURE, march
 from dcfp.record.ground_motion import GroundMotion
 from dcfp.record.load import load_motion
-from dcfp.response.kernel_input import FIRST_REACH, State, heat_of, state_at_rest, structure_of
+from dcfp.response.kernel_input import State, heat_of, state_at_rest, structure_of
 from dcfp.response.respond import LONGEST_STEP, TOLERANCE
 
 if TYPE_CHECKING:
@@ -58,7 +58,7 @@ class Analysis:
         self.structure = structure_of(self.bearing, self.friction)
         self.law = self.friction.at_pressure(self.bearing.pressure)
         self.acceleration: FloatArray = np.array(self.motion.acceleration)
-        self.at_rest = state_at_rest(self.structure, self.bearing, self.heating, FIRST_REACH)
+        self.at_rest = state_at_rest(self.structure, self.bearing, self.heating)
         self.lines: FloatArray = np.zeros((self.acceleration.size, TEMPERATURE + self.structure.plates))
         self.state: State = self.at_rest
         self.coarsest = max(0, math.ceil(math.log2(self.motion.time_step / LONGEST_STEP * (1.0 - 1e-9))))

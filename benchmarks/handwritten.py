@@ -17,7 +17,6 @@ from dcfp.arrays import FloatArray
 from dcfp.bearing import LI_2020, Bearing, FrictionLaw, Kumar2015, Li2020
 from dcfp.kernels.friction import ExponentialLaw
 from dcfp.kernels.heat_state import RATES, WEIGHTS
-from dcfp.kernels.march import PEAK_DISPLACEMENT, STEPS
 from dcfp.kernels.memory import MODES
 from dcfp.kernels.motion import Structure as KernelStructure
 from dcfp.response.kernel_input import heat_of
@@ -50,10 +49,21 @@ class _Steel(Structure):
     ]
 
 
+class _Outcome(Structure):
+    _fields_ = [
+        *(
+            (name, c_double)
+            for name in ("input", "hysteretic", "turning", "peak_displacement", "peak_change")
+        ),
+        *((name, c_double) for name in ("peak_velocity", "peak_force", "peak_temperature", "least_friction")),
+        ("steps", c_double),
+    ]
+
+
 _ARGUMENTS = (
     *(POINTER(_Law), POINTER(_Structure), POINTER(_Steel), c_size_t, Doubles, c_double),
     *(c_int, c_size_t, c_double),
-    *(Doubles, c_size_t, Doubles, POINTER(c_size_t)),
+    *(POINTER(_Outcome), c_size_t, Doubles, POINTER(c_size_t)),
 )
 
 
@@ -101,18 +111,17 @@ class HandWritten:
         self.law = _Law(*analysis.law)
         self.structure = _Structure(*analysis.structure)
         self.lines = np.zeros_like(analysis.lines)
-        self.state = analysis.at_rest.march
+        self.outcome = _Outcome()
 
     def march(self) -> float:
         """March once through the record; return the time of the call [s]."""
         analysis = self.analysis
-        self.state = analysis.at_rest.march.copy()
         size = analysis.acceleration.size
         arguments = (
             *(byref(self.law), byref(self.structure), byref(self.steel), size),
             *(_pointer(analysis.acceleration), analysis.motion.time_step),
             *(analysis.coarsest, size, analysis.tolerance),
-            *(_pointer(self.state), size, _pointer(self.lines), byref(c_size_t())),
+            *(byref(self.outcome), size, _pointer(self.lines), byref(c_size_t())),
         )
         function = self.function
         return once(lambda: function(*arguments))
@@ -122,10 +131,10 @@ class HandWritten:
         self.analysis.march()
         self.march()
         expected = self.analysis.peak_displacement
-        difference = abs(self.state[PEAK_DISPLACEMENT] / expected - 1.0)
-        if difference > AGREEMENT or self.state[STEPS] != self.analysis.steps:
+        difference = abs(self.outcome.peak_displacement / expected - 1.0)
+        if difference > AGREEMENT or self.outcome.steps != self.analysis.steps:
             msg = (
-                f"the C program is off by {difference:.1e} with {self.state[STEPS]:.0f} steps"
+                f"the C program is off by {difference:.1e} with {self.outcome.steps:.0f} steps"
                 f" against {self.analysis.steps}"
             )
             raise AssertionError(msg)

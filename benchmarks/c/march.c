@@ -40,25 +40,11 @@ struct steel {
     double rates[MODES], weights[MODES];
 };
 
-/* entries of the state */
-enum {
-    STATE_DISPLACEMENT,
-    STATE_VELOCITY,
-    STATE_ELONGATION,
-    STATE_SIDE,
-    STATE_INPUT,
-    STATE_HYSTERETIC,
-    STATE_TIME,
-    STATE_LEVEL,
-    STATE_FRESH,
-    STATE_TURNING,
-    PEAK_DISPLACEMENT,
-    PEAK_CHANGE,
-    PEAK_VELOCITY,
-    PEAK_FORCE,
-    PEAK_TEMPERATURE,
-    LEAST_FRICTION,
-    STEPS
+/* what the march adds up and leaves behind */
+struct outcome {
+    double input, hysteretic, turning;
+    double peak_displacement, peak_change, peak_velocity, peak_force, peak_temperature, least_friction;
+    double steps;
 };
 
 /* columns of the histories */
@@ -95,6 +81,7 @@ struct prepared {
 struct heat {
     const struct steel *steel;
     double present[2], expected[2], between[2];
+    double ratio[2]; /* of a plate's coefficient to that of the bearing */
     double modes[2][MODES];
     struct prepared steps[ODD_LENGTH + 1];
 };
@@ -163,6 +150,18 @@ static inline double mean_coefficient(const struct law *law, const struct struct
         return one;
     const double other = coefficient(law, structure->second_speed * speed, temperature[1]);
     return structure->first_share * one + structure->second_share * other;
+}
+
+static inline void note_ratios(const struct law *law, const struct structure *structure, double speed,
+                               const double *temperature, double *ratio)
+{
+    if (structure->plates == 1)
+        return;
+    const double one = coefficient(law, structure->first_speed * speed, temperature[0]);
+    const double other = coefficient(law, structure->second_speed * speed, temperature[1]);
+    const double mean = structure->first_share * one + structure->second_share * other;
+    ratio[0] = one / mean;
+    ratio[1] = other / mean;
 }
 
 static inline double share(const struct structure *structure, int plate)
@@ -276,7 +275,7 @@ static inline void expect(struct heat *heat, const struct structure *structure, 
         const double portion = share(structure, i);
         double rise = faded_total(step->fade, heat->modes[i]);
         if (feels_flux(heat, portion, displacement))
-            rise += portion
+            rise += portion * heat->ratio[i]
                     * (step->opening_sum * flux_start + (step->closing_sum + heat->steel->instant) * flux_end);
         heat->expected[i] = heat->steel->ambient + rise;
     }
@@ -299,7 +298,7 @@ static inline void heat_up(struct heat *heat, const struct structure *structure,
 {
     for (int i = 0; i < structure->plates; i++) {
         const double portion = share(structure, i);
-        const double felt = feels_flux(heat, portion, middle) ? portion : 0.0;
+        const double felt = feels_flux(heat, portion, middle) ? portion * heat->ratio[i] : 0.0;
         double rise = feed(&heat->steps[place], heat->modes[i], felt * flux_start, felt * flux_end);
         rise += heat->steel->instant * felt * flux_now;
         heat->present[i] = heat->steel->ambient + rise;
@@ -625,6 +624,7 @@ static struct advance slide_step(const struct law *law, const struct structure *
     if (length != regular)
         place = ODD_LENGTH;
     prepare(heat, place, length);
+    note_ratios(law, structure, fabs(speed), heat->expected, heat->ratio);
     heat_up(heat, structure, place, y + 0.5 * swung.displacement, opening + missing, closing + missing, closing);
     const double stored = 0.5 * structure->elastic * (reach * reach - motion.elongation * motion.elongation);
     return (struct advance){
@@ -639,36 +639,36 @@ static struct advance slide_step(const struct law *law, const struct structure *
 
 /* ----- march ----- */
 
-static inline void note(double *restrict state, const struct structure *structure, const struct advance *advance, bool slid,
+static inline void note(struct outcome *restrict outcome, const struct structure *structure, const struct advance *advance, bool slid,
                         const struct heat *heat)
 {
     const struct motion *motion = &advance->motion;
-    state[STATE_INPUT] += advance->input;
-    state[STATE_HYSTERETIC] += advance->hysteretic;
+    outcome->input += advance->input;
+    outcome->hysteretic += advance->hysteretic;
     if (!isnan(advance->turning)) {
-        state[PEAK_DISPLACEMENT] = larger(state[PEAK_DISPLACEMENT], fabs(advance->turning));
-        state[PEAK_CHANGE] = larger(state[PEAK_CHANGE], fabs(advance->turning - state[STATE_TURNING]));
-        state[STATE_TURNING] = advance->turning;
+        outcome->peak_displacement = larger(outcome->peak_displacement, fabs(advance->turning));
+        outcome->peak_change = larger(outcome->peak_change, fabs(advance->turning - outcome->turning));
+        outcome->turning = advance->turning;
     }
-    state[PEAK_VELOCITY] = larger(state[PEAK_VELOCITY], fabs(motion->velocity));
+    outcome->peak_velocity = larger(outcome->peak_velocity, fabs(motion->velocity));
     const double force = structure->restoring * motion->displacement + structure->elastic * motion->elongation;
-    state[PEAK_FORCE] = larger(state[PEAK_FORCE], fabs(force));
+    outcome->peak_force = larger(outcome->peak_force, fabs(force));
     for (int i = 0; i < structure->plates; i++)
-        state[PEAK_TEMPERATURE] = larger(state[PEAK_TEMPERATURE], heat->present[i]);
+        outcome->peak_temperature = larger(outcome->peak_temperature, heat->present[i]);
     if (slid || motion->side != 0)
-        state[LEAST_FRICTION] = smaller(state[LEAST_FRICTION], advance->friction);
+        outcome->least_friction = smaller(outcome->least_friction, advance->friction);
 }
 
 static inline void record(double *restrict line, const struct structure *structure, const struct motion *motion,
-                          double friction, const double *restrict state, const struct heat *heat)
+                          double friction, const struct outcome *restrict outcome, const struct heat *heat)
 {
     line[DISPLACEMENT] = motion->displacement;
     line[VELOCITY] = motion->velocity;
     line[ELONGATION] = motion->elongation;
     line[FRICTION] = friction;
     line[SIDE] = motion->side;
-    line[INPUT] = state[STATE_INPUT];
-    line[HYSTERETIC] = state[STATE_HYSTERETIC];
+    line[INPUT] = outcome->input;
+    line[HYSTERETIC] = outcome->hysteretic;
     for (int i = 0; i < structure->plates; i++)
         line[TEMPERATURE + i] = heat->present[i];
 }
@@ -694,12 +694,13 @@ static bool rests(const struct law *law, const struct structure *structure, cons
 /* Respond from rest to the samples of the ground acceleration; return how it ended, and the samples done in `done`. */
 enum status march(const struct law *law, const struct structure *structure, const struct steel *steel, size_t samples,
           const double *restrict acceleration, double interval, int coarsest, size_t free_from,
-          double tolerance, double *restrict state, size_t rows, double *restrict histories, size_t *restrict done)
+          double tolerance, struct outcome *restrict outcome, size_t rows, double *restrict histories, size_t *restrict done)
 {
     struct heat heat;
     heat.steel = steel;
     for (int i = 0; i < 2; i++) {
         heat.present[i] = steel->ambient;
+        heat.ratio[i] = 1.0;
         for (int j = 0; j < MODES; j++)
             heat.modes[i][j] = 0.0;
     }
@@ -710,6 +711,7 @@ enum status march(const struct law *law, const struct structure *structure, cons
     bool fresh = false;
     double friction = 0.0;
     enum status status = DONE;
+    *outcome = (struct outcome){.peak_temperature = steel->ambient, .least_friction = INFINITY};
     *done = 0;
     for (size_t i = 0; i + 1 < samples; i++) {
         const double rate = (acceleration[i + 1] - acceleration[i]) / interval;
@@ -731,27 +733,20 @@ enum status march(const struct law *law, const struct structure *structure, cons
             motion = advance.motion;
             friction = advance.friction;
             elapsed = advance.length == room ? interval : elapsed + advance.length;
-            note(state, structure, &advance, slid, &heat);
+            note(outcome, structure, &advance, slid, &heat);
             if (++steps > MOST_STEPS_PER_SAMPLE)
                 return NO_PROGRESS;
         }
         *done = i + 1;
-        state[STEPS] += steps;
+        outcome->steps += steps;
         if (i + 1 < rows)
-            record(histories + (i + 1) * (TEMPERATURE + structure->plates), structure, &motion, friction, state,
+            record(histories + (i + 1) * (TEMPERATURE + structure->plates), structure, &motion, friction, outcome,
                    &heat);
         if (i + 1 >= free_from && rests(law, structure, &heat, &motion)) {
             status = AT_REST;
             break;
         }
     }
-    state[STATE_DISPLACEMENT] = motion.displacement;
-    state[STATE_VELOCITY] = motion.velocity;
-    state[STATE_ELONGATION] = motion.elongation;
-    state[STATE_SIDE] = motion.side;
-    state[STATE_TIME] = *done * interval;
-    state[STATE_LEVEL] = level;
-    state[STATE_FRESH] = fresh;
-    state[PEAK_DISPLACEMENT] = larger(state[PEAK_DISPLACEMENT], fabs(motion.displacement));
+    outcome->peak_displacement = larger(outcome->peak_displacement, fabs(motion.displacement));
     return status;
 }
