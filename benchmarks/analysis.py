@@ -58,7 +58,7 @@ class Analysis:
         self.structure = structure_of(self.bearing, self.friction)
         self.law = self.friction.at_pressure(self.bearing.pressure)
         self.acceleration: FloatArray = np.array(self.motion.acceleration)
-        self.at_rest = state_at_rest(self.structure, self.bearing, self.heating)
+        self.at_rest = state_at_rest(self.bearing, self.friction, self.heating)
         self.lines: FloatArray = np.zeros((self.acceleration.size, TEMPERATURE + self.structure.plates))
         self.state: State = self.at_rest
         self.coarsest = max(0, math.ceil(math.log2(self.motion.time_step / LONGEST_STEP * (1.0 - 1e-9))))
@@ -67,7 +67,7 @@ class Analysis:
     def march(self) -> float:
         """March once through the record; return the time of the kernels' call [s]."""
         self.state = self.at_rest.copy()
-        heat = heat_of(self.state, self.bearing, self.heating)
+        heat = heat_of(self.state)
         size = self.acceleration.size
         given = (self.law, self.structure, heat, self.acceleration, self.motion.time_step)
         rules = (self.coarsest, size, self.tolerance)
