@@ -103,7 +103,7 @@ class HandWritten:
     def __init__(self, library: ctypes.CDLL, analysis: Analysis) -> None:
         self.function = library.march
         self.analysis = analysis
-        heat = heat_of(analysis.at_rest, analysis.bearing, analysis.heating)
+        heat = heat_of(analysis.at_rest)
         row = c_double * MODES
         self.steel = _Steel(
             heat.ambient, heat.half_contact, heat.instant, row(*heat.bank[RATES]), row(*heat.bank[WEIGHTS])

@@ -347,13 +347,14 @@ struct search {
     double stiffness, start, push_rate, length, side;
 };
 
-static double excess(const struct search *search, struct heat *heat, double time)
+static double excess(const struct search *search, struct heat *heat, double time, double allowed)
 {
     mix(heat, search->structure, time / search->length, heat->between);
     const struct swing swung =
         swing(search->stiffness, time, search->motion->velocity, search->start, -search->push_rate, 0.0);
     const double friction = mean_coefficient(search->law, search->structure, fabs(swung.velocity), heat->between);
-    return search->side * (search->motion->elongation + swung.displacement) - friction * search->structure->reach;
+    return search->side * (search->motion->elongation + swung.displacement) - friction * search->structure->reach
+           - allowed;
 }
 
 static double slip_time(struct search search, struct heat *heat, double low, double high)
@@ -361,14 +362,17 @@ static double slip_time(struct search search, struct heat *heat, double low, dou
     const struct swing last =
         swing(search.stiffness, high, search.motion->velocity, search.start, -search.push_rate, 0.0);
     search.side = search.motion->elongation + last.displacement > 0.0 ? 1.0 : -1.0;
-    double beyond = excess(&search, heat, high);
+    /* a sticking phase begins on the surface, as closely as the temperature was expected */
+    const double first = excess(&search, heat, low, 0.0);
+    const double outside = larger(first, 0.0);
+    double beyond = excess(&search, heat, high, outside);
     if (beyond <= 0.0)
         return INFINITY;
-    double below = smaller(excess(&search, heat, low), -CLOSE);
+    double below = smaller(first - outside, -CLOSE);
     int kept = 0;
     for (int round = 0; round < 60; round++) {
         const double middle = high - beyond * (high - low) / (beyond - below);
-        const double there = excess(&search, heat, middle);
+        const double there = excess(&search, heat, middle, outside);
         if (fabs(there) < CLOSE)
             return middle;
         if (there > 0.0) {
@@ -554,6 +558,8 @@ static struct advance slide_step(const struct law *law, const struct structure *
         length = next_length(regular, room);
         turns = false;
         const double turn = turning_time(v, start, jerk, length);
+        if (turn < 1e-12 * regular) /* it moves no more */
+            return (struct advance){{y, 0.0, motion.elongation, 0}, 0.0, 0.0, 0.0, friction, y};
         if (turn < length) {
             length = turn;
             turns = true;

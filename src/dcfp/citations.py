@@ -21,10 +21,11 @@ def bibliography() -> dict[str, dict[str, str]]:
 
 
 def citation(key: str) -> str:
-    """Return one reference as a line: authors, year, title, journal, DOI."""
+    """Return one reference as a line: authors, year, title, journal, and its DOI if it has one."""
     entry = bibliography()[key]
     authors = " & ".join(name.split(",")[0].strip() for name in entry["author"].split(" and "))
-    return f"{authors} ({entry['year']}). {entry['title']}. {entry['journal']}. doi:{entry['doi']}"
+    line = f"{authors} ({entry['year']}). {entry['title']}. {entry['journal']}."
+    return f"{line} doi:{entry['doi']}" if "doi" in entry else line
 
 
 def citations_of(*keys: str) -> tuple[str, ...]:

@@ -15,7 +15,8 @@ from dcfp.bearing import (
     friction_law,
     friction_names,
 )
-from dcfp.bearing.friction import kim_constantinou_2023, kumar_2015, li_2020
+from dcfp.bearing.friction import kumar_2015, li_2020
+from dcfp.citations import bibliography
 from dcfp.errors import InputError
 from dcfp.kernels.friction import coefficient
 
@@ -33,11 +34,14 @@ def test_kumar_2015_factors_are_one_at_their_references():
     assert kumar_2015.velocity_factor(0.0) == 0.5
 
 
-@pytest.mark.parametrize(("name", "left"), [("half", 0.5), ("one third", 1 / 3), ("two thirds", 2 / 3)])
+@pytest.mark.parametrize(
+    ("name", "left"), [("kumar2015", 0.5), ("kim2023-third", 1 / 3), ("kim2023-two-thirds", 2 / 3)]
+)
 def test_temperature_laws_leave_what_their_name_says_at_200_degrees(name, left):
-    law = kim_constantinou_2023.TEMPERATURE_LAWS[name]
-    assert kim_constantinou_2023.temperature_factor(20.0, law) == pytest.approx(1.0, abs=0.01)
-    assert kim_constantinou_2023.temperature_factor(200.0, law) == pytest.approx(left, abs=0.02)
+    law = friction_law(name)
+    assert law.name == name
+    assert law.temperature_factor(20.0) == pytest.approx(1.0, abs=0.01)
+    assert law.temperature_factor(200.0) == pytest.approx(left, abs=0.02)
 
 
 def test_constantinou_1990_goes_from_slow_to_fast():
@@ -101,7 +105,7 @@ def test_a_user_law_that_is_negative_is_refused():
         ("li2020", {"mu": 0.05}, "has no parameter 'mu'"),
         ("constant", {"mu": -0.1}, "between 0 and 1"),
         ("constant", {"mu": "a"}, "between 0 and 1"),
-        ("kumar2015", {"temperature_law": "tiny"}, "not known"),
+        ("kumar2015", {"temperature_law": "half"}, "has no parameter"),
         ("constantinou1990", {"fast": 0.05, "slow": 0.06}, "must not exceed"),
     ],
 )
@@ -110,8 +114,9 @@ def test_bad_laws_get_a_sentence(name, parameters, words):
         friction_law(name, parameters)
 
 
-def test_named_variants_differ_only_in_their_temperature_law():
-    third = friction_law("kim2023-third")
+def test_the_laws_of_kim_and_constantinou_are_variants_of_kumar():
+    third = friction_law("kim2023-third", {"mu_reference": 0.06})
     assert isinstance(third, Kumar2015)
-    assert third.temperature_law == "one third"
+    assert third.velocity_factor(10.0) == Kumar2015().velocity_factor(10.0)
+    assert third.citation in bibliography()
     assert isinstance(friction_law("constant"), ConstantFriction)

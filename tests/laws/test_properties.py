@@ -23,6 +23,7 @@ from dcfp.bearing import (
     SimplifiedHeating,
     UserFriction,
 )
+from dcfp.bearing.friction import KimConstantinou2023Third, KimConstantinou2023TwoThirds
 from dcfp.record.ground_motion import GroundMotion
 from dcfp.record.synthetic import harmonic, ricker
 from dcfp.response import Response, respond
@@ -70,9 +71,9 @@ def friction_laws() -> st.SearchStrategy[FrictionLaw]:
             )
         ),
         st.builds(Li2020, mu, **switches),
-        st.builds(
-            Kumar2015, mu, temperature_law=st.sampled_from(("half", "one third", "two thirds")), **switches
-        ),
+        st.builds(Kumar2015, mu, **switches),
+        st.builds(KimConstantinou2023Third, mu, **switches),
+        st.builds(KimConstantinou2023TwoThirds, mu, **switches),
         st.just(WAVY),
     )
 
@@ -188,8 +189,8 @@ def test_a_restart_changes_nothing(
     motion: GroundMotion, bearing: Bearing, law: FrictionLaw, heating: Heating
 ) -> None:
     whole = respond(motion, bearing, law, heating, tail=0.0)
-    if motion.acceleration.size < 4 or whole.peak_displacement > 500.0:
-        return  # a state has room for displacements that the first part of the motion makes
+    if motion.acceleration.size < 4:
+        return
     half = motion.acceleration.size // 2
     first = respond(
         GroundMotion(motion.acceleration[: half + 1], motion.time_step), bearing, law, heating, tail=0.0
@@ -327,6 +328,6 @@ def test_a_predicted_turn_that_does_not_come_is_passed() -> None:
     motion = GroundMotion(1322.1534773462813 * np.sin(2.0 * np.pi * time / 2.0), step, "sine")
     motion = motion.scaled_to_pgv(840.7)
     bearing = Bearing((1170.099621002478,), 24.64968395561074, 12.829581185922477, 24.05034038732717)
-    law = Kumar2015(0.17621568942579952, temperature_law="two thirds", pressure_dependent=False)
+    law = KimConstantinou2023TwoThirds(0.17621568942579952, pressure_dependent=False)
     response = respond(motion, bearing, law, NoHeating())
     assert response.energy.relative_residual < 1e-9

@@ -57,4 +57,4 @@ def test_every_citation_resolves():
     for law in (dcfp.Li2020, dcfp.Kumar2015, dcfp.Constantinou1990, dcfp.ConstantFriction):
         assert law.citation in bibliography()
     for key, entry in bibliography().items():
-        assert entry["doi"] in citation(key)
+        assert entry.get("doi", entry["title"]) in citation(key)

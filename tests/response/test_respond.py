@@ -55,6 +55,38 @@ def test_restarts_from_a_saved_state_leave_the_answer_unchanged(motion, heating)
     assert part.peak_displacement == pytest.approx(whole.peak_displacement, rel=1e-12)
     assert part.peak_temperature == pytest.approx(whole.peak_temperature, rel=1e-12)
     assert part.energy.input[-1] == pytest.approx(whole.energy.input[-1], rel=1e-11)
+    assert part.energy.absolute_input[-1] == pytest.approx(whole.energy.absolute_input[-1], rel=1e-9)
+
+
+def test_a_state_begun_afresh_keeps_motion_and_heat_but_no_peaks(motion):
+    first = respond(motion)
+    second = respond(motion.scaled(1e-3), start=first.final_state.afresh())
+    assert second.displacement[0] == first.displacement[-1]
+    assert second.temperature[0] == pytest.approx(first.temperature[-1])
+    assert second.peak_displacement < 1.01 * abs(first.displacement[-1])
+    assert second.peak_change < 1.0
+    assert second.energy.input[0] == 0.0
+
+
+@pytest.mark.parametrize("other", [PreciseHeating(cells=32), SimplifiedHeating(18.0), NoHeating()])
+def test_a_state_of_another_model_is_refused(motion, other):
+    state = respond(motion).final_state
+    with pytest.raises(InputError, match="another bearing, friction law or heating model"):
+        respond(motion, heating=other, start=state)
+
+
+def test_a_restart_may_need_more_of_the_plate_than_there_was(motion):
+    heating = PreciseHeating(cells=16)
+    state = respond(motion, heating=heating).final_state
+    response = respond(dcfp.load_motion("IVD").scaled_to_pgv(1500.0), heating=heating, start=state.afresh())
+    assert response.peak_displacement > 700.0
+    assert response.final_state.cells.shape[1] > state.cells.shape[1]
+
+
+def test_the_smallest_friction_is_that_of_the_turn(motion):
+    response = respond(motion)
+    fine = respond(motion, step=0.001)
+    assert response.least_friction == pytest.approx(fine.least_friction, rel=2e-3)
 
 
 def test_a_state_is_not_changed_by_starting_from_it(motion):
@@ -115,7 +147,29 @@ def test_an_analysis_cut_short_says_that_it_still_moves(motion):
     moving = int(np.argmax(np.abs(respond(motion).velocity)))
     short = respond(cut(motion, 0, moving), tail=0.0)
     assert short.status is Status.STILL_MOVING
-    assert any("still sliding" in remark for remark in short.remarks)
+    assert any("still moves" in remark for remark in short.remarks)
+
+
+def test_a_moment_of_sticking_at_the_end_is_not_rest():
+    motion = dcfp.load_motion("KNA").scaled_to_pgv(500.0)
+    short = respond(cut(motion, 0, 1408), tail=0.0)
+    assert short.status is (Status.OK if short.rests else Status.STILL_MOVING)
+    assert respond(cut(motion, 0, 1408)).status is Status.OK
+
+
+def test_the_way_to_rest_does_not_depend_on_the_step(motion):
+    short = cut(motion, 0, 1200)  # ends while the ground accelerates
+    plain, fine = respond(short), respond(short, step=motion.time_step / 5.0)
+    assert plain.ground_velocity[-1] == pytest.approx(fine.ground_velocity[-1], rel=1e-12)
+    assert plain.residual_displacement == pytest.approx(fine.residual_displacement, abs=0.05)
+
+
+def test_assumptions_that_are_left_are_said(motion):
+    soft = dataclasses.replace(LI_2020, elastic_stiffness=3e4)
+    assert any("spring (b) is soft" in remark for remark in respond(motion, soft).remarks)
+    unequal = dataclasses.replace(LI_2020, radii=(6000.0, 3000.0))
+    assert any("two plates differ" in remark for remark in respond(motion, unequal).remarks)
+    assert respond(motion.scaled(0.5)).remarks == ()
 
 
 def test_exceeding_the_capacity_is_reported(motion):

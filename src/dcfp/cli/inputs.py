@@ -12,8 +12,6 @@ if TYPE_CHECKING:
     from dcfp.record.ground_motion import GroundMotion
 
 _KILO = 1000.0
-#: Parameter that ``--mu`` sets, by the name of the law's class.
-_REFERENCES = {"li2020": "mu_0", "constant": "mu", "kumar2015": "mu_reference", "constantinou1990": "fast"}
 
 
 def record_names(options: argparse.Namespace) -> list[str]:
@@ -110,7 +108,7 @@ def _friction(base: "FrictionLaw", options: argparse.Namespace) -> "FrictionLaw"
     law: Any = base if options.friction is None else friction_law(options.friction)
     if options.mu is None:
         return law
-    changes = {_REFERENCES[law.name]: options.mu}
+    changes = {law.reference_parameter: options.mu}
     if law.name == "constantinou1990":
         changes["slow"] = law.slow / law.fast * options.mu  # the law keeps its shape
     return replace(law, **changes)

@@ -80,3 +80,17 @@ def mean_coefficient(
         return one
     other = coefficient(law, structure.pressure, structure.second_speed * speed, notes[first + 1])
     return structure.first_share * one + structure.second_share * other
+
+
+@kernel
+def note_ratios(
+    law: Law, structure: Structure, speed: float, notes: NDArray[np.float64], first: int, ratio: int
+) -> None:
+    """Note from entry `ratio` on the coefficient of each plate over that of the bearing, if the plates differ."""
+    if structure.plates == 1:
+        return
+    one = coefficient(law, structure.pressure, structure.first_speed * speed, notes[first])
+    other = coefficient(law, structure.pressure, structure.second_speed * speed, notes[first + 1])
+    mean = structure.first_share * one + structure.second_share * other
+    notes[ratio] = one / mean
+    notes[ratio + 1] = other / mean

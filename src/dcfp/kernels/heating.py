@@ -19,6 +19,7 @@ from dcfp.kernels.heat_state import (
     PLATE_ROWS,
     PRESENT,
     RATES,
+    RATIO,
     STEP_NOTE,
     STEP_NOTES,
     STEP_ROW,
@@ -26,7 +27,7 @@ from dcfp.kernels.heat_state import (
     WEIGHTS,
     Heat,
 )
-from dcfp.kernels.memory import MODES, faded_total, feed, fill_fade, fill_weights, let_fade
+from dcfp.kernels.memory import faded_total, feed, fill_fade, fill_weights, let_fade, total
 from dcfp.kernels.motion import Structure, share
 
 
@@ -49,12 +50,8 @@ def prepare(heat: Heat, place: int, length: float) -> None:
         fill_fade(heat.bank, RATES, length, fade)
     fill_weights(heat.bank, RATES, WEIGHTS, length, fade)
     heat.notes[entry] = length
-    opening, closing = 0.0, 0.0
-    for j in range(MODES):
-        opening += heat.bank[fade + 1, j]
-        closing += heat.bank[fade + 2, j]
-    heat.notes[entry + 1] = opening
-    heat.notes[entry + 2] = closing
+    heat.notes[entry + 1] = total(heat.bank, fade + 1)
+    heat.notes[entry + 2] = total(heat.bank, fade + 2)
 
 
 @kernel
@@ -75,7 +72,8 @@ def expect(
 ) -> None:
     """Note the temperatures to expect at the end of a step, without taking it.
 
-    `displacement` [mm] is in the middle of the step and `travel` [mm] over it; fluxes are mu p |v| [N/(mm s)].
+    `displacement` [mm] is in the middle of the step and `travel` [mm] over it; fluxes are mu p |v|
+    [N/(mm s)], of which a plate gets its share, in the ratio of its coefficient to the mean.
     """
     notes, bank = heat.notes, heat.bank
     fade, entry = STEP_ROW + STEP_ROWS * place, STEP_NOTE + STEP_NOTES * place
@@ -86,8 +84,10 @@ def expect(
             first = PLATE_ROW + i * PLATE_ROWS
             rise = faded_total(bank, fade, first + COMMON)
             if _feels_flux(heat, portion, displacement):
-                rise += portion * (
-                    notes[entry + 1] * flux_start + (notes[entry + 2] + heat.instant) * flux_end
+                rise += (
+                    portion
+                    * notes[RATIO + i]
+                    * (notes[entry + 1] * flux_start + (notes[entry + 2] + heat.instant) * flux_end)
                 )
             if heat.kind == LINE:
                 swept = plate.expect_sweep(heat, i, portion * travel)
@@ -142,7 +142,7 @@ def heat_up(
     fits = True
     for i in range(structure.plates):
         portion = share(structure, i)
-        felt = portion if _feels_flux(heat, portion, middle) else 0.0
+        felt = portion * heat.notes[RATIO + i] if _feels_flux(heat, portion, middle) else 0.0
         first = PLATE_ROW + i * PLATE_ROWS
         if heat.kind == LINE:
             # half of the way before the heat and half after it: second order in the step

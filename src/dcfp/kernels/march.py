@@ -24,11 +24,11 @@ DISPLACEMENT, VELOCITY, ELONGATION, FRICTION, SIDE, INPUT, HYSTERETIC, TEMPERATU
     STATE_VELOCITY,
     STATE_ELONGATION,
     STATE_SIDE,
-    STATE_INPUT,
-    STATE_HYSTERETIC,
     STATE_TIME,
     STATE_LEVEL,
     STATE_FRESH,
+    STATE_INPUT,
+    STATE_HYSTERETIC,
     STATE_TURNING,
     PEAK_DISPLACEMENT,
     PEAK_CHANGE,
@@ -39,6 +39,8 @@ DISPLACEMENT, VELOCITY, ELONGATION, FRICTION, SIDE, INPUT, HYSTERETIC, TEMPERATU
     STEPS,
     STATE_SIZE,
 ) = range(18)
+#: From this entry on the state is what is added up or compared on the way.
+FIRST_TALLY = STATE_INPUT
 
 _MOST_STEPS_PER_SAMPLE = 20_000
 
@@ -55,12 +57,13 @@ def march(
     tolerance: float,
     state: NDArray[np.float64],
     histories: NDArray[np.float64],
-) -> tuple[int, int]:
-    """Respond to the samples of `acceleration` [mm/s2], `interval` [s] apart; return how it ended and the samples done.
+) -> tuple[int, int, bool]:
+    """Respond to the samples of `acceleration` [mm/s2], `interval` [s] apart.
 
-    A sliding step is at most the interval halved `coarsest` times. `state` and `heat` are where it starts from, and are left where it ends. Row i + 1 of `histories` is written
-    at sample i + 1. From sample `free_from` on, where the ground must be at rest, it stops as soon as no more
-    sliding can come.
+    Returns how it ended, the samples done, and whether it rests: no more sliding can come if the ground moves no more.
+    A sliding step is at most the interval halved `coarsest` times. `state` and `heat` are where it starts from, and
+    are left where it ends. Row i + 1 of `histories` is written at sample i + 1. From sample `free_from` on, where the
+    ground must have stopped accelerating, it stops as soon as it rests.
     """
     motion = Motion(
         state[STATE_DISPLACEMENT],
@@ -90,9 +93,10 @@ def march(
                     law, structure, heat, fresh, motion, push, now, room, interval, level, coarsest, tolerance
                 )
                 fresh = fresh and advance.length == 0.0
+            slid = motion.side != 0 and advance.length > 0.0
             motion, friction = advance.motion, advance.friction
             elapsed = interval if advance.length == room else elapsed + advance.length
-            _note(state, structure, motion, advance, heat.notes)
+            _note(state, structure, motion, advance, slid, heat.notes)
             steps += 1
             if not advance.fits:
                 status = OUT_OF_CELLS
@@ -116,7 +120,7 @@ def march(
     state[STATE_LEVEL] = level
     state[STATE_FRESH] = 1.0 if fresh else 0.0
     state[PEAK_DISPLACEMENT] = max(state[PEAK_DISPLACEMENT], abs(motion.displacement))
-    return status, done
+    return status, done, _rests(law, structure, heat, motion)
 
 
 @kernel
@@ -125,6 +129,7 @@ def _note(
     structure: Structure,
     motion: Motion,
     advance: Advance,
+    slid: bool,
     notes: NDArray[np.float64],
 ) -> None:
     """Add up the energies and keep the peaks."""
@@ -139,7 +144,7 @@ def _note(
     state[PEAK_FORCE] = max(state[PEAK_FORCE], abs(force))
     for i in range(structure.plates):
         state[PEAK_TEMPERATURE] = max(state[PEAK_TEMPERATURE], notes[PRESENT + i])
-    if motion.side != 0:
+    if slid or motion.side != 0:
         state[LEAST_FRICTION] = min(state[LEAST_FRICTION], advance.friction)
 
 

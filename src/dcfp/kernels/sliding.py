@@ -7,8 +7,8 @@ How far the middle is from the chord tells whether the step is short enough. All
 import math
 
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.friction import Law, mean_coefficient
-from dcfp.kernels.heat_state import BETWEEN, EXPECTED, FINEST_LEVEL, ODD_LENGTH, POINT, Heat
+from dcfp.kernels.friction import Law, mean_coefficient, note_ratios
+from dcfp.kernels.heat_state import BETWEEN, EXPECTED, FINEST_LEVEL, ODD_LENGTH, POINT, RATIO, Heat
 from dcfp.kernels.heating import expect, heat_up, mix, prepare
 from dcfp.kernels.motion import Advance, Motion, Push, Structure, share
 from dcfp.kernels.oscillator import swing, work
@@ -47,6 +47,8 @@ def slide_step(
         length = _next_length(regular, room)
         turns = False
         turn = _turning_time(v, start, jerk, length)
+        if turn < 1e-12 * regular:  # it moves no more
+            return Advance(Motion(y, 0.0, motion.elongation, 0), 0.0, 0.0, 0.0, friction, y, True), level
         if turn < length:
             length, turns = turn, True
         travel = length * (v + 0.5 * length * start)
@@ -109,6 +111,7 @@ def slide_step(
     missing = structure.pressure * abs(rubbed) / length - 0.5 * (opening + closing)
     place = place if length == regular else ODD_LENGTH
     prepare(heat, place, length)
+    note_ratios(law, structure, abs(speed), heat.notes, EXPECTED, RATIO)
     fits = heat_up(
         heat,
         structure,

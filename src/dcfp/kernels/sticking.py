@@ -88,12 +88,16 @@ def _excess(
     side: float,
     time: float,
     length: float,
+    allowed: float,
 ) -> float:
-    """How far spring (b) is beyond the yield surface on a side, r_f = mu N / kf [mm], `time` [s] into the step."""
+    """How far spring (b) is beyond the yield surface on a side, less what is `allowed` [mm], `time` [s] into the step.
+
+    The surface is at r_f = mu N / kf.
+    """
     mix(heat, structure, time / length, BETWEEN)
     swung = swing(structure.restoring + structure.elastic, time, motion.velocity, start, -push.rate, 0.0)
     friction = mean_coefficient(law, structure, abs(swung.velocity), heat.notes, BETWEEN)
-    return side * (motion.elongation + swung.displacement) - friction * structure.reach
+    return side * (motion.elongation + swung.displacement) - friction * structure.reach - allowed
 
 
 @kernel
@@ -112,15 +116,16 @@ def _slip_time(
     stiffness = structure.restoring + structure.elastic
     end = motion.elongation + swing(stiffness, high, motion.velocity, start, -push.rate, 0.0).displacement
     side = 1.0 if end > 0.0 else -1.0
-    beyond = _excess(law, structure, heat, motion, push, start, side, high, length)
+    # a sticking phase begins on the surface, as closely as the temperature was expected: it slips where it goes further out
+    outside = max(_excess(law, structure, heat, motion, push, start, side, low, length, 0.0), 0.0)
+    beyond = _excess(law, structure, heat, motion, push, start, side, high, length, outside)
     if beyond <= 0.0:
         return math.inf
-    # rounding may put the start of a sticking phase on the wrong side of the surface that it lies on
-    below = min(_excess(law, structure, heat, motion, push, start, side, low, length), -_CLOSE)
+    below = min(_excess(law, structure, heat, motion, push, start, side, low, length, outside), -_CLOSE)
     kept = 0  # which end stayed in the last round
     for _ in range(60):
         middle = high - beyond * (high - low) / (beyond - below)
-        there = _excess(law, structure, heat, motion, push, start, side, middle, length)
+        there = _excess(law, structure, heat, motion, push, start, side, middle, length, outside)
         if abs(there) < _CLOSE:
             return middle
         if there > 0.0:

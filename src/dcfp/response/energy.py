@@ -18,7 +18,7 @@ class EnergyBalance:
     input
         Relative input energy E, Eq. (4): the work of - m a_g on the relative displacement.
     absolute_input
-        Absolute input energy, the work of the bearing's force on the ground (Uang and Bertero 1988).
+        Absolute input energy, the work that the ground does on the structure (Uang and Bertero 1988).
     kinetic
         E_k of the relative velocity, Eq. (5).
     pendulum, spring
@@ -51,7 +51,7 @@ class EnergyBalance:
         ground = mass * ground_velocity * (0.5 * ground_velocity + velocity)
         return cls(
             input=input_energy,
-            absolute_input=input_energy + ground - ground[0],
+            absolute_input=input_energy + ground,
             kinetic=0.5 * mass * velocity**2,
             pendulum=0.5 * bearing.restoring_stiffness * displacement**2,
             spring=0.5 * bearing.elastic_stiffness * elongation**2,

@@ -1,7 +1,7 @@
 """Translates a bearing and its heating model into what the kernels take."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -15,16 +15,24 @@ from dcfp.kernels.heat_state import (
     PLATE_NOTES,
     PRESENT,
     RATES,
+    RATIO,
     STEP_NOTE,
     WEIGHTS,
     Heat,
 )
-from dcfp.kernels.march import LEAST_FRICTION, PEAK_TEMPERATURE, STATE_SIZE
+from dcfp.kernels.march import (
+    FIRST_TALLY,
+    LEAST_FRICTION,
+    PEAK_TEMPERATURE,
+    STATE_DISPLACEMENT,
+    STATE_SIZE,
+    STATE_TURNING,
+)
 from dcfp.kernels.memory import MODES, fading_modes
 from dcfp.kernels.motion import Structure
 
 #: Displacement for which the line of cells has room at first [mm].
-FIRST_REACH = 600.0
+_FIRST_REACH = 600.0
 
 
 @dataclass(frozen=True)
@@ -39,18 +47,52 @@ class State:
         Heat in the plates.
     ground_velocity
         Of the ground at this moment [mm/s].
+    model
+        The bearing, friction law and heating model that it belongs to.
     """
 
     march: FloatArray
     bank: FloatArray
     notes: FloatArray
     cells: FloatArray
-    ground_velocity: float = 0.0
+    ground_velocity: float
+    model: tuple[Bearing, FrictionLaw, Heating]
 
-    def copy(self, ground_velocity: float | None = None) -> "State":
-        """Return a copy that shares nothing with this one."""
-        velocity = self.ground_velocity if ground_velocity is None else ground_velocity
-        return State(self.march.copy(), self.bank.copy(), self.notes.copy(), self.cells.copy(), velocity)
+    def copy(self) -> "State":
+        """Return a copy that shares no array with this one."""
+        return replace(
+            self,
+            march=self.march.copy(),
+            bank=self.bank.copy(),
+            notes=self.notes.copy(),
+            cells=self.cells.copy(),
+        )
+
+    def afresh(self) -> "State":
+        """Return the same motion and heat with energies and peaks begun anew, for the next earthquake."""
+        state = self.copy()
+        march = state.march
+        motion = march[:FIRST_TALLY].copy()
+        march[:] = tallies_at(float(self.notes[PRESENT : PRESENT + self.cells.shape[0]].max()))
+        march[:FIRST_TALLY] = motion
+        march[STATE_TURNING] = march[STATE_DISPLACEMENT]
+        return state
+
+    def with_room(self, cells: int) -> "State":
+        """Return a copy with so many more cells at each end of the plates."""
+        state = self.copy()
+        blank = np.zeros((self.cells.shape[0], cells, self.cells.shape[2]))
+        for plate in range(self.cells.shape[0]):
+            state.notes[PLATE_NOTE + plate * PLATE_NOTES + LEFT_CELL] += cells
+        return replace(state, cells=np.concatenate((blank, state.cells, blank), axis=1))
+
+
+def tallies_at(temperature: float) -> FloatArray:
+    """Return the march's state at rest, with nothing added up yet and that peak temperature [degC]."""
+    march = np.zeros(STATE_SIZE)
+    march[PEAK_TEMPERATURE] = temperature
+    march[LEAST_FRICTION] = math.inf
+    return march
 
 
 def structure_of(bearing: Bearing, friction: FrictionLaw) -> Structure:
@@ -78,31 +120,31 @@ def cell_width(bearing: Bearing, heating: Heating) -> float:
     return 2.0 * bearing.contact_half_side / across
 
 
-def state_at_rest(structure: Structure, bearing: Bearing, heating: Heating, reach: float) -> State:
-    """Return the state at rest and at the ambient temperature, with cells for displacements up to `reach` [mm]."""
+def state_at_rest(bearing: Bearing, friction: FrictionLaw, heating: Heating) -> State:
+    """Return the state at rest and at the ambient temperature."""
+    structure = structure_of(bearing, friction)
     rates, weights, _ = fading_modes()
     bank = np.zeros((BANK_ROWS, MODES))
     bank[RATES] = rates
     bank[WEIGHTS] = weights * heating.rise_factor
     notes = np.zeros(NOTES)
-    notes[PRESENT:PLATE_NOTE] = heating.ambient
+    notes[PRESENT:RATIO] = heating.ambient
+    notes[RATIO:PLATE_NOTE] = 1.0
     notes[STEP_NOTE:] = math.nan  # no step is prepared
     margin = 0
     across = 1
     if isinstance(heating, PreciseHeating):
         across = heating.cells
-        margin = 1 + math.ceil(max(bearing.shares) * reach / cell_width(bearing, heating))
+        margin = 1 + math.ceil(max(bearing.shares) * _FIRST_REACH / cell_width(bearing, heating))
     for i in range(structure.plates):
         notes[PLATE_NOTE + i * PLATE_NOTES + LEFT_CELL] = margin
-    march = np.zeros(STATE_SIZE)
-    march[PEAK_TEMPERATURE] = heating.ambient
-    march[LEAST_FRICTION] = math.inf
     cells = np.zeros((structure.plates, across + 1 + 2 * margin, MODES + 1))
-    return State(march, bank, notes, cells)
+    return State(tallies_at(heating.ambient), bank, notes, cells, 0.0, (bearing, friction, heating))
 
 
-def heat_of(state: State, bearing: Bearing, heating: Heating) -> Heat:
+def heat_of(state: State) -> Heat:
     """Return the kernels' view of the heat in `state`, which they will change."""
+    bearing, _, heating = state.model
     instant = fading_modes()[2]
     return Heat(
         kind=heating.kind,

@@ -2,7 +2,7 @@
 
 import math
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
@@ -11,13 +11,13 @@ from dcfp.arrays import FloatArray, freeze
 from dcfp.bearing import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating
 from dcfp.errors import AnalysisError, InputError
 from dcfp.kernels import march as m
-from dcfp.kernels.friction import Law
-from dcfp.kernels.heat_state import FINEST_LEVEL, NO_HEATING, PRESENT, Heat
+from dcfp.kernels.friction import Law, mean_coefficient
+from dcfp.kernels.heat_state import FINEST_LEVEL, NO_HEATING, PRESENT, RATIO, Heat
 from dcfp.kernels.march import AT_REST, NO_PROGRESS, OUT_OF_CELLS, TEMPERATURE, march
 from dcfp.kernels.motion import Structure
 from dcfp.kernels.plate import write_profile
 from dcfp.record.ground_motion import GroundMotion
-from dcfp.response.kernel_input import FIRST_REACH, State, heat_of, state_at_rest, structure_of
+from dcfp.response.kernel_input import State, heat_of, state_at_rest, structure_of
 from dcfp.response.response import Histories, Profiles, Response, Settings
 
 #: Default of `Settings.tolerance`.
@@ -36,6 +36,7 @@ class _Run:
     lines: FloatArray
     profiles: list[tuple[float, FloatArray]]
     done: int
+    rests: bool
     elapsed: float
 
 
@@ -64,14 +65,16 @@ def respond(
     heating
         By default the simplified model, Li et al. (2020), section 4.2.
     tail
-        Time after the record in which the ground is at rest [s]. By default the analysis goes on until no
+        Time after the record in which the ground keeps its velocity [s]. By default the analysis goes on until no
         more sliding can come, for at most 120 s.
     tolerance
-        How far the coefficient of friction in the middle of a step may be from the mean of its ends, relative to it [-].
+        How far the coefficient of friction in the middle of a step may be from the mean of its ends, relative to it [-];
+        looked at where the ends differ by more than that.
     step
         Longest step [s]; by default the record's own, and for sliding at most 0.01 s.
     start
-        State to begin from, `Response.final_state` of an earlier analysis of the same bearing; by default at rest.
+        State to begin from, `Response.final_state` of an earlier analysis of the same bearing, law and heating; by default at
+        rest. Energies and peaks go on from there too; ``final_state.afresh()`` begins them anew, for the next earthquake.
     profile_every
         Keep the temperature along the plates at every so many samples; needs the precise heating model.
 
@@ -94,25 +97,20 @@ def respond(
     law = friction.at_pressure(bearing.pressure)
     parts = 1 if step is None else max(1, math.ceil(motion.time_step / step * (1.0 - 1e-12)))
     interval = motion.time_step / parts
-    acceleration = _with_tail(_refined(motion.acceleration, parts), interval, settings.tail)
-    record_samples = (motion.acceleration.size - 1) * parts
-    free_from = record_samples if tail is None else acceleration.size
+    acceleration = _refined(_with_tail(motion, settings.tail), parts)
+    # from one sample of the record after its last, where the ground has stopped accelerating
+    free_from = motion.acceleration.size * parts if tail is None else acceleration.size
     _compile_for(type(law), structure, law)
-    first = start
-    reach = FIRST_REACH
-    while True:
-        if start is None:
-            first = state_at_rest(structure, bearing, heating, reach)
-        assert first is not None
-        run = _march(
-            law, structure, bearing, heating, first.copy(), acceleration, interval, free_from, settings
-        )
-        if run is not None:
-            break
-        if start is not None:
-            msg = f"{motion.name}: the slider leaves the part of the plate for which the starting state has room."
-            raise AnalysisError(msg)
-        reach *= 2.0
+    model = (bearing, friction, heating)
+    first = state_at_rest(*model) if start is None else start
+    if first.model != model:
+        msg = f"{motion.name}: the starting state is that of another bearing, friction law or heating model."
+        raise InputError(msg)
+    run = None
+    while run is None:
+        run = _march(law, structure, first.copy(), acceleration, interval, free_from, settings)
+        if run is None:  # the slider left the line of cells
+            first = first.with_room(first.cells.shape[1])
     samples = run.done + 1
     ground = first.ground_velocity + _ground_velocity(acceleration[:samples], interval)
     lines = run.lines[:samples]
@@ -132,7 +130,8 @@ def respond(
         heating=heating,
         settings=settings,
         histories=histories,
-        final_state=run.state.copy(float(ground[-1])),
+        final_state=replace(run.state, ground_velocity=float(ground[-1])),
+        rests=run.rests,
         profiles=Profiles.of(run.profiles, bearing, heating) if run.profiles else None,
         elapsed=run.elapsed,
     )
@@ -170,9 +169,10 @@ def _refined(acceleration: FloatArray, parts: int) -> FloatArray:
     return np.asarray(np.interp(places, np.arange(samples), acceleration), dtype=np.float64)
 
 
-def _with_tail(acceleration: FloatArray, interval: float, tail: float | None) -> FloatArray:
-    length = LONGEST_TAIL if tail is None else tail
-    return np.concatenate((acceleration, np.zeros(round(length / interval))))
+def _with_tail(motion: GroundMotion, tail: float | None) -> FloatArray:
+    """Return the record with the ground unaccelerated for `tail` [s], or for as long as may be waited."""
+    samples = round((LONGEST_TAIL if tail is None else tail) / motion.time_step)
+    return np.concatenate((motion.acceleration, np.zeros(samples)))
 
 
 def _ground_velocity(acceleration: FloatArray, interval: float) -> FloatArray:
@@ -185,9 +185,8 @@ def _ground_velocity(acceleration: FloatArray, interval: float) -> FloatArray:
 def _compile_for(kind: type, structure: Structure, law: Law) -> None:
     """Have the kernels compiled or loaded, so that the time of an analysis is its own."""
     del kind
-    heating = SimplifiedHeating()
-    state = state_at_rest(structure, LI_2020, heating, 0.0)
-    heat = heat_of(state, LI_2020, heating)._replace(kind=NO_HEATING)
+    state = state_at_rest(LI_2020, Li2020(), SimplifiedHeating())
+    heat = heat_of(state)._replace(kind=NO_HEATING)
     lines = np.zeros((2, TEMPERATURE + structure.plates))
     march(law, structure, heat, np.zeros(2), 1e-3, 0, 2, TOLERANCE, state.march, lines)
 
@@ -195,8 +194,6 @@ def _compile_for(kind: type, structure: Structure, law: Law) -> None:
 def _march(
     law: Law,
     structure: Structure,
-    bearing: Bearing,
-    heating: Heating,
     state: State,
     acceleration: FloatArray,
     interval: float,
@@ -205,15 +202,15 @@ def _march(
 ) -> _Run | None:
     """March through the whole motion; None if the slider left the line of cells."""
     began = time.perf_counter()
-    heat = heat_of(state, bearing, heating)
+    heat = heat_of(state)
     lines = np.empty((acceleration.size, TEMPERATURE + structure.plates))
-    lines[0] = _first_line(state, structure)
+    lines[0] = _first_line(law, state, structure)
     profiles: list[tuple[float, FloatArray]] = []
     part = settings.profile_every or acceleration.size
-    done = 0
+    done, rests = 0, False
     while done < acceleration.size - 1:
         stop = min(done + part, acceleration.size - 1)
-        status, samples = march(
+        status, samples, rests = march(
             law,
             structure,
             heat,
@@ -238,10 +235,10 @@ def _march(
             profiles.append((done * interval, _profile(heat, structure, state, lines[done])))
         if status == AT_REST:
             break
-    return _Run(state, lines, profiles, done, time.perf_counter() - began)
+    return _Run(state, lines, profiles, done, rests, time.perf_counter() - began)
 
 
-def _first_line(state: State, structure: Structure) -> FloatArray:
+def _first_line(law: Law, state: State, structure: Structure) -> FloatArray:
     line = np.zeros(TEMPERATURE + structure.plates)
     line[m.DISPLACEMENT] = state.march[m.STATE_DISPLACEMENT]
     line[m.VELOCITY] = state.march[m.STATE_VELOCITY]
@@ -249,6 +246,9 @@ def _first_line(state: State, structure: Structure) -> FloatArray:
     line[m.SIDE] = state.march[m.STATE_SIDE]
     line[m.INPUT] = state.march[m.STATE_INPUT]
     line[m.HYSTERETIC] = state.march[m.STATE_HYSTERETIC]
+    line[m.FRICTION] = mean_coefficient(law, structure, abs(line[m.VELOCITY]), state.notes, PRESENT)
+    if line[m.SIDE] != 0.0:
+        line[m.FRICTION] = abs(line[m.ELONGATION]) / structure.reach
     line[TEMPERATURE:] = state.notes[PRESENT : PRESENT + structure.plates]
     return line
 
@@ -257,7 +257,9 @@ def _profile(heat: Heat, structure: Structure, state: State, line: FloatArray) -
     rises = np.zeros((structure.plates, heat.cells.shape[1]))
     shares = (structure.first_share, structure.second_share)
     for i in range(structure.plates):
-        flux = shares[i] * structure.pressure * line[m.FRICTION] * abs(line[m.VELOCITY])
+        flux = (
+            shares[i] * state.notes[RATIO + i] * structure.pressure * line[m.FRICTION] * abs(line[m.VELOCITY])
+        )
         flux = flux if line[m.SIDE] != 0.0 else 0.0
         write_profile(heat, i, state.march[m.STATE_TIME], flux, rises[i])
     return rises + heat.ambient

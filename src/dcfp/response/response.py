@@ -14,6 +14,7 @@ from dcfp.record.ground_motion import GroundMotion
 from dcfp.response.energy import EnergyBalance, equivalent_velocity
 from dcfp.response.kernel_input import State, cell_width
 from dcfp.response.status import Status
+from dcfp.response.validity import validity_remarks
 
 if TYPE_CHECKING:
     import xarray
@@ -78,6 +79,7 @@ class Response:
     settings: Settings
     histories: Histories
     final_state: State
+    rests: bool
     profiles: Profiles | None
     elapsed: float
 
@@ -121,11 +123,7 @@ class Response:
     @property
     def friction(self) -> FloatArray:
         """Coefficient of friction [-]: the one at work while sliding, the one to overcome while sticking."""
-        values = self._line(m.FRICTION).copy()
-        values[0] = float(
-            self.friction_law.coefficient(self.bearing.pressure, abs(self.velocity[0]), self.temperature[0])
-        )
-        return freeze(values)
+        return self._line(m.FRICTION)
 
     @property
     def sliding(self) -> FloatArray:
@@ -181,12 +179,12 @@ class Response:
 
     @property
     def peak_velocity(self) -> float:
-        """Largest relative velocity [mm/s]."""
+        """Largest relative velocity at the ends of steps [mm/s]."""
         return float(self.final_state.march[m.PEAK_VELOCITY])
 
     @property
     def peak_force(self) -> float:
-        """Largest horizontal force [N]."""
+        """Largest horizontal force at the ends of steps [N]."""
         return float(self.final_state.march[m.PEAK_FORCE]) * self.bearing.mass
 
     @property
@@ -209,12 +207,12 @@ class Response:
 
     @property
     def input_velocity(self) -> float:
-        """Equivalent velocity V_E of the input energy at the end [mm/s]."""
+        """Equivalent velocity V_E of the input energy up to the end [mm/s]; an analysis that was taken up again counts on."""
         return equivalent_velocity(float(self.energy.input[-1]), self.bearing.mass)
 
     @property
     def hysteretic_velocity(self) -> float:
-        """Equivalent velocity V_Eh of the hysteretic energy at the end [mm/s]."""
+        """Equivalent velocity V_Eh of the hysteretic energy up to the end [mm/s], counted as `input_velocity`."""
         return equivalent_velocity(float(self.energy.hysteretic[-1]), self.bearing.mass)
 
     @property
@@ -228,7 +226,7 @@ class Response:
         capacity = self.bearing.displacement_capacity
         if capacity is not None and self.peak_displacement > capacity:
             return Status.BEYOND_CAPACITY
-        return Status.STILL_MOVING if self.sliding[-1] != 0.0 else Status.OK
+        return Status.OK if self.rests else Status.STILL_MOVING
 
     @property
     def remarks(self) -> tuple[str, ...]:
@@ -241,10 +239,11 @@ class Response:
                 f"{self.motion.name}: the displacement of {self.peak_displacement:.0f} mm exceeds"
                 f" the capacity of {capacity:.0f} mm{note}."
             )
-        if self.sliding[-1] != 0.0:
+        if not self.rests:
             remarks.append(
-                f"{self.motion.name}: it is still sliding at the end, so the residual displacement is not final."
+                f"{self.motion.name}: it still moves at the end, so the residual displacement is not final."
             )
+        remarks.extend(validity_remarks(self))
         return tuple(remarks)
 
     # ----- forms -----

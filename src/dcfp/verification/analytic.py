@@ -26,7 +26,7 @@ _ROUNDING = "Allowed: rounding over the steps."
 def _moving(bearing: Bearing, velocity: float, *, sliding: bool) -> State:
     """Return the state at zero displacement with a velocity [mm/s], on the yield surface if it is sliding."""
     structure = structure_of(bearing, _FRICTION)
-    state = state_at_rest(structure, bearing, NoHeating(), 0.0)
+    state = state_at_rest(bearing, _FRICTION, NoHeating())
     state.march[march.STATE_VELOCITY] = velocity
     if sliding:
         state.march[march.STATE_ELONGATION] = _FRICTION.mu * structure.reach

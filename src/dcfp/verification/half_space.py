@@ -69,7 +69,7 @@ def _constant_flux_by_analysis() -> Finding:
     friction = ConstantFriction(1e-9)
     heating = SimplifiedHeating(conductivity=1e-8)
     structure = structure_of(plane, friction)
-    start = state_at_rest(structure, plane, heating, 0.0)
+    start = state_at_rest(plane, friction, heating)
     velocity = 100.0
     start.march[STATE_VELOCITY] = velocity
     start.march[STATE_ELONGATION] = friction.mu * structure.reach

@@ -2,6 +2,10 @@
 
 from dcfp.bearing.friction.constant import ConstantFriction as ConstantFriction
 from dcfp.bearing.friction.constantinou_1990 import Constantinou1990 as Constantinou1990
+from dcfp.bearing.friction.kim_constantinou_2023 import KimConstantinou2023Third as KimConstantinou2023Third
+from dcfp.bearing.friction.kim_constantinou_2023 import (
+    KimConstantinou2023TwoThirds as KimConstantinou2023TwoThirds,
+)
 from dcfp.bearing.friction.kumar_2015 import Kumar2015 as Kumar2015
 from dcfp.bearing.friction.law import FrictionLaw as FrictionLaw
 from dcfp.bearing.friction.li_2020 import Li2020 as Li2020

@@ -25,6 +25,7 @@ class ConstantFriction(FrictionLaw):
     mu: float = NOMINAL_COEFFICIENT
     name: ClassVar[str] = "constant"
     citation: ClassVar[str] = "li_2020"
+    reference_parameter: ClassVar[str] = "mu"
 
     def __post_init__(self) -> None:
         fraction(self.mu, "coefficient of friction")

@@ -41,6 +41,7 @@ class Constantinou1990(FrictionLaw):
     rate: float = 2.0 * 0.019
     name: ClassVar[str] = "constantinou1990"
     citation: ClassVar[str] = "constantinou_1990"
+    reference_parameter: ClassVar[str] = "fast"
     speed_is_of_surface: ClassVar[bool] = True
 
     def __post_init__(self) -> None:

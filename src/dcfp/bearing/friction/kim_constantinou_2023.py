@@ -1,42 +1,28 @@
-r"""Three laws of how friction falls with temperature: Kim and Constantinou (2023).
+r"""Two more laws of how friction falls with temperature: Kim and Constantinou (2023).
 
-Each is :math:`k_T = A\,0.7^{n T} + C` with T in degC, near one at 20 degC, and named after what is left of it at
-200 degC. The one that leaves half is that of Kumar, Whittaker and Constantinou (2015).
+All else is as in `kumar_2015`, whose law leaves half of the coefficient at 200 degC; these leave a third and two thirds.
 """
 
-import math
 from dataclasses import dataclass
+from typing import ClassVar
 
-import numpy as np
-from numpy.typing import ArrayLike
-
-from dcfp.arrays import FloatArray
+from dcfp.bearing.friction.kumar_2015 import Kumar2015
+from dcfp.bearing.friction.temperature_law import TemperatureLaw
 
 
 @dataclass(frozen=True)
-class TemperatureLaw:
-    """Constants of one law; see `temperature_factor`."""
+class KimConstantinou2023Third(Kumar2015):
+    """The law of Kumar et al. (2015) with a temperature factor that leaves one third at 200 degC."""
 
-    scale: float  # A [-]
-    power: float  # n [1/degC]
-    floor: float  # C [-]
-
-    @property
-    def rate(self) -> float:
-        """Rate of the same law written with an exponential [1/degC]."""
-        return -self.power * math.log(0.7)
+    temperature_law: ClassVar[TemperatureLaw] = TemperatureLaw(0.9696, 0.0289, 0.2099)
+    name: ClassVar[str] = "kim2023-third"
+    citation: ClassVar[str] = "kim_constantinou_2022"
 
 
-TEMPERATURE_LAWS = {
-    "half": TemperatureLaw(0.789, 0.02, 0.789 * 0.40),
-    "one third": TemperatureLaw(0.9696, 0.0289, 0.2099),
-    "two thirds": TemperatureLaw(0.8383, 0.00851, 0.2099),
-}
+@dataclass(frozen=True)
+class KimConstantinou2023TwoThirds(Kumar2015):
+    """The law of Kumar et al. (2015) with a temperature factor that leaves two thirds at 200 degC."""
 
-
-def temperature_factor(temperature: ArrayLike, law: TemperatureLaw) -> FloatArray:
-    r"""Temperature factor [-] at a temperature of the contact [degC].
-
-    .. math:: k_T = A\,0.7^{n T} + C
-    """
-    return np.asarray(law.scale * np.power(0.7, law.power * np.asarray(temperature, float)) + law.floor)
+    temperature_law: ClassVar[TemperatureLaw] = TemperatureLaw(0.8383, 0.00851, 0.2099)
+    name: ClassVar[str] = "kim2023-two-thirds"
+    citation: ClassVar[str] = "kim_constantinou_2022"

@@ -22,11 +22,14 @@ class FrictionLaw(ABC):
     speed_is_of_surface
         True where the law means the speed of the slider on one plate, False where it means the
         relative speed of the two plates.
+    reference_parameter
+        Name of the parameter that scales the whole law; empty for a law that has none.
     """
 
     name: ClassVar[str]
     citation: ClassVar[str] = ""
     speed_is_of_surface: ClassVar[bool] = False
+    reference_parameter: ClassVar[str] = ""
 
     @property
     def reference(self) -> float:

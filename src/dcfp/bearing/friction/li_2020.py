@@ -54,9 +54,14 @@ class Li2020(FrictionLaw):
     Parameters
     ----------
     mu_0
-        Coefficient at 60 N/mm2, 400 mm/s and 17.5 degC, where each factor is one [-].
+        Coefficient at 60 N/mm2, 400 mm/s and 17.5 degC [-], where each factor is one within 0.05 %.
     pressure_dependent, velocity_dependent, temperature_dependent
         Whether a factor is used; one that is not is replaced by one.
+
+    Notes
+    -----
+    The speed of Eq. (8) is that of the upper plate relative to the lower one, as the paper writes, and was fitted to bearings
+    of two equal plates. On a single or two different plates it is still taken as that, not as twice the speed on one plate.
     """
 
     mu_0: float = MU_0
@@ -65,6 +70,7 @@ class Li2020(FrictionLaw):
     temperature_dependent: bool = True
     name: ClassVar[str] = "li2020"
     citation: ClassVar[str] = "li_2020"
+    reference_parameter: ClassVar[str] = "mu_0"
 
     def __post_init__(self) -> None:
         fraction(self.mu_0, "coefficient of friction mu_0")

@@ -7,18 +7,25 @@ from typing import Any
 
 from dcfp.bearing.friction.constant import ConstantFriction
 from dcfp.bearing.friction.constantinou_1990 import Constantinou1990
+from dcfp.bearing.friction.kim_constantinou_2023 import (
+    KimConstantinou2023Third,
+    KimConstantinou2023TwoThirds,
+)
 from dcfp.bearing.friction.kumar_2015 import Kumar2015
 from dcfp.bearing.friction.law import FrictionLaw
 from dcfp.bearing.friction.li_2020 import Li2020
 from dcfp.errors import InputError
 
-_LAWS: dict[str, tuple[type[FrictionLaw], dict[str, Any]]] = {
-    "li2020": (Li2020, {}),
-    "constant": (ConstantFriction, {}),
-    "constantinou1990": (Constantinou1990, {}),
-    "kumar2015": (Kumar2015, {}),
-    "kim2023-third": (Kumar2015, {"temperature_law": "one third"}),
-    "kim2023-two-thirds": (Kumar2015, {"temperature_law": "two thirds"}),
+_LAWS: dict[str, type[FrictionLaw]] = {
+    law.name: law
+    for law in (
+        Li2020,
+        ConstantFriction,
+        Constantinou1990,
+        Kumar2015,
+        KimConstantinou2023Third,
+        KimConstantinou2023TwoThirds,
+    )
 }
 
 
@@ -41,10 +48,10 @@ def friction_law(name: str, parameters: Mapping[str, Any] | None = None) -> Fric
         hint = f" (did you mean {near[0]!r}?)" if near else ""
         msg = f"There is no friction law {name!r}{hint}; the laws are {', '.join(_LAWS)}."
         raise InputError(msg)
-    law, preset = _LAWS[key]
+    law = _LAWS[key]
     allowed = [item.name for item in dataclasses.fields(law) if item.init]  # type: ignore[arg-type]
     for given in parameters or {}:
         if given not in allowed:
             msg = f"The friction law {key!r} has no parameter {given!r}; it has {', '.join(allowed)}."
             raise InputError(msg)
-    return law(**{**preset, **(parameters or {})})
+    return law(**(parameters or {}))
