@@ -8,7 +8,6 @@ in which the reference holds the effect of pressure. A user's own law is any com
 pressure, speed and temperature. Which of the two is meant is known from the type of `law`, at compile time.
 """
 
-import math
 from collections.abc import Callable
 from typing import Any, NamedTuple, TypeAlias
 
@@ -18,6 +17,7 @@ from numba.extending import overload
 from numpy.typing import NDArray
 
 from dcfp.kernels._jit import kernel
+from dcfp.kernels.exponential import fading
 from dcfp.kernels.motion import Structure
 
 
@@ -39,8 +39,8 @@ Law: TypeAlias = ExponentialLaw | Callable[[float, float, float], float]
 @kernel
 def exponential_coefficient(law: ExponentialLaw, speed: float, temperature: float) -> float:
     """Coefficient of friction [-] of an `ExponentialLaw` at a speed [mm/s] and a temperature [degC]."""
-    speed_factor = 1.0 - law.speed_drop * math.exp(-law.speed_rate * speed)
-    heat_factor = law.heat_scale * math.exp(-law.heat_rate * temperature) + law.heat_floor
+    speed_factor = 1.0 - law.speed_drop * fading(law.speed_rate * speed)
+    heat_factor = law.heat_scale * fading(law.heat_rate * temperature) + law.heat_floor
     return law.reference * speed_factor * heat_factor
 
 

@@ -78,11 +78,11 @@ def expect(
     notes, bank = heat.notes, heat.bank
     fade, entry = STEP_ROW + STEP_ROWS * place, STEP_NOTE + STEP_NOTES * place
     for i in range(structure.plates):
-        rise = 0.0
+        rise = heat.ambient
         if heat.kind != NO_HEATING:
             portion = share(structure, i)
             first = PLATE_ROW + i * PLATE_ROWS
-            rise = faded_total(bank, fade, first + COMMON)
+            rise += faded_total(bank, fade, first + COMMON)
             if _feels_flux(heat, portion, displacement):
                 rise += (
                     portion
@@ -93,7 +93,7 @@ def expect(
                 swept = plate.expect_sweep(heat, i, portion * travel)
                 inside = faded_total(bank, fade, first + INSIDE)
                 rise += (inside + swept) / (2.0 * heat.half_contact)
-        notes[EXPECTED + i] = heat.ambient + rise
+        notes[EXPECTED + i] = rise
 
 
 @kernel

@@ -1,6 +1,7 @@
 """The time loop: from sample to sample of the ground motion, from event to event within."""
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -45,6 +46,20 @@ FIRST_TALLY = STATE_INPUT
 _MOST_STEPS_PER_SAMPLE = 20_000
 
 
+class Tally(NamedTuple):
+    """What is added up or compared on the way; see the entries of the state."""
+
+    input: float
+    hysteretic: float
+    turning: float
+    displacement: float
+    change: float
+    velocity: float
+    force: float
+    temperature: float
+    friction: float
+
+
 @kernel
 def march(
     law: Law,
@@ -74,7 +89,18 @@ def march(
     level = max(int(state[STATE_LEVEL]), coarsest)
     fresh = state[STATE_FRESH] > 0.0
     began = state[STATE_TIME]
-    friction = 0.0
+    tally = Tally(
+        state[STATE_INPUT],
+        state[STATE_HYSTERETIC],
+        state[STATE_TURNING],
+        state[PEAK_DISPLACEMENT],
+        state[PEAK_CHANGE],
+        state[PEAK_VELOCITY],
+        state[PEAK_FORCE],
+        state[PEAK_TEMPERATURE],
+        state[LEAST_FRICTION],
+    )
+    friction = abs(motion.elongation) / structure.reach
     done = 0
     status = DONE
     for i in range(acceleration.size - 1):
@@ -90,13 +116,25 @@ def march(
             else:
                 now = began + i * interval + elapsed
                 advance, level = slide_step(
-                    law, structure, heat, fresh, motion, push, now, room, interval, level, coarsest, tolerance
+                    law,
+                    structure,
+                    heat,
+                    fresh,
+                    motion,
+                    friction,
+                    push,
+                    now,
+                    room,
+                    interval,
+                    level,
+                    coarsest,
+                    tolerance,
                 )
                 fresh = fresh and advance.length == 0.0
             slid = motion.side != 0 and advance.length > 0.0
             motion, friction = advance.motion, advance.friction
             elapsed = interval if advance.length == room else elapsed + advance.length
-            _note(state, structure, motion, advance, slid, heat.notes)
+            tally = _noted(tally, structure, motion, advance, slid, heat.notes)
             steps += 1
             if not advance.fits:
                 status = OUT_OF_CELLS
@@ -108,7 +146,7 @@ def march(
             break
         done = i + 1
         state[STEPS] += steps
-        _record(histories, done, structure, motion, friction, state, heat.notes)
+        _record(histories, done, structure, motion, friction, tally, heat.notes)
         if done >= free_from and _rests(law, structure, heat, motion):
             status = AT_REST
             break
@@ -119,33 +157,51 @@ def march(
     state[STATE_TIME] = began + done * interval
     state[STATE_LEVEL] = level
     state[STATE_FRESH] = 1.0 if fresh else 0.0
-    state[PEAK_DISPLACEMENT] = max(state[PEAK_DISPLACEMENT], abs(motion.displacement))
+    state[STATE_INPUT] = tally.input
+    state[STATE_HYSTERETIC] = tally.hysteretic
+    state[STATE_TURNING] = tally.turning
+    state[PEAK_DISPLACEMENT] = max(tally.displacement, abs(motion.displacement))
+    state[PEAK_CHANGE] = tally.change
+    state[PEAK_VELOCITY] = tally.velocity
+    state[PEAK_FORCE] = tally.force
+    state[PEAK_TEMPERATURE] = tally.temperature
+    state[LEAST_FRICTION] = tally.friction
     return status, done, _rests(law, structure, heat, motion)
 
 
 @kernel
-def _note(
-    state: NDArray[np.float64],
+def _noted(
+    tally: Tally,
     structure: Structure,
     motion: Motion,
     advance: Advance,
     slid: bool,
     notes: NDArray[np.float64],
-) -> None:
-    """Add up the energies and keep the peaks."""
-    state[STATE_INPUT] += advance.input
-    state[STATE_HYSTERETIC] += advance.hysteretic
+) -> Tally:
+    """Return the tally after a step."""
+    turning, displacement, change = tally.turning, tally.displacement, tally.change
     if not math.isnan(advance.turning):
-        state[PEAK_DISPLACEMENT] = max(state[PEAK_DISPLACEMENT], abs(advance.turning))
-        state[PEAK_CHANGE] = max(state[PEAK_CHANGE], abs(advance.turning - state[STATE_TURNING]))
-        state[STATE_TURNING] = advance.turning
-    state[PEAK_VELOCITY] = max(state[PEAK_VELOCITY], abs(motion.velocity))
+        displacement = max(displacement, abs(advance.turning))
+        change = max(change, abs(advance.turning - turning))
+        turning = advance.turning
     force = structure.restoring * motion.displacement + structure.elastic * motion.elongation
-    state[PEAK_FORCE] = max(state[PEAK_FORCE], abs(force))
-    for i in range(structure.plates):
-        state[PEAK_TEMPERATURE] = max(state[PEAK_TEMPERATURE], notes[PRESENT + i])
+    temperature, friction = tally.temperature, tally.friction
     if slid or motion.side != 0:
-        state[LEAST_FRICTION] = min(state[LEAST_FRICTION], advance.friction)
+        friction = min(friction, advance.friction)
+        temperature = max(temperature, notes[PRESENT])
+        if structure.plates == 2:
+            temperature = max(temperature, notes[PRESENT + 1])
+    return Tally(
+        tally.input + advance.input,
+        tally.hysteretic + advance.hysteretic,
+        turning,
+        displacement,
+        change,
+        max(tally.velocity, abs(motion.velocity)),
+        max(tally.force, abs(force)),
+        temperature,
+        friction,
+    )
 
 
 @kernel
@@ -155,7 +211,7 @@ def _record(
     structure: Structure,
     motion: Motion,
     friction: float,
-    state: NDArray[np.float64],
+    tally: Tally,
     notes: NDArray[np.float64],
 ) -> None:
     if sample >= histories.shape[0]:
@@ -166,8 +222,8 @@ def _record(
     line[ELONGATION] = motion.elongation
     line[FRICTION] = friction
     line[SIDE] = motion.side
-    line[INPUT] = state[STATE_INPUT]
-    line[HYSTERETIC] = state[STATE_HYSTERETIC]
+    line[INPUT] = tally.input
+    line[HYSTERETIC] = tally.hysteretic
     for i in range(structure.plates):
         line[TEMPERATURE + i] = notes[PRESENT + i]
 

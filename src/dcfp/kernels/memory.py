@@ -5,19 +5,21 @@ The kernel of Eq. (11) is an integral of exponentials, and the trapezoidal rule 
 .. math:: \frac1{\sqrt\tau} = \frac2{\sqrt\pi} \int_0^\infty e^{-x^2\tau}\,dx
           \approx \sum_j w_j e^{-s_j \tau} + w_\infty \delta(\tau)
 
-with rates in geometric ratio. Beylkin and Monzon (2005) give the idea. The rule with ratio :math:`r = s_{j+1}/s_j` is off by at most
+with rates in geometric ratio. Beylkin and Monzon (2005) give the idea. The endless rule with ratio :math:`r = s_{j+1}/s_j` is off by at most
 :math:`2\sqrt2\,e^{-\pi^2/\ln r}` of the kernel. Modes faster than anything that happens in a step act at once
-(:math:`w_\infty`); modes slower than the whole history are lumped into the two slowest.
-Each mode is a first-order recursion, so a step costs the same whatever came before it, and neither a change of step nor a
-restart can alter the answer.
+(:math:`w_\infty`); slower modes are lumped into the two slowest.
+Each mode is a first-order recursion, so a step costs the same whatever came before it, and neither a restart nor the way
+in which time is cut can alter what a given flux does.
 """
 
 import math
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.kernels._jit import kernel
+from dcfp.kernels.exponential import fading
 
 #: Ratio of neighbouring rates; 2 sqrt(2) exp(-pi2/ln r) = 2.1e-4 of the kernel, a tenth of it in a temperature.
 RATE_RATIO = 2.0**1.5
@@ -27,6 +29,7 @@ MODES = 16
 _TRACE = 1e-100
 
 
+@cache
 def fading_modes(horizon: float = 100.0) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
     """Return rates [1/s] (slowest first), weights [s^-1/2] and the instant weight [s^1/2] for 1/sqrt(tau).
 
@@ -40,10 +43,11 @@ def fading_modes(horizon: float = 100.0) -> tuple[NDArray[np.float64], NDArray[n
     instant = weights[-1] / rates[-1] * shrink / (1.0 - shrink)
     # the slower modes are not there: the two slowest take over their weight and their first fading
     slower = weights[0] * shrink / (1.0 - shrink)
-    fading = weights[0] * rates[0] * shrink**3 / (1.0 - shrink**3)
-    moved = (fading - slower * rates[0]) / (rates[1] - rates[0])
+    faded = weights[0] * rates[0] * shrink**3 / (1.0 - shrink**3)
+    moved = (faded - slower * rates[0]) / (rates[1] - rates[0])
     weights[0] += slower - moved
     weights[1] += moved
+    rates.flags.writeable = weights.flags.writeable = False
     return rates, weights, float(instant)
 
 
@@ -53,8 +57,8 @@ def fill_fade(bank: NDArray[np.float64], rates: int, step: float, fade: int) -> 
 
     Every second rate is RATE_RATIO squared = 8 times as fast.
     """
-    bank[fade, 0] = math.exp(-bank[rates, 0] * step)
-    bank[fade, 1] = math.exp(-bank[rates, 1] * step)
+    bank[fade, 0] = fading(bank[rates, 0] * step)
+    bank[fade, 1] = fading(bank[rates, 1] * step)
     for j in range(2, MODES):
         f = bank[fade, j - 2]
         f *= f

@@ -61,8 +61,9 @@ def swing(
     phi0 = 1.0 - z * phi2
     v0 = velocity
     a0 = acceleration * h
-    p1 = push_rate * h * h
-    p2 = 2.0 * push_curvature * h * h * h
+    # the push is what a step waits for: all else is multiplied before it
+    p1 = push_rate * (h * h)
+    p2 = push_curvature * (2.0 * h * h * h)
     return Swing(
         h * (v0 * phi1 + a0 * phi2 + p1 * phi3 + p2 * phi4),
         v0 * phi0 + a0 * phi1 + p1 * phi2 + p2 * phi3,

@@ -24,6 +24,7 @@ def slide_step(
     heat: Heat,
     fresh: bool,
     motion: Motion,
+    friction: float,
     push: Push,
     time: float,
     room: float,
@@ -36,7 +37,6 @@ def slide_step(
 
     `fresh` says that sliding has just begun; `coarsest` is the level that may not be gone below.
     """
-    friction = abs(motion.elongation) / structure.reach
     y, v, side = motion.displacement, motion.velocity, motion.side
     start = -push.now - structure.restoring * y - side * structure.gravity * friction
     jerk = -push.rate - structure.restoring * v
@@ -84,7 +84,7 @@ def slide_step(
     # mu(t) = friction + slope t + curve t2
     per_length = 1.0 / length
     slope = (last - friction + 4.0 * bend) * per_length
-    curve = -4.0 * bend * per_length * per_length
+    curve = bend * (-4.0 * per_length * per_length)
     pull = -side * structure.gravity
     push_rate = -push.rate + pull * slope
     push_curve = pull * curve
@@ -94,6 +94,7 @@ def slide_step(
         length, turns = _polish_turn(structure.restoring, length, furthest, v, start, push_rate, push_curve)
         swung = swing(structure.restoring, length, v, start, push_rate, push_curve)
         last = friction + length * (slope + length * curve)
+        per_length = 1.0 / length
 
     reach = side * last * structure.reach
     if side * (swung.displacement - reach + motion.elongation) < 0.0:
@@ -108,7 +109,7 @@ def slide_step(
     rubbed = work(friction, slope, curve, length, swung)
     closing = structure.pressure * last * abs(speed)
     # the flux is taken as linear, and raised so that the heat is the work of friction
-    missing = structure.pressure * abs(rubbed) / length - 0.5 * (opening + closing)
+    missing = structure.pressure * abs(rubbed) * per_length - 0.5 * (opening + closing)
     place = place if length == regular else ODD_LENGTH
     prepare(heat, place, length)
     note_ratios(law, structure, abs(speed), heat.notes, EXPECTED, RATIO)
@@ -196,7 +197,7 @@ def _polish_turn(
         better = h - swung.velocity / now if now != 0.0 else 0.5 * (low + high)
         if not low <= better <= high:
             better = 0.5 * (low + high)
-        close = abs(better - h) < 1e-15
+        close = abs(better - h) < 1e-8 * length
         h = better
         if close:
             break

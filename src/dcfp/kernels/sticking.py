@@ -88,16 +88,12 @@ def _excess(
     side: float,
     time: float,
     length: float,
-    allowed: float,
 ) -> float:
-    """How far spring (b) is beyond the yield surface on a side, less what is `allowed` [mm], `time` [s] into the step.
-
-    The surface is at r_f = mu N / kf.
-    """
+    """How far spring (b) is beyond the yield surface on a side, r_f = mu N / kf [mm], `time` [s] into the step."""
     mix(heat, structure, time / length, BETWEEN)
     swung = swing(structure.restoring + structure.elastic, time, motion.velocity, start, -push.rate, 0.0)
     friction = mean_coefficient(law, structure, abs(swung.velocity), heat.notes, BETWEEN)
-    return side * (motion.elongation + swung.displacement) - friction * structure.reach - allowed
+    return side * (motion.elongation + swung.displacement) - friction * structure.reach
 
 
 @kernel
@@ -117,15 +113,16 @@ def _slip_time(
     end = motion.elongation + swing(stiffness, high, motion.velocity, start, -push.rate, 0.0).displacement
     side = 1.0 if end > 0.0 else -1.0
     # a sticking phase begins on the surface, as closely as the temperature was expected: it slips where it goes further out
-    outside = max(_excess(law, structure, heat, motion, push, start, side, low, length, 0.0), 0.0)
-    beyond = _excess(law, structure, heat, motion, push, start, side, high, length, outside)
+    below = _excess(law, structure, heat, motion, push, start, side, low, length)
+    outside = max(below, 0.0)
+    beyond = _excess(law, structure, heat, motion, push, start, side, high, length) - outside
     if beyond <= 0.0:
         return math.inf
-    below = min(_excess(law, structure, heat, motion, push, start, side, low, length, outside), -_CLOSE)
+    below = min(below - outside, -_CLOSE)
     kept = 0  # which end stayed in the last round
     for _ in range(60):
         middle = high - beyond * (high - low) / (beyond - below)
-        there = _excess(law, structure, heat, motion, push, start, side, middle, length, outside)
+        there = _excess(law, structure, heat, motion, push, start, side, middle, length) - outside
         if abs(there) < _CLOSE:
             return middle
         if there > 0.0:

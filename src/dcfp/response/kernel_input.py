@@ -122,7 +122,7 @@ def cell_width(bearing: Bearing, heating: Heating) -> float:
 
 def state_at_rest(bearing: Bearing, friction: FrictionLaw, heating: Heating) -> State:
     """Return the state at rest and at the ambient temperature."""
-    structure = structure_of(bearing, friction)
+    plates = len(set(bearing.radii))
     rates, weights, _ = fading_modes()
     bank = np.zeros((BANK_ROWS, MODES))
     bank[RATES] = rates
@@ -136,9 +136,9 @@ def state_at_rest(bearing: Bearing, friction: FrictionLaw, heating: Heating) -> 
     if isinstance(heating, PreciseHeating):
         across = heating.cells
         margin = 1 + math.ceil(max(bearing.shares) * _FIRST_REACH / cell_width(bearing, heating))
-    for i in range(structure.plates):
+    for i in range(plates):
         notes[PLATE_NOTE + i * PLATE_NOTES + LEFT_CELL] = margin
-    cells = np.zeros((structure.plates, across + 1 + 2 * margin, MODES + 1))
+    cells = np.zeros((plates, across + 1 + 2 * margin, MODES + 1))
     return State(tallies_at(heating.ambient), bank, notes, cells, 0.0, (bearing, friction, heating))
 
 
