@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.bearing.checks import finite, positive
+from dcfp.bearing.choice import make_named
 from dcfp.errors import InputError
 from dcfp.kernels.heat_state import LINE, NO_HEATING, POINT
 
@@ -91,7 +92,7 @@ class PreciseHeating(_Steel):
 
 Heating: TypeAlias = NoHeating | SimplifiedHeating | PreciseHeating
 
-_MODELS: dict[str, type[NoHeating] | type[SimplifiedHeating] | type[PreciseHeating]] = {
+_MODELS: dict[str, type[Heating]] = {
     model.name: model for model in (SimplifiedHeating, PreciseHeating, NoHeating)
 }
 
@@ -109,17 +110,7 @@ def heating_model(name: str, **parameters: float) -> Heating:
     InputError
         If there is no model of that name, or it has no such parameter, or a value is out of range.
     """
-    key = name.strip().lower()
-    if key not in _MODELS:
-        msg = f"There is no heating model {name!r}; the models are {', '.join(_MODELS)}."
-        raise InputError(msg)
-    model = _MODELS[key]
-    allowed = ["conductivity", "diffusivity", "ambient", *(["cells"] if model is PreciseHeating else [])]
-    for given in parameters:
-        if given not in allowed:
-            msg = f"The heating model {key!r} has no parameter {given!r}; it has {', '.join(allowed)}."
-            raise InputError(msg)
-    return model(**parameters)  # type: ignore[arg-type]
+    return make_named("heating model", _MODELS, name, parameters)
 
 
 def constant_flux_rise(heating: Heating, flux: ArrayLike, time: ArrayLike) -> FloatArray:

@@ -40,7 +40,7 @@ class UserFriction(FrictionLaw):
             msg = "A user's friction law must be a function of pressure, speed and temperature."
             raise InputError(msg)
         compiled = self.function
-        if not is_jitted(compiled) and not numba.config.DISABLE_JIT:  # type: ignore[attr-defined]
+        if not is_jitted(compiled):
             compiled = numba.njit(compiled)
         try:
             values = [float(compiled(60.0, speed, 20.0)) for speed in (0.0, 100.0)]
