@@ -24,7 +24,8 @@ def validity_remarks(response: "Response") -> list[str]:
     radius = (
         float(response.friction.max()) * response.bearing.vertical_force / response.bearing.elastic_stiffness
     )
-    if radius > LARGEST_YIELD_RADIUS and response.heating.name != "none":
+    heats = response.heating.name != "none" and bool(response.sliding.any())
+    if radius > LARGEST_YIELD_RADIUS and heats:
         remarks.append(
             f"{name}: spring (b) is soft, it stretches {radius:.1f} mm before sliding; the heat of friction is taken"
             " from the whole relative velocity, so temperatures are uncertain."
@@ -35,7 +36,7 @@ def validity_remarks(response: "Response") -> list[str]:
             f"{name}: the coefficients of the two plates differ by up to {100.0 * (ratio - 1.0):.0f} %, but the travel"
             " is shared as with equal ones."
         )
-    if response.time[-1] > LONGEST_MEMORY and response.heating.name != "none":
+    if response.time[-1] > LONGEST_MEMORY and heats:
         remarks.append(
             f"{name}: the motion is longer than {LONGEST_MEMORY:.0f} s; heat from longer ago fades too fast in the model."
         )
