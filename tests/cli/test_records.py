@@ -1,7 +1,14 @@
 """`dcfp records`: the named ones, and what is in a file."""
 
+import csv
 import json
 from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray
+
+from dcfp import load_motion
 
 
 def test_the_paper_s_records_come_first(run) -> None:
@@ -61,3 +68,57 @@ def test_nothing_of_that_name(run) -> None:
     status, out, err = run("records", "NCX")
     assert (status, out, err.count("\n")) == (2, "", 1)
     assert "NCC" in err
+
+
+def test_the_list_as_a_table(run, tmp_path: Path) -> None:
+    out = tmp_path / "list.csv"
+    assert run("records", "--out", out).status == 0
+    rows = list(csv.DictReader(out.read_text().splitlines()))
+    assert rows[0]["alias"] == "KNA"
+    assert sum(row["available"] == "true" for row in rows) == 100
+
+
+def test_one_record_as_histories(run, tmp_path: Path) -> None:
+    table, data = tmp_path / "r.csv", tmp_path / "r.nc"
+    assert [run("records", "NCC", "--out", out).status for out in (table, data)] == [0, 0]
+    motion = load_motion("NCC")
+    head = table.read_text().splitlines()[0]
+    assert head.endswith("ground_velocity [mm s-1],ground_displacement [mm]")
+    values = np.loadtxt(table, delimiter=",", skiprows=1)
+    np.testing.assert_allclose(values[:, 3], motion.displacement, rtol=1e-8)
+    with xarray.open_dataset(data) as found:
+        assert found.ground_acceleration.attrs["units"] == "mm s-2"
+        assert found.attrs["record_sha256"] == motion.digest
+        np.testing.assert_array_equal(found.ground_velocity, motion.velocity)
+
+
+def test_several_records_as_measures_and_groups(run, three_components: Path, tmp_path: Path) -> None:
+    table, data, plot = (tmp_path / f"r.{kind}" for kind in ("csv", "nc", "png"))
+    assert run("records", three_components, "NCC", "--out", table, "--plot", plot).status == 0
+    assert run("records", three_components, "NCC", "--out", data).status == 0
+    rows = list(csv.DictReader(table.read_text().splitlines()))
+    assert [row["component"] for row in rows][:3] == ["NS", "EW", "UD"]
+    with xarray.open_datatree(data) as tree:
+        assert len(tree.children) == 4
+        assert tree.pgv.attrs["units"] == "m s-1"
+    assert plot.stat().st_size > 5000
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("--plot", "a.png"),
+        ("--out", "a.nc"),
+        ("NCC", "--out", "a.txt"),
+        ("NCC", "--plot", "a.gif"),
+        ("NCC", "--out", "there.csv"),
+        ("NCC", "--plot", "no/a.png"),
+    ],
+)
+def test_what_cannot_be_written_is_refused(run, monkeypatch, tmp_path: Path, words: tuple[str, ...]) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("there.csv").write_text("mine")
+    status, out, err = run("records", *words)
+    assert (status, out, err.count("\n")) == (2, "", 1)
+    assert [path.name for path in tmp_path.iterdir()] == ["there.csv"]
+    assert Path("there.csv").read_text() == "mine"

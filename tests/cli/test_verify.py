@@ -1,7 +1,9 @@
 """`dcfp verify` prints what `dcfp.verification` finds, and fails when a check does."""
 
+import csv
 import json
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import pytest
 
@@ -18,6 +20,7 @@ class Check:
     passed: bool | None = True
     note: str = ""
     source: str = "Carslaw and Jaeger (1959)"
+    ratio: float | None = 0.1
 
 
 GOOD = Check()
@@ -60,3 +63,27 @@ def test_full_and_json(run, checks) -> None:
     rows = json.loads(out)
     assert len(rows) == 3
     assert set(rows[0]) == set(Check.__dataclass_fields__)
+
+
+def test_a_table_and_a_figure(run, checks, tmp_path: Path) -> None:
+    checks.append(replace(BAD, ratio=None))
+    out, plot = tmp_path / "v.csv", tmp_path / "v.svg"
+    assert run("verify", "--out", out, "--plot", plot).status == 1
+    rows = list(csv.DictReader(out.read_text().splitlines()))
+    assert [row["passed"] for row in rows] == ["true", "", "false"]
+    assert rows[0]["ratio [-]"] == "0.1"
+    assert plot.stat().st_size > 5000
+
+
+@pytest.mark.parametrize(
+    ("option", "name"),
+    [("--out", "v.nc"), ("--plot", "v.txt"), ("--out", "there.csv"), ("--out", "no/v.csv")],
+)
+def test_a_file_that_cannot_be_written_is_refused_before_the_work(
+    run, monkeypatch, tmp_path: Path, option: str, name: str
+) -> None:
+    monkeypatch.setattr("dcfp.verification.run_checks", None)
+    (tmp_path / "there.csv").write_text("mine")
+    status, out, err = run("verify", option, tmp_path / name)
+    assert (status, out, err.count("\n")) == (2, "", 1)
+    assert [path.name for path in tmp_path.iterdir()] == ["there.csv"]

@@ -17,6 +17,7 @@ from dcfp.plots import (
     plot_energies,
     plot_friction,
     plot_loop,
+    plot_motions,
     plot_overview,
     plot_profile,
     plot_response,
@@ -203,3 +204,14 @@ def test_the_quiet_ends_of_a_response_are_left_out() -> None:
 )
 def test_numbers_in_words(written: str, expected: str) -> None:
     assert written == expected
+
+
+def test_motions_stand_beside_each_other_with_their_peaks() -> None:
+    motion = load_motion("NCC")
+    figure = plot_motions([motion] * 5)
+    figure.draw_without_rendering()
+    assert sum(axes.axison for axes in figure.axes) == 15
+    assert figure.axes[0].get_ylabel() == "$a_g$ [m/s²]"
+    assert "0.45 m/s" in [text.get_text() for text in figure.axes[4].texts]
+    with pytest.raises(InputError, match="at most 12"):
+        plot_motions([motion] * 13)

@@ -65,6 +65,22 @@ def test_a_finding_is_judged_by_its_limit(finding: Finding, passed: bool) -> Non
     assert judge("group", "name", finding).passed is passed
 
 
+@pytest.mark.parametrize(
+    ("finding", "ratio"),
+    [
+        (Finding(1.0, 1.0, "mm", 0.0), 0.0),
+        (Finding(1.1, 1.0, "mm", 0.0), None),
+        (Finding(0.7, 1.0, "mm", 0.2), 1.5),
+        (Finding(-103.0, -100.0, "mm", 0.02, relative=True), 1.5),
+        (Finding(float("nan"), 1.0, "mm", 1.0), None),
+        (Finding(3.0, 2.0, "-", 0.5, more_is_better=True), 0.0),
+        (Finding(1.0, 2.0, "-", 0.5, more_is_better=True), 2.0),
+    ],
+)
+def test_the_ratio_is_the_difference_over_what_is_allowed(finding: Finding, ratio: float | None) -> None:
+    assert judge("group", "name", finding).ratio == (None if ratio is None else pytest.approx(ratio))
+
+
 @pytest.mark.parametrize("task", [task for task in SHORT if task.group != opensees.GROUP], ids=identifier)
 def test_a_wrong_expectation_is_noticed(task: Task) -> None:
     finding = task.measure()
@@ -106,7 +122,9 @@ def test_each_check_is_reported_as_it_is_made(monkeypatch: pytest.MonkeyPatch) -
     checks = run_checks(report=reported.append)
     assert reported == checks
     assert [outcome.passed for outcome in checks] == [True, False, None]
-    assert checks[0] == Check("one", "right", 1.0, 1.0, "mm", "0.5 mm", "0 mm", True, "a note", "a source")
+    assert checks[0] == Check(
+        "one", "right", 1.0, 1.0, "mm", "0.5 mm", "0 mm", True, "a note", "a source", 0.0
+    )
     assert checks[2].note == "not here"
     assert checks[2].computed is None
 

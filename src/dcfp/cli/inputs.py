@@ -25,7 +25,8 @@ def record_names(options: argparse.Namespace) -> list[str]:
 
 def input_files(options: argparse.Namespace) -> list[Path]:
     """Return the files that the command reads, so that it does not write over them."""
-    words = [*options.records, *options.later_records, *([options.bearing] if options.bearing else [])]
+    bearing: str | None = getattr(options, "bearing", None)  # not every command has one
+    words = [*options.records, *options.later_records, *([bearing] if bearing else [])]
     return [Path(word.rpartition("::")[0] or word) for word in words]
 
 

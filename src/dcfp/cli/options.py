@@ -98,13 +98,14 @@ def add_integration(parser: Parser) -> None:
     )
 
 
-def add_output(parser: Parser, *, data: bool = True, figure: bool = True) -> None:
-    """Add where results go."""
+def add_output(
+    parser: Parser,
+    data: str = "results as NetCDF (.nc) or CSV (.csv)",
+    figure: str = "a figure as .png, .pdf or .svg",
+) -> None:
+    """Add where results go; `data` and `figure` are the words of the help."""
     group = parser.add_argument_group("output")
     group.add_argument("--json", action="store_true", help="one JSON document on standard output")
-    if data:
-        group.add_argument("--out", metavar="FILE", help="results as NetCDF (.nc) or CSV (.csv)")
-    if figure:
-        group.add_argument("--plot", metavar="FILE", help="a figure as .png, .pdf or .svg")
-    if data or figure:
-        group.add_argument("--overwrite", action="store_true", help="replace files that exist")
+    group.add_argument("--out", metavar="FILE", help=data)
+    group.add_argument("--plot", metavar="FILE", help=figure)
+    group.add_argument("--overwrite", action="store_true", help="replace files that exist")

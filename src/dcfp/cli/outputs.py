@@ -36,7 +36,13 @@ class Outputs:
 
     @classmethod
     def checked(
-        cls, data: str | None, figure: str | None, *, overwrite: bool, inputs: Iterable[Path] = ()
+        cls,
+        data: str | None,
+        figure: str | None,
+        *,
+        overwrite: bool,
+        inputs: Iterable[Path] = (),
+        data_extensions: tuple[str, ...] = DATA_EXTENSIONS,
     ) -> "Outputs":
         """Return the outputs once it is known that each can be written in a known format.
 
@@ -46,7 +52,7 @@ class Outputs:
             If not.
         """
         outputs = cls(
-            known_extension(data, DATA_EXTENSIONS, "data") if data is not None else None,
+            known_extension(data, data_extensions, "data") if data is not None else None,
             known_extension(figure, FIGURE_EXTENSIONS, "a figure") if figure is not None else None,
             overwrite,
         )
@@ -60,13 +66,28 @@ class Outputs:
 
     def write(self, responses: "Sequence[Response]") -> None:
         """Write the analyses into every file, or leave all files as they were."""
+        self.write_with(
+            lambda part, kind: write_data(part, responses, kind),
+            lambda part, form: write_figure(part, responses, form),
+        )
+
+    def write_with(self, data: Callable[[Path, str], None], figure: Callable[[Path, str], None]) -> None:
+        """Write every file that is wanted, or leave all files as they were.
+
+        Parameters
+        ----------
+        data
+            Writes a path as ``".nc"`` or ``".csv"``.
+        figure
+            Writes a path as ``"png"``, ``"pdf"`` or ``"svg"``.
+        """
         writers: list[Callable[[Path], None]] = []
         if self.data is not None:
             kind = self.data.suffix.lower()
-            writers.append(lambda part: write_data(part, responses, kind))
+            writers.append(lambda part: data(part, kind))
         if self.figure is not None:
             form = self.figure.suffix.lower()[1:]
-            writers.append(lambda part: write_figure(part, responses, form))
+            writers.append(lambda part: figure(part, form))
         with whole_files(self.paths, overwrite=self.overwrite) as parts:
             for writer, part in zip(writers, parts, strict=True):
                 writer(part)

@@ -7,7 +7,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from dcfp.cli import inputs, options
+from dcfp.cli.outputs import Outputs
 from dcfp.cli.parser import Parser
+from dcfp.errors import InputError
 
 if TYPE_CHECKING:
     from dcfp.record.ground_motion import GroundMotion
@@ -17,15 +19,22 @@ if TYPE_CHECKING:
 def add_arguments(parser: Parser) -> None:
     """Add the options of the command."""
     options.add_records(parser, "*", "name of a record or a file; without any, the named records are listed")
-    options.add_output(parser, data=False, figure=False)
+    options.add_output(
+        parser,
+        "the list as CSV (.csv); of records, their histories as NetCDF (.nc), or as CSV (.csv) the histories of one, "
+        "the measures of several",
+        "the histories of each RECORD as .png, .pdf or .svg",
+    )
 
 
 def run(chosen: argparse.Namespace) -> int:
     """List the named records, or describe those that are asked for."""
     names = inputs.record_names(chosen)
+    outputs = _outputs(chosen, names)
     if not names:
-        return _list_named(chosen)
+        return _list_named(chosen, outputs)
     described = [Described.of(motion) for name in names for motion in _motions(name, chosen)]
+    _write_described(described, outputs)
     if chosen.json:
         print(json.dumps([entry.row() for entry in described], indent=2, allow_nan=False))
     else:
@@ -33,6 +42,19 @@ def run(chosen: argparse.Namespace) -> int:
 
         print_described(described)
     return 0
+
+
+def _outputs(chosen: argparse.Namespace, names: list[str]) -> Outputs:
+    outputs = Outputs.checked(
+        chosen.out, chosen.plot, overwrite=chosen.overwrite, inputs=inputs.input_files(chosen)
+    )
+    if not names and outputs.figure is not None:
+        msg = "--plot draws the histories of records; name at least one RECORD."
+        raise InputError(msg)
+    if not names and outputs.data is not None and outputs.data.suffix.lower() != ".csv":
+        msg = f"{outputs.data}: the list of named records can be written as .csv; name a RECORD for its histories."
+        raise InputError(msg)
+    return outputs
 
 
 @dataclass(frozen=True)
@@ -81,13 +103,30 @@ def _motions(name: str, chosen: argparse.Namespace) -> "list[GroundMotion]":
     return [load_motion(name, chosen.component, units=chosen.units, time_step=chosen.time_step)]
 
 
-def _list_named(chosen: argparse.Namespace) -> int:
+def _write_described(described: "list[Described]", outputs: Outputs) -> None:
+    if not outputs.paths:
+        return
+    from dcfp.cli.record_files import write_histories, write_motion_figure
+
+    motions = [entry.motion for entry in described]
+    rows = [entry.row() for entry in described]
+    outputs.write_with(
+        lambda part, kind: write_histories(part, motions, rows, kind),
+        lambda part, form: write_motion_figure(part, motions, form),
+    )
+
+
+def _list_named(chosen: argparse.Namespace, outputs: Outputs) -> int:
     from dcfp.record.named import ALIASES, named_records
 
     named = named_records()
     # the paper's records first, then those of the paper that have to be supplied, then the sets in their own order
     places = [*ALIASES, *(row.name for row in named if not row.alias)]
     rows = sorted(named, key=lambda row: places.index(row.alias or row.name))
+    if outputs.data is not None:
+        from dcfp.cli.record_files import write_named
+
+        outputs.write_with(lambda part, kind: write_named(part, rows), lambda part, form: None)
     if chosen.json:
         print(json.dumps([asdict(row) for row in rows], indent=2, allow_nan=False))
     else:

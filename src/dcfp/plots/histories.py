@@ -10,6 +10,8 @@ from dcfp.plots.style import BLUE, GREY, INK, OCHRE, PALE, RED, calm_ticks, lege
 from dcfp.plots.words import millimetres
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from matplotlib.axes import Axes
 
     from dcfp.arrays import FloatArray
@@ -48,7 +50,7 @@ def plot_velocities(response: "Response", axes: "Axes | None" = None) -> "Axes":
     largest = max(
         float(np.abs(values).max()) for values in (response.ground_velocity, response.structure_velocity)
     )
-    _between_equal_limits(axes, float(quantity("velocity").factor * largest))
+    between_equal_limits(axes, float(quantity("velocity").factor * largest))
     legend_above(axes)
     return axes
 
@@ -60,7 +62,7 @@ def plot_displacement(response: "Response", axes: "Axes | None" = None) -> "Axes
     part = shown(response)
     displacement = response.displacement[part]
     axes.plot(response.time[part], displacement, color=BLUE, linewidth=line_width(response))
-    _mark_peak(axes, response.time[part], displacement)
+    mark_peak(axes, response.time[part], displacement, millimetres)
     largest = float(np.abs(displacement).max())
     capacity = response.bearing.displacement_capacity
     if capacity is not None and response.peak_displacement > _NEAR_CAPACITY * capacity:
@@ -69,7 +71,7 @@ def plot_displacement(response: "Response", axes: "Axes | None" = None) -> "Axes
         legend_above(axes)
         largest = max(largest, capacity)
     axes.set_ylabel(quantity("displacement").label)
-    _between_equal_limits(axes, largest)
+    between_equal_limits(axes, largest)
     return axes
 
 
@@ -111,20 +113,23 @@ def _history_axes(response: "Response", axes: "Axes | None") -> "Axes":
     return axes
 
 
-def _between_equal_limits(axes: "Axes", largest: float) -> None:
+def between_equal_limits(axes: "Axes", largest: float) -> None:
     """Put zero in the middle, and room beyond the largest value."""
     axes.axhline(0.0, color=GREY, linewidth=0.4, zorder=0)
     limit = 1.3 * largest if largest > 0.0 else 1.0
     axes.set_ylim(-limit, limit)
 
 
-def _mark_peak(axes: "Axes", time: "FloatArray", values: "FloatArray") -> None:
+def mark_peak(
+    axes: "Axes", time: "FloatArray", values: "FloatArray", words: "Callable[[float], str]"
+) -> None:
+    """Mark the largest value, and write its size beside it."""
     place = int(np.abs(values).argmax())
     peak = float(values[place])
     later = time[place] > time[0] + 0.75 * (time[-1] - time[0])
     axes.plot(time[place], peak, marker="o", markersize=3.0, color=INK, linestyle="none", zorder=4)
     axes.annotate(
-        millimetres(abs(peak)),
+        words(abs(peak)),
         (float(time[place]), peak),
         xytext=(-4 if later else 4, 2 if peak < 0.0 else -2),
         textcoords="offset points",

@@ -25,6 +25,9 @@ class Check:
         What a reader should know: where the tolerance comes from, the worst case, why it was skipped.
     source
         Where the expected value comes from.
+    ratio
+        Size of the difference over the largest that is allowed [-]: zero where the computed value is better by any
+        amount, None where the check was skipped or this is not a finite number.
     """
 
     group: str
@@ -37,6 +40,7 @@ class Check:
     passed: bool | None
     note: str
     source: str
+    ratio: float | None = None
 
 
 @dataclass(frozen=True)
@@ -120,7 +124,15 @@ def judge(group: str, name: str, finding: Finding) -> Check:
         passed=math.isfinite(difference) and _is_close(difference, finding),
         note=finding.note,
         source=finding.source,
+        ratio=_ratio(difference, finding),
     )
+
+
+def _ratio(difference: float, finding: Finding) -> float | None:
+    if difference == 0.0 or (finding.more_is_better and 0.0 < difference < math.inf):
+        return 0.0
+    ratio = abs(difference) / finding.limit if finding.limit > 0.0 else math.inf
+    return ratio if math.isfinite(ratio) else None
 
 
 def _is_close(difference: float, finding: Finding) -> bool:
