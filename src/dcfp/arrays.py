@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 FloatArray: TypeAlias = NDArray[np.float64]
-IntArray: TypeAlias = NDArray[np.int64]
 
 
 def freeze(array: NDArray[np.floating[Any]]) -> FloatArray:

@@ -13,14 +13,6 @@ def positive(value: float, name: str, unit: str) -> float:
     return float(value)
 
 
-def not_negative(value: float, name: str, unit: str) -> float:
-    """Return `value` as a float if it is zero or a positive number."""
-    if not _is_number(value) or not (math.isfinite(value) and value >= 0.0):
-        msg = f"The {name} must be zero or a positive number of {unit}, not {value!r}."
-        raise InputError(msg)
-    return float(value)
-
-
 def fraction(value: float, name: str) -> float:
     """Return `value` as a float if it lies above 0 and below 1."""
     if not _is_number(value) or not 0.0 < value < 1.0:
@@ -35,6 +27,13 @@ def finite(value: float, name: str, unit: str) -> float:
         msg = f"The {name} must be a number of {unit}, not {value!r}."
         raise InputError(msg)
     return float(value)
+
+
+def yes_or_no(value: object, name: str) -> None:
+    """Refuse a `value` that is neither True nor False."""
+    if not isinstance(value, bool):
+        msg = f"The switch {name} must be true or false, not {value!r}."
+        raise InputError(msg)
 
 
 def _is_number(value: object) -> bool:

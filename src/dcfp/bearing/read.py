@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any, cast
 
 from dcfp.bearing.bearing import LI_2020, Bearing
-from dcfp.bearing.friction import FrictionLaw, Li2020, friction_law
-from dcfp.bearing.heating import Heating, SimplifiedHeating, heating_model
+from dcfp.bearing.friction import FrictionLaw, friction_law
+from dcfp.bearing.heating import Heating, heating_model
 from dcfp.errors import InputError
 
 #: Kilonewton per millimetre in newton per millimetre.
@@ -98,7 +98,11 @@ def _bearing(content: Mapping[str, Any], where: str) -> Bearing:
         pressure=content.get("pressure", LI_2020.pressure),
         elastic_stiffness=kilonewton(stiffness),
         displacement_capacity=content.get("capacity", LI_2020.displacement_capacity if same_plates else None),
-        capacity_note=str(content.get("capacity_note", "")),
+        capacity_note=str(
+            content.get(
+                "capacity_note", LI_2020.capacity_note if same_plates and "capacity" not in content else ""
+            )
+        ),
         name=str(content.get("name", Path(where).stem)),
     )
 
@@ -112,14 +116,10 @@ def kilonewton(stiffness: object) -> float:
 
 
 def _friction(table: dict[str, Any]) -> FrictionLaw:
-    if not table:
-        return Li2020()
     law = table.pop("law", "li2020")
     return friction_law(str(law), table)
 
 
 def _heating(table: dict[str, Any]) -> Heating:
-    if not table:
-        return SimplifiedHeating()
     model = table.pop("model", "simplified")
     return heating_model(str(model), **table)

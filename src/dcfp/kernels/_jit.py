@@ -110,27 +110,18 @@ def _keep(compiled: Any, folder: str) -> None:
         compiled._cache = store
 
 
-def _compile(function: Callable[P, R], *, reassociate: bool) -> Callable[P, R]:
+def kernel(function: Callable[P, R]) -> Callable[P, R]:
+    """Compile `function` on its first call; keep the result for later processes where a folder allows it.
+
+    A kernel works on numbers and on arrays that it is given; it cannot make an array.
+    """
     compiled = njit(
         nogil=True,
         error_model="numpy",  # a division by zero is an infinity, not a branch in every division
-        fastmath={"contract", "reassoc", "nsz"} if reassociate else {"contract"},
+        fastmath={"contract"},  # a multiplication and an addition may be one instruction
         forceinline=True,  # a call with structures as arguments costs more than most kernels do
         _nrt=False,  # no reference counts: kernels neither make nor keep arrays, and atomic counting took 3/4 of the time
     )(function)
     if is_jitted(compiled) and (folder := cache_folder()):  # not jitted: NUMBA_DISABLE_JIT is set
         _keep(compiled, folder)
     return compiled
-
-
-def kernel(function: Callable[P, R]) -> Callable[P, R]:
-    """Compile `function` on its first call; keep the result for later processes where a folder allows it.
-
-    A kernel works on numbers and on arrays that it is given; it cannot make an array.
-    """
-    return _compile(function, reassociate=False)
-
-
-def reassociating_kernel(function: Callable[P, R]) -> Callable[P, R]:
-    """Like `kernel`, with leave to add terms in any order: for sums over an array, which then use all lanes."""
-    return _compile(function, reassociate=True)

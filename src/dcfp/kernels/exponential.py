@@ -1,7 +1,7 @@
 """The exponential of a negative number, in line.
 
 A call into the mathematical library waits for itself and makes the compiled code put aside all that it has at hand; in
-the march, where each step waits for a coefficient of friction, that is a tenth of the time.
+the march, where each step waits for a coefficient of friction, that is a twentieth of the time.
 """
 
 import math

@@ -8,12 +8,11 @@ the common modes) and a part in the open (kept as it is), both summed over their
 cells long, so both edges are at the same place in their cells.
 """
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
-from dcfp.kernels._jit import kernel, reassociating_kernel
+from dcfp.kernels._jit import kernel
+from dcfp.kernels.exponential import fading
 from dcfp.kernels.heat_state import (
     COMMON,
     COVERED,
@@ -158,7 +157,7 @@ def _take_in_hand(heat: Heat, plate: int, cell: int, row: int, other_row: int, t
         heat.bank[other_row, j] = 0.0
 
 
-@reassociating_kernel
+@kernel
 def write_profile(heat: Heat, plate: int, time: float, flux: float, rises: NDArray[np.float64]) -> None:
     """Write the temperature rise [degC] of every cell of a plate at `time` [s] under `flux` [N/(mm s)] into `rises`."""
     bank, notes = heat.bank, heat.notes
@@ -171,7 +170,7 @@ def write_profile(heat: Heat, plate: int, time: float, flux: float, rises: NDArr
         elapsed = time - heat.cells[plate, n, MODES]
         rise = 0.0
         for j in range(MODES):
-            rise += math.exp(-bank[RATES, j] * elapsed) * heat.cells[plate, n, j]
+            rise += fading(bank[RATES, j] * elapsed) * heat.cells[plate, n, j]
         rise /= heat.cell
         rises[n] = rise + under if left < n < right else rise
     covered = notes[entry + COVERED]

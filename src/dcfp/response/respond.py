@@ -3,7 +3,6 @@
 import math
 import time
 from dataclasses import dataclass, replace
-from functools import cache
 
 import numpy as np
 
@@ -11,7 +10,7 @@ from dcfp.arrays import FloatArray, freeze
 from dcfp.bearing import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating
 from dcfp.errors import AnalysisError, InputError
 from dcfp.kernels import march as m
-from dcfp.kernels.friction import Law, mean_coefficient
+from dcfp.kernels.friction import ExponentialLaw, Law, mean_coefficient
 from dcfp.kernels.heat_state import FINEST_LEVEL, NO_HEATING, PRESENT, RATIO, Heat
 from dcfp.kernels.march import AT_REST, NO_PROGRESS, OUT_OF_CELLS, TEMPERATURE, march
 from dcfp.kernels.motion import Structure
@@ -24,6 +23,8 @@ from dcfp.response.response import Histories, Profiles, Response, Settings
 TOLERANCE = 0.02
 #: Longest step of sliding [s], whatever the record's own: peaks are looked for at the ends of steps.
 LONGEST_STEP = 0.01
+#: Laws, or kinds of laws, for which the kernels are at hand.
+_compiled: set[object] = set()
 #: Longest free motion after the record that is waited for [s].
 LONGEST_TAIL = 120.0
 
@@ -100,7 +101,7 @@ def respond(
     acceleration = _refined(_with_tail(motion, settings.tail), parts)
     # from one sample of the record after its last, where the ground has stopped accelerating
     free_from = motion.acceleration.size * parts if tail is None else acceleration.size
-    _compile_for(type(law), structure, law)
+    _compile_for(law, structure)
     model = (bearing, friction, heating)
     first = state_at_rest(*model) if start is None else start
     if first.model != model:
@@ -181,10 +182,12 @@ def _ground_velocity(acceleration: FloatArray, interval: float) -> FloatArray:
     return velocity
 
 
-@cache
-def _compile_for(kind: type, structure: Structure, law: Law) -> None:
+def _compile_for(law: Law, structure: Structure) -> None:
     """Have the kernels compiled or loaded, so that the time of an analysis is its own."""
-    del kind
+    kind = type(law) if isinstance(law, ExponentialLaw) else law
+    if kind in _compiled:
+        return
+    _compiled.add(kind)
     state = state_at_rest(LI_2020, Li2020(), SimplifiedHeating())
     heat = heat_of(state)._replace(kind=NO_HEATING)
     lines = np.zeros((2, TEMPERATURE + structure.plates))

@@ -1,4 +1,4 @@
-"""A plain explicit integration in very small steps, which has nothing in common with the event-driven kernels.
+"""A plain explicit integration in very small steps, which has nothing in common with the event-driven kernels but the modes of the heat.
 
 Spring (b) is an elastoplastic spring that is cut back to the yield surface after every step; speed, temperature and
 friction are those of the step before. Its error is of first order, and its steps are so small that this does not matter.

@@ -20,7 +20,7 @@ def run_checks(full: bool = False, report: Callable[[Check], None] | None = None
     Parameters
     ----------
     full
-        Also make those that take minutes.
+        Also make those that take longer.
     report
         Called with each check as soon as it is made.
     """

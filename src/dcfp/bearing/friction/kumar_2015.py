@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
-from dcfp.bearing.checks import fraction, positive
+from dcfp.bearing.checks import fraction, positive, yes_or_no
 from dcfp.bearing.friction import li_2020
 from dcfp.bearing.friction.law import FrictionLaw
 from dcfp.bearing.friction.temperature_law import TemperatureLaw
@@ -67,6 +67,8 @@ class Kumar2015(FrictionLaw):
     def __post_init__(self) -> None:
         fraction(self.mu_reference, "reference coefficient of friction")
         positive(self.reference_pressure, "reference pressure", "N/mm2")
+        for effect in ("pressure", "velocity", "temperature"):
+            yes_or_no(getattr(self, f"{effect}_dependent"), f"{effect}_dependent")
 
     @property
     def reference(self) -> float:

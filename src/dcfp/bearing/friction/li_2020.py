@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
-from dcfp.bearing.checks import fraction
+from dcfp.bearing.checks import fraction, yes_or_no
 from dcfp.bearing.friction.law import FrictionLaw
 from dcfp.kernels.friction import ExponentialLaw
 
@@ -74,6 +74,8 @@ class Li2020(FrictionLaw):
 
     def __post_init__(self) -> None:
         fraction(self.mu_0, "coefficient of friction mu_0")
+        for effect in ("pressure", "velocity", "temperature"):
+            yes_or_no(getattr(self, f"{effect}_dependent"), f"{effect}_dependent")
 
     @property
     def reference(self) -> float:
