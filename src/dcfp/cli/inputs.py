@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from dcfp.record.ground_motion import GroundMotion
 
 _KILO = 1000.0
+#: Velocity at the end over PGV above which the PGV is that of the baseline [-].
+_LARGEST_DRIFT = 0.5
 
 
 def record_names(options: argparse.Namespace) -> list[str]:
@@ -46,7 +48,21 @@ def scaled(motions: "list[GroundMotion]", pgvs: list[float] | None) -> "list[Gro
     """Return every motion at every PGV [m/s]."""
     if pgvs is None:
         return motions
+    for motion in motions:
+        _refuse_to_scale_a_drift(motion)
     return [motion.scaled_to_pgv(pgv * _KILO) for motion in motions for pgv in pgvs]
+
+
+def _refuse_to_scale_a_drift(motion: "GroundMotion") -> None:
+    from dcfp.record.measures import baseline_drift
+
+    drift = baseline_drift(motion)
+    if drift > _LARGEST_DRIFT:
+        msg = (
+            f"{motion.name}: the ground still moves at {100.0 * drift:.0f} % of its PGV at the end, so scaling to a PGV would"
+            " scale its baseline; treat the record with --high-pass 0.05 or --baseline."
+        )
+        raise InputError(msg)
 
 
 def _treated(motion: "GroundMotion", options: argparse.Namespace) -> "GroundMotion":
@@ -91,7 +107,9 @@ def _bearing(base: "Bearing", options: argparse.Namespace) -> "Bearing":
         changes["radii"] = tuple(options.radius if len(options.radius) == 2 else options.radius * 2)
     if options.slider is not None:
         changes["slider_diameter"] = options.slider
-    if changes:  # the capacity belongs to the plates
+    if (
+        changes and options.bearing is None
+    ):  # the paper's capacity belongs to its plates; a file's is its user's
         changes |= {"displacement_capacity": None, "capacity_note": ""}
     if options.pressure is not None:
         changes["pressure"] = options.pressure

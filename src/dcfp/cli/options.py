@@ -23,7 +23,7 @@ def add_treatment(parser: Parser) -> None:
     group.add_argument(
         "--pgv",
         action=Numbers,
-        check=positive("m/s"),
+        check=positive("m/s", 1e-3, 20.0),
         metavar="M_PER_S",
         help="scale each record to these PGVs; without it a record is used as it is",
     )
@@ -51,21 +51,36 @@ def add_bearing(parser: Parser) -> None:
     group.add_argument(
         "--radius",
         action=Numbers,
-        check=positive("mm"),
+        check=positive("mm", 100.0, 1e6),
         most=2,
         metavar="MM",
-        help="effective radius of both plates, or of the lower and the upper one [mm]",
-    )
-    group.add_argument("--slider", type=positive("mm"), metavar="MM", help="diameter of the slider [mm]")
-    group.add_argument(
-        "--pressure", type=positive("N/mm2"), metavar="N_PER_MM2", help="pressure on the slider"
+        help="effective radius of both plates, or of the lower and the upper one [mm]; default 4500",
     )
     group.add_argument(
-        "--stiffness", type=positive("kN/mm"), metavar="KN_PER_MM", help="stiffness before sliding"
+        "--slider",
+        type=positive("mm", 10.0, 1e4),
+        metavar="MM",
+        help="diameter of the slider [mm]; default 400",
     )
-    group.add_argument("--capacity", type=positive("mm"), metavar="MM", help="displacement capacity [mm]")
     group.add_argument(
-        "--friction", metavar="NAME", help="friction law: li2020 (default), constant, kumar2015, ..."
+        "--pressure",
+        type=positive("N/mm2", 0.1, 1000.0),
+        metavar="N_PER_MM2",
+        help="pressure on the slider [N/mm2]; default 60",
+    )
+    group.add_argument(
+        "--stiffness",
+        type=positive("kN/mm", 1.0, 1e6),
+        metavar="KN_PER_MM",
+        help="stiffness before sliding [kN/mm]; default 1900",
+    )
+    group.add_argument(
+        "--capacity", type=positive("mm", 1.0, 1e5), metavar="MM", help="displacement capacity [mm]"
+    )
+    group.add_argument(
+        "--friction",
+        metavar="NAME",
+        help="friction law: li2020 (default), constant, constantinou1990, kumar2015, kim2023-third or kim2023-two-thirds",
     )
     group.add_argument(
         "--mu", type=fraction(), metavar="VALUE", help="reference coefficient of the friction law [-]"
@@ -74,7 +89,10 @@ def add_bearing(parser: Parser) -> None:
         "--heating", metavar="NAME", help="heating model: simplified (default), precise or none"
     )
     group.add_argument(
-        "--ambient", type=any_number("degC"), metavar="DEGC", help="temperature at the start [degC]"
+        "--ambient",
+        type=any_number("degC", -60.0, 200.0),
+        metavar="DEGC",
+        help="temperature at the start [degC]; default 20",
     )
 
 
@@ -82,11 +100,14 @@ def add_integration(parser: Parser) -> None:
     """Add how finely and how far the analysis goes."""
     group = parser.add_argument_group("integration")
     group.add_argument(
-        "--step", type=positive("s"), metavar="S", help="longest step [s]; by default the record's"
+        "--step",
+        type=positive("s"),
+        metavar="S",
+        help="longest step [s]; by default the record's, at most 0.01 while sliding",
     )
     group.add_argument(
         "--tail",
-        type=not_negative("s"),
+        type=not_negative("s", 3600.0),
         metavar="S",
         help="time after the record [s]; by default until it rests",
     )
@@ -94,13 +115,13 @@ def add_integration(parser: Parser) -> None:
         "--tolerance",
         type=fraction(),
         metavar="VALUE",
-        help="of the coefficient of friction in a step, relative [-]",
+        help="largest change of the friction coefficient off its chord in a step, relative [-]; default 0.02",
     )
 
 
 def add_output(
     parser: Parser,
-    data: str = "results as NetCDF (.nc) or CSV (.csv)",
+    data: str = "results as NetCDF (.nc) or CSV (.csv); of several analyses a CSV holds the peaks only",
     figure: str = "a figure as .png, .pdf or .svg",
 ) -> None:
     """Add where results go; `data` and `figure` are the words of the help."""

@@ -74,19 +74,26 @@ class Numbers(argparse.Action):
         namespace.later_records = later
 
 
-def positive(unit: str) -> Callable[[str], float]:
-    """Return a type for a positive number of `unit`."""
-    return _number(f"must be a positive number of {unit}", lambda value: value > 0.0)
+def positive(unit: str, least: float = 0.0, most: float = math.inf) -> Callable[[str], float]:
+    """Return a type for a positive number of `unit`, within limits that a wrong unit would pass."""
+    limits = f" from {least:g} to {most:g}" if math.isfinite(most) else ""
+    return _number(
+        f"must be a positive number of {unit}{limits}", lambda value: value > 0.0 and least <= value <= most
+    )
 
 
-def not_negative(unit: str) -> Callable[[str], float]:
-    """Return a type for zero or a positive number of `unit`."""
-    return _number(f"must be zero or a positive number of {unit}", lambda value: value >= 0.0)
+def not_negative(unit: str, most: float) -> Callable[[str], float]:
+    """Return a type for zero or a positive number of `unit`, up to `most`."""
+    return _number(
+        f"must be zero or a positive number of {unit} up to {most:g}", lambda value: 0.0 <= value <= most
+    )
 
 
-def any_number(unit: str) -> Callable[[str], float]:
-    """Return a type for a number of `unit`."""
-    return _number(f"must be a number of {unit}", lambda value: True)
+def any_number(unit: str, least: float, most: float) -> Callable[[str], float]:
+    """Return a type for a number of `unit` between limits."""
+    return _number(
+        f"must be a number of {unit} from {least:g} to {most:g}", lambda value: least <= value <= most
+    )
 
 
 def fraction() -> Callable[[str], float]:

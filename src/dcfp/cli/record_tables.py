@@ -25,7 +25,7 @@ def print_named(rows: "Sequence[NamedRecord]") -> None:
             [
                 row.alias or row.name,
                 row.name if row.alias else "",
-                _shown(row.time_step, 1.0, ".3f"),
+                _shown(row.time_step, 1.0, "g"),
                 _shown(row.duration, 1.0, ".1f"),
                 _shown(row.peak_acceleration, 1.0 / STANDARD_GRAVITY, ".3f"),
                 _shown(row.peak_velocity, 1e-3, ".3f"),

@@ -116,7 +116,7 @@ def baseline_warning(motion: GroundMotion) -> str | None:
     return (
         f"{motion.name}: the ground still moves at {100.0 * drift:.0f} % of PGV at the end of the record, "
         "which suggests an untreated baseline; its PGV and displacement are then not those of the ground "
-        "(see dcfp.record.treatment)."
+        "(--high-pass or --baseline, dcfp.record.treatment)."
     )
 
 
