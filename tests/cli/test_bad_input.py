@@ -164,3 +164,32 @@ def test_a_figure_that_fails_takes_the_data_with_it(run, tmp_path: Path, monkeyp
         run("respond", "NCC", "--out", tmp_path / "r.nc", "--plot", tmp_path / "r.png"), "No space left"
     )
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("option", "value"),
+    [
+        ("--pgv", "500"),
+        ("--pressure", "60e6"),
+        ("--slider", "0.4"),
+        ("--radius", "4.5"),
+        ("--stiffness", "1.9e9"),
+        ("--ambient", "-300"),
+        ("--tail", "1e9"),
+    ],
+)
+def test_a_number_in_the_wrong_unit_is_refused(run, option: str, value: str) -> None:
+    is_refused(run("respond", "NCC", option, value), option, value)
+
+
+def test_a_record_that_drifts_is_not_scaled_to_a_pgv(run, drifting: Path) -> None:
+    words = ("respond", drifting, "--units", "m/s2", "--pgv", "0.5")
+    is_refused(run(*words), "--high-pass", "--baseline")
+    assert run(*words, "--baseline").status == 0
+
+
+def test_the_capacity_of_a_bearing_file_stays(run, tmp_path: Path) -> None:
+    bearing = tmp_path / "own.toml"
+    bearing.write_text("radius = 4000\ncapacity = 50\n")
+    outcome = run("respond", "NCC", "--pgv", "0.5", "--bearing", bearing, "--slider", "350", "--json")
+    assert '"beyond capacity"' in outcome.out
