@@ -21,7 +21,8 @@ class UserFriction(FrictionLaw):
     function
         Of pressure [N/mm2], relative speed of the plates, zero or more [mm/s], and temperature of the
         contact [degC]; returns the coefficient of friction [-]. Either a plain function or one that
-        is already under ``numba.njit``. The kernels are compiled once more for it (several seconds, once per process).
+        is already under ``numba.njit``. It should be continuous: where it jumps, the yield force jumps under spring (b), and the
+        hysteretic energy can fall there. The kernels are compiled once more for it (several seconds, once per process).
     label
         What to call it in results.
     """
