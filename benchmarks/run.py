@@ -5,17 +5,11 @@ import json
 import os
 import sys
 import warnings
-from pathlib import Path
+
+from figure import Figure, table
 
 for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS"):
-    os.environ[variable] = "1"  # before anything reads them
-
-try:
-    import dcfp  # noqa: F401
-except ImportError:
-    sys.path.insert(0, str(Path(__file__).parents[1] / "src"))
-
-from figure import Figure, table  # noqa: E402
+    os.environ[variable] = "1"  # read when the parts import numpy
 
 PARTS = ("opensees", "handwritten", "heating", "length", "startup")
 

@@ -72,7 +72,7 @@ def summary_dataset(responses: "Sequence[Response]") -> xarray.Dataset:
         attrs={
             "Conventions": "CF-1.11",
             "title": "Peaks of several response history analyses; the histories are in a group for each",
-            "source": str(responses[0].to_dataset().attrs["source"]),
+            "source": f"dcfp {version()}",
         },
     )
 

@@ -144,7 +144,8 @@ def test_a_failed_analysis_leaves_the_old_files(run, tmp_path: Path, monkeypatch
     from dcfp.errors import AnalysisError
 
     def fail(*_: object, **__: object) -> None:
-        raise AnalysisError("it makes no progress.")  # noqa: EM101
+        msg = "it makes no progress."
+        raise AnalysisError(msg)
 
     monkeypatch.setattr("dcfp.response.respond", fail)
     old = tmp_path / "r.nc"
