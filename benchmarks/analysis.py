@@ -8,10 +8,11 @@ import numpy as np
 from stopwatch import once
 
 from dcfp.bearing import Bearing, FrictionLaw, Heating, SimplifiedHeating
+from dcfp.bearing.plates import structure_of
 from dcfp.kernels.march import PEAK_DISPLACEMENT, STEPS, TEMPERATURE, march
 from dcfp.record.ground_motion import GroundMotion
 from dcfp.record.load import load_motion
-from dcfp.response.kernel_input import State, heat_of, state_at_rest, structure_of
+from dcfp.response.kernel_input import State, heat_of, state_at_rest
 from dcfp.response.respond import LONGEST_STEP, TOLERANCE
 
 if TYPE_CHECKING:

@@ -55,7 +55,7 @@ def test_constantinou_1990_goes_from_slow_to_fast():
 @given(pressure=st.floats(5.0, 120.0), speed=st.floats(0.0, 2e3), temperature=st.floats(-20.0, 400.0))
 def test_compiled_and_array_forms_agree(name, pressure, speed, temperature):
     law = friction_law(name)
-    compiled = coefficient(law.at_pressure(pressure), pressure, speed, temperature)
+    compiled = coefficient(law.at_pressure(pressure), pressure, speed, temperature, 0.0)
     assert compiled == pytest.approx(float(law.coefficient(pressure, speed, temperature)), rel=1e-12)
 
 
@@ -69,7 +69,9 @@ def test_each_factor_can_be_switched_off(law, factor):
     assert float(off.coefficient(*arguments)) * float(removed) == pytest.approx(
         float(law().coefficient(*arguments))
     )
-    assert coefficient(off.at_pressure(35.0), *arguments) == pytest.approx(float(off.coefficient(*arguments)))
+    assert coefficient(off.at_pressure(35.0), *arguments, 0.0) == pytest.approx(
+        float(off.coefficient(*arguments))
+    )
 
 
 def test_coefficients_broadcast():

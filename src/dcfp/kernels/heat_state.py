@@ -29,10 +29,12 @@ BANK_ROWS = STEP_ROW + STEP_ROWS * (ODD_LENGTH + 1)
 
 # notes: temperatures of up to two plates now, expected at the end of a step, and in between
 PRESENT, EXPECTED, BETWEEN = 0, 2, 4
+# so many entries after each temperature the dose of rubbing, the integral of p v2 over time [N/s], for laws that wear off with it
+DOSE = 6
 # the coefficient of each of two plates over that of the bearing
-RATIO = 6
+RATIO = 12
 # then for each plate: covered width of the right edge cell [mm], position of the slider [mm], left edge cell
-PLATE_NOTE, PLATE_NOTES = 8, 3
+PLATE_NOTE, PLATE_NOTES = 14, 3
 COVERED, POSITION, LEFT_CELL = range(3)
 # then for each prepared step: its length [s], negative if it can only cool, and the sums of its weights
 STEP_NOTE, STEP_NOTES = PLATE_NOTE + 2 * PLATE_NOTES, 3

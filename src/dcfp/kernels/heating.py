@@ -11,6 +11,7 @@ from dcfp.kernels import plate
 from dcfp.kernels._jit import kernel
 from dcfp.kernels.heat_state import (
     COMMON,
+    DOSE,
     EXPECTED,
     INSIDE,
     LINE,
@@ -28,7 +29,7 @@ from dcfp.kernels.heat_state import (
     Heat,
 )
 from dcfp.kernels.memory import faded_total, feed, fill_fade, fill_weights, let_fade, total
-from dcfp.kernels.motion import Structure, share
+from dcfp.kernels.motion import Structure, share, speed_factor
 
 
 @kernel
@@ -69,11 +70,13 @@ def expect(
     travel: float,
     flux_start: float,
     flux_end: float,
+    rubbing: float,
 ) -> None:
-    """Note the temperatures to expect at the end of a step, without taking it.
+    """Note the temperatures and doses to expect at the end of a step, without taking it.
 
     `displacement` [mm] is in the middle of the step and `travel` [mm] over it; fluxes are mu p |v|
-    [N/(mm s)], of which a plate gets its share, in the ratio of its coefficient to the mean.
+    [N/(mm s)], of which a plate gets its share, in the ratio of its coefficient to the mean; `rubbing` is p v2 over
+    the step at the relative speed [N/s].
     """
     notes, bank = heat.notes, heat.bank
     fade, entry = STEP_ROW + STEP_ROWS * place, STEP_NOTE + STEP_NOTES * place
@@ -94,6 +97,7 @@ def expect(
                 inside = faded_total(bank, fade, first + INSIDE)
                 rise += (inside + swept) / (2.0 * heat.half_contact)
         notes[EXPECTED + i] = rise
+        notes[EXPECTED + DOSE + i] = notes[PRESENT + DOSE + i] + speed_factor(structure, i) ** 2 * rubbing
 
 
 @kernel
@@ -108,14 +112,17 @@ def expect_cooling(heat: Heat, structure: Structure, place: int) -> None:
             if heat.kind == LINE:
                 rise += faded_total(heat.bank, fade, first + INSIDE) / (2.0 * heat.half_contact)
         heat.notes[EXPECTED + i] = heat.ambient + rise
+        heat.notes[EXPECTED + DOSE + i] = heat.notes[PRESENT + DOSE + i]
 
 
 @kernel
 def mix(heat: Heat, structure: Structure, part: float, entry: int) -> None:
-    """Note at `entry` the temperatures at a `part` of the way from the present to the expected ones."""
+    """Note at `entry` the temperatures and doses at a `part` of the way from the present to the expected ones."""
     notes = heat.notes
     for i in range(structure.plates):
-        notes[entry + i] = notes[PRESENT + i] + part * (notes[EXPECTED + i] - notes[PRESENT + i])
+        for quantity in (0, DOSE):
+            present = notes[PRESENT + quantity + i]
+            notes[entry + quantity + i] = present + part * (notes[EXPECTED + quantity + i] - present)
 
 
 @kernel
@@ -130,12 +137,15 @@ def heat_up(
     flux_start: float,
     flux_end: float,
     flux_now: float,
+    rubbing: float,
 ) -> bool:
     """Take a sliding step of `length` [s] to `time` [s] and `displacement` [mm]; return False where the cells end.
 
     `middle` [mm] is the displacement inside the step, from which contact with the centre is judged. Over the step the flux
-    is as if it went linearly from `flux_start` to `flux_end`; `flux_now` is what it is at the end [N/(mm s)].
+    is as if it went linearly from `flux_start` to `flux_end`; `flux_now` is what it is at the end [N/(mm s)]; `rubbing` as in `expect`.
     """
+    for i in range(structure.plates):
+        heat.notes[PRESENT + DOSE + i] += speed_factor(structure, i) ** 2 * rubbing
     if heat.kind == NO_HEATING:
         return True
     fade = STEP_ROW + STEP_ROWS * place
@@ -171,3 +181,16 @@ def cool_down(heat: Heat, structure: Structure, place: int) -> None:
             plate.fade_edges(heat, fade, i)
             rise += let_fade(heat.bank, fade, first + INSIDE) / (2.0 * heat.half_contact)
         heat.notes[PRESENT + i] = heat.ambient + rise
+
+
+@kernel
+def place_slider(heat: Heat, structure: Structure, time: float, displacement: float) -> bool:
+    """Move the slider to a displacement [mm] without friction, at a time [s]; return False where the cells end."""
+    fits = True
+    if heat.kind != LINE:
+        return fits
+    for i in range(structure.plates):
+        fits = plate.sweep_to(heat, i, time, share(structure, i) * displacement) and fits
+        rise = total(heat.bank, PLATE_ROW + i * PLATE_ROWS + COMMON) + plate.mean_difference(heat, i)
+        heat.notes[PRESENT + i] = heat.ambient + rise
+    return fits

@@ -27,10 +27,12 @@ RATE_RATIO = 2.0**1.5
 MODES = 16
 #: What a fading mode keeps [degC]: a processor takes fifty times as long to reckon with the smallest numbers there are.
 _TRACE = 1e-100
+#: Time within which the slowest mode hardly fades, unless another is asked for [s].
+HORIZON = 100.0
 
 
 @cache
-def fading_modes(horizon: float = 100.0) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
+def fading_modes(horizon: float = HORIZON) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
     """Return rates [1/s] (slowest first), weights [s^-1/2] and the instant weight [s^1/2] for 1/sqrt(tau).
 
     The slowest mode hardly fades within the `horizon` [s]. For the default one the fastest lives 0.8 milliseconds, and the

@@ -62,3 +62,9 @@ class Advance(NamedTuple):
 def share(structure: Structure, plate: int) -> float:
     """Share of the relative travel that a plate takes [-]."""
     return structure.first_share if plate == 0 else structure.second_share
+
+
+@kernel
+def speed_factor(structure: Structure, plate: int) -> float:
+    """Speed in the friction law on a plate over the relative speed [-]."""
+    return structure.first_speed if plate == 0 else structure.second_speed

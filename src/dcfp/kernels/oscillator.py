@@ -79,3 +79,13 @@ def work(constant: float, rate: float, curvature: float, step: float, swung: Swi
     first = h * dy - swung.area
     second = h * h * dy - 2.0 * h * swung.area + 2.0 * swung.moment
     return constant * dy + rate * first + curvature * second
+
+
+@kernel
+def squared_speed(step: float, start: float, end: float, displacement: float) -> float:
+    """Integral of the squared velocity over a step [mm2/s], by Simpson's rule.
+
+    `start` and `end` velocity [mm/s]; the one in the middle is that of a cubic displacement.
+    """
+    middle = 1.5 * displacement / step - 0.25 * (start + end)
+    return step / 6.0 * (start * start + 4.0 * middle * middle + end * end)

@@ -11,7 +11,7 @@ from dcfp.kernels.friction import Law, mean_coefficient, note_ratios
 from dcfp.kernels.heat_state import BETWEEN, EXPECTED, FINEST_LEVEL, ODD_LENGTH, POINT, RATIO, Heat
 from dcfp.kernels.heating import expect, heat_up, mix, prepare
 from dcfp.kernels.motion import Advance, Motion, Push, Structure, share
-from dcfp.kernels.oscillator import swing, work
+from dcfp.kernels.oscillator import squared_speed, swing, work
 
 #: Length of a step over the sample interval, by level.
 HALVES = tuple(0.5**n for n in range(FINEST_LEVEL + 1))
@@ -44,7 +44,7 @@ def slide_step(
 
     while True:
         regular = interval * HALVES[level]
-        length = _next_length(regular, room)
+        length = next_length(regular, room)
         turns = False
         turn = _turning_time(v, start, jerk, length)
         if turn < 1e-12 * regular:  # it moves no more
@@ -63,7 +63,8 @@ def slide_step(
         opening = flux * abs(v)
         closing = opening + (flux * speed - opening) / part
         prepare(heat, level, regular)
-        expect(heat, structure, level, y + 0.5 * travel, travel / part, opening, closing)
+        rubbing = structure.pressure * travel * travel / (length * part)
+        expect(heat, structure, level, y + 0.5 * travel, travel / part, opening, closing, rubbing)
         if part != 1.0:
             mix(heat, structure, part, EXPECTED)
         last = mean_coefficient(law, structure, speed, heat.notes, EXPECTED)
@@ -124,6 +125,7 @@ def slide_step(
         opening + missing,
         closing + missing,
         closing,
+        structure.pressure * squared_speed(length, v, speed, swung.displacement),
     )
     stored = 0.5 * structure.elastic * (reach * reach - motion.elongation * motion.elongation)
     advance = Advance(
@@ -139,7 +141,7 @@ def slide_step(
 
 
 @kernel
-def _next_length(length: float, room: float) -> float:
+def next_length(length: float, room: float) -> float:
     """Length of the next step: never a sliver at the end of the room."""
     if room <= length * (1.0 + 1e-9):
         return length if abs(room - length) < 1e-9 * length else room

@@ -8,16 +8,17 @@ import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.bearing import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating
+from dcfp.bearing.plates import structure_of
+from dcfp.bearing.profiles import Profiles, profile_now
 from dcfp.errors import AnalysisError, InputError
 from dcfp.kernels import march as m
 from dcfp.kernels.friction import ExponentialLaw, Law, mean_coefficient
-from dcfp.kernels.heat_state import FINEST_LEVEL, NO_HEATING, PRESENT, RATIO, Heat
+from dcfp.kernels.heat_state import FINEST_LEVEL, NO_HEATING, PRESENT
 from dcfp.kernels.march import AT_REST, NO_PROGRESS, OUT_OF_CELLS, TEMPERATURE, march
 from dcfp.kernels.motion import Structure
-from dcfp.kernels.plate import write_profile
 from dcfp.record.ground_motion import GroundMotion
-from dcfp.response.kernel_input import State, heat_of, state_at_rest, structure_of
-from dcfp.response.response import Histories, Profiles, Response, Settings
+from dcfp.response.kernel_input import State, heat_of, state_at_rest
+from dcfp.response.response import Histories, Response, Settings
 
 #: Default of `Settings.tolerance`.
 TOLERANCE = 0.02
@@ -111,7 +112,7 @@ def respond(
     while run is None:
         run = _march(law, structure, first.copy(), acceleration, interval, free_from, settings)
         if run is None:  # the slider left the line of cells
-            first = first.with_room(first.cells.shape[1])
+            first = first.with_room(first.plates.cells.shape[1])
     samples = run.done + 1
     ground = first.ground_velocity + _ground_velocity(acceleration[:samples], interval)
     lines = run.lines[:samples]
@@ -235,7 +236,11 @@ def _march(
             )
             raise AnalysisError(msg)
         if settings.profile_every is not None:
-            profiles.append((done * interval, _profile(heat, structure, state, lines[done])))
+            flux = structure.pressure * abs(
+                lines[done, m.SIDE] * lines[done, m.FRICTION] * lines[done, m.VELOCITY]
+            )
+            now = float(state.march[m.STATE_TIME])
+            profiles.append((done * interval, profile_now(heat, structure, now, flux)))
         if status == AT_REST:
             break
     return _Run(state, lines, profiles, done, rests, time.perf_counter() - began)
@@ -249,20 +254,8 @@ def _first_line(law: Law, state: State, structure: Structure) -> FloatArray:
     line[m.SIDE] = state.march[m.STATE_SIDE]
     line[m.INPUT] = state.march[m.STATE_INPUT]
     line[m.HYSTERETIC] = state.march[m.STATE_HYSTERETIC]
-    line[m.FRICTION] = mean_coefficient(law, structure, abs(line[m.VELOCITY]), state.notes, PRESENT)
+    line[m.FRICTION] = mean_coefficient(law, structure, abs(line[m.VELOCITY]), state.plates.notes, PRESENT)
     if line[m.SIDE] != 0.0:
         line[m.FRICTION] = abs(line[m.ELONGATION]) / structure.reach
-    line[TEMPERATURE:] = state.notes[PRESENT : PRESENT + structure.plates]
+    line[TEMPERATURE:] = state.plates.temperature
     return line
-
-
-def _profile(heat: Heat, structure: Structure, state: State, line: FloatArray) -> FloatArray:
-    rises = np.zeros((structure.plates, heat.cells.shape[1]))
-    shares = (structure.first_share, structure.second_share)
-    for i in range(structure.plates):
-        flux = (
-            shares[i] * state.notes[RATIO + i] * structure.pressure * line[m.FRICTION] * abs(line[m.VELOCITY])
-        )
-        flux = flux if line[m.SIDE] != 0.0 else 0.0
-        write_profile(heat, i, state.march[m.STATE_TIME], flux, rises[i])
-    return rises + heat.ambient

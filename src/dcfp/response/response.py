@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dcfp.arrays import FloatArray, freeze
+from dcfp.arrays import FloatArray
 from dcfp.bearing import Bearing, FrictionLaw, Heating
+from dcfp.bearing.profiles import Profiles
 from dcfp.kernels import march as m
 from dcfp.record.ground_motion import GroundMotion
 from dcfp.response.energy import EnergyBalance, equivalent_velocity
-from dcfp.response.kernel_input import State, cell_width
+from dcfp.response.kernel_input import State
 from dcfp.response.status import Status
 from dcfp.response.validity import validity_remarks
 
@@ -38,34 +39,6 @@ class Histories:
     ground_acceleration: FloatArray
     ground_velocity: FloatArray
     lines: FloatArray
-
-
-@dataclass(frozen=True)
-class Profiles:
-    """Temperature along the plates.
-
-    Attributes
-    ----------
-    time
-        [s], shape (times,).
-    position
-        Of the middle of each cell, from the centre of the plate [mm], shape (cells,).
-    temperature
-        [degC], shape (times, plates, cells).
-    """
-
-    time: FloatArray
-    position: FloatArray
-    temperature: FloatArray
-
-    @classmethod
-    def of(cls, kept: list[tuple[float, FloatArray]], bearing: Bearing, heating: Heating) -> "Profiles":
-        """Return the profiles that a march kept."""
-        temperature = np.stack([profile for _, profile in kept])
-        cells = int(temperature.shape[-1])
-        # the last cell is there only for the right edge to enter: the line is centred without it
-        position = cell_width(bearing, heating) * (np.arange(cells, dtype=np.float64) - 0.5 * (cells - 2))
-        return cls(freeze(np.array([t for t, _ in kept])), freeze(position), freeze(temperature))
 
 
 @dataclass(frozen=True, eq=False)

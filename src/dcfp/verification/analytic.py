@@ -10,12 +10,13 @@ from functools import partial
 import numpy as np
 
 from dcfp.bearing import LI_2020, Bearing, ConstantFriction, NoHeating
+from dcfp.bearing.plates import structure_of
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.kernels import march
 from dcfp.record.ground_motion import GroundMotion
 from dcfp.record.synthetic import harmonic
 from dcfp.response import respond
-from dcfp.response.kernel_input import State, state_at_rest, structure_of
+from dcfp.response.kernel_input import State, state_at_rest
 from dcfp.verification.check import Finding, Task
 
 GROUP = "Closed forms of the motion"

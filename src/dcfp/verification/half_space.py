@@ -9,11 +9,12 @@ import numpy as np
 from dcfp.arrays import FloatArray
 from dcfp.bearing import LI_2020, ConstantFriction, Heating, PreciseHeating, SimplifiedHeating
 from dcfp.bearing.heating import constant_flux_rise
+from dcfp.bearing.plates import structure_of
 from dcfp.kernels.march import STATE_ELONGATION, STATE_SIDE, STATE_VELOCITY
 from dcfp.kernels.memory import RATE_RATIO, fading_modes, feed, fill_fade, fill_weights
 from dcfp.record.ground_motion import GroundMotion
 from dcfp.response import respond
-from dcfp.response.kernel_input import state_at_rest, structure_of
+from dcfp.response.kernel_input import state_at_rest
 from dcfp.verification.cases import scaled_record
 from dcfp.verification.check import Finding, Task
 from dcfp.verification.direct_convolution import centre_temperature, contact_temperature

@@ -1,0 +1,138 @@
+"""The heat in the plates, and a bearing under its load, as the kernels take them."""
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from dcfp.arrays import FloatArray
+from dcfp.bearing.bearing import Bearing
+from dcfp.bearing.friction import FrictionLaw
+from dcfp.bearing.heating import Heating, PreciseHeating
+from dcfp.kernels.heat_state import (
+    BANK_ROWS,
+    DOSE,
+    LEFT_CELL,
+    NOTES,
+    PLATE_NOTE,
+    PLATE_NOTES,
+    PRESENT,
+    RATES,
+    RATIO,
+    STEP_NOTE,
+    WEIGHTS,
+    Heat,
+)
+from dcfp.kernels.memory import HORIZON, MODES, fading_modes
+from dcfp.kernels.motion import Structure
+
+#: Displacement for which the line of cells has room at first [mm].
+FIRST_REACH = 600.0
+
+
+@dataclass(frozen=True)
+class PlateHeat:
+    """Heat in the plates, which the kernels change in place.
+
+    Attributes
+    ----------
+    bank, notes, cells
+        As in `dcfp.kernels.heat_state`.
+    instant
+        Instant weight of the modes in the bank [s^1/2].
+    """
+
+    bank: FloatArray
+    notes: FloatArray
+    cells: FloatArray
+    instant: float
+
+    @property
+    def temperature(self) -> FloatArray:
+        """Temperature of the contact on each plate that differs [degC], shape (plates,)."""
+        return self.notes[PRESENT : PRESENT + self.cells.shape[0]]
+
+    def copy(self) -> "PlateHeat":
+        """Return a copy that shares no array with this one."""
+        return replace(self, bank=self.bank.copy(), notes=self.notes.copy(), cells=self.cells.copy())
+
+    def with_room(self, cells: int) -> "PlateHeat":
+        """Return a copy with so many more cells at each end of the plates."""
+        wider = self.copy()
+        blank = np.zeros((self.cells.shape[0], cells, self.cells.shape[2]))
+        for plate in range(self.cells.shape[0]):
+            wider.notes[PLATE_NOTE + plate * PLATE_NOTES + LEFT_CELL] += cells
+        return replace(wider, cells=np.concatenate((blank, wider.cells, blank), axis=1))
+
+
+def structure_of(bearing: Bearing, friction: FrictionLaw) -> Structure:
+    """Return the structure on `bearing` per unit mass; two equal plates become one with half the travel."""
+    shares = bearing.shares
+    plates = len(set(bearing.radii))
+    speeds = shares if friction.speed_is_of_surface else (1.0,) * len(shares)
+    return Structure(
+        restoring=bearing.restoring_stiffness / bearing.mass,
+        elastic=bearing.elastic_stiffness / bearing.mass,
+        gravity=bearing.vertical_force / bearing.mass,
+        pressure=bearing.pressure,
+        reach=bearing.vertical_force / bearing.elastic_stiffness,
+        plates=plates,
+        first_share=shares[0],
+        second_share=shares[-1],
+        first_speed=speeds[0],
+        second_speed=speeds[-1],
+    )
+
+
+def cell_width(bearing: Bearing, heating: Heating) -> float:
+    """Width of a cell of the plate [mm]."""
+    across = heating.cells if isinstance(heating, PreciseHeating) else 1
+    return 2.0 * bearing.contact_half_side / across
+
+
+def cold_plates(
+    bearing: Bearing, heating: Heating, *, reach: float = FIRST_REACH, horizon: float = HORIZON
+) -> PlateHeat:
+    """Return plates at the ambient temperature.
+
+    Parameters
+    ----------
+    bearing, heating
+        What they belong to.
+    reach
+        Displacement for which the line of cells of the precise model has room [mm].
+    horizon
+        Time within which the slowest mode of the heat hardly fades [s]; see `fading_modes`.
+    """
+    plates = len(set(bearing.radii))
+    rates, weights, instant = fading_modes(horizon)
+    bank = np.zeros((BANK_ROWS, MODES))
+    bank[RATES] = rates
+    bank[WEIGHTS] = weights * heating.rise_factor
+    notes = np.zeros(NOTES)
+    notes[PRESENT:DOSE] = heating.ambient
+    notes[RATIO:PLATE_NOTE] = 1.0
+    notes[STEP_NOTE:] = math.nan  # no step is prepared
+    margin = 0
+    across = 1
+    if isinstance(heating, PreciseHeating):
+        across = heating.cells
+        margin = 1 + math.ceil(max(bearing.shares) * reach / cell_width(bearing, heating))
+    for i in range(plates):
+        notes[PLATE_NOTE + i * PLATE_NOTES + LEFT_CELL] = margin
+    cells = np.zeros((plates, across + 1 + 2 * margin, MODES + 1))
+    return PlateHeat(bank, notes, cells, instant)
+
+
+def heat_of(plates: PlateHeat, bearing: Bearing, heating: Heating) -> Heat:
+    """Return the kernels' view of the heat in `plates`, which they will change."""
+    return Heat(
+        kind=heating.kind,
+        ambient=heating.ambient,
+        half_contact=bearing.contact_half_side,
+        cell=cell_width(bearing, heating),
+        instant=plates.instant * heating.rise_factor,
+        bank=plates.bank,
+        notes=plates.notes,
+        cells=plates.cells,
+    )
