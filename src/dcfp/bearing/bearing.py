@@ -68,9 +68,14 @@ class Bearing:
         return sum(self.radii)
 
     @property
+    def slider_area(self) -> float:
+        """Area of the slider [mm2]."""
+        return math.pi * self.slider_diameter**2 / 4.0
+
+    @property
     def vertical_force(self) -> float:
         """Vertical force N [N]."""
-        return self.pressure * math.pi * self.slider_diameter**2 / 4.0
+        return self.pressure * self.slider_area
 
     @property
     def mass(self) -> float:

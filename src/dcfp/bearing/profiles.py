@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,6 +13,10 @@ from dcfp.bearing.plates import cell_width
 from dcfp.kernels.heat_state import RATIO, Heat
 from dcfp.kernels.motion import Structure
 from dcfp.kernels.plate import write_profile
+from dcfp.nomenclature import quantity
+
+if TYPE_CHECKING:
+    import xarray
 
 
 @dataclass(frozen=True)
@@ -52,3 +57,26 @@ def profile_now(heat: Heat, structure: Structure, time: float, flux: float) -> F
     for i in range(structure.plates):
         write_profile(heat, i, time, shares[i] * float(heat.notes[RATIO + i]) * flux, rises[i])
     return rises + heat.ambient
+
+
+def profile_variables(profiles: Profiles) -> "xarray.Dataset":
+    """Return the profiles as variables of a data set, with units."""
+    import xarray
+
+    return xarray.Dataset(
+        {
+            "plate_temperature": (
+                ("profile_time", "plate", "plate_position"),
+                np.array(profiles.temperature),
+                quantity("plate_temperature").attributes,
+            )
+        },
+        coords={
+            "profile_time": ("profile_time", np.array(profiles.time), quantity("time").attributes),
+            "plate_position": (
+                "plate_position",
+                np.array(profiles.position),
+                quantity("plate_position").attributes,
+            ),
+        },
+    )

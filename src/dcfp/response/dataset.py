@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray
 
+from dcfp.bearing.profiles import profile_variables
 from dcfp.citations import citations_of
 from dcfp.nomenclature import quantity
 from dcfp.version import version
@@ -41,22 +42,7 @@ def dataset(response: "Response") -> xarray.Dataset:
         coords={"time": ("time", np.array(response.time), quantity("time").attributes)},
         attrs=_provenance(response),
     )
-    if response.profiles is not None:
-        profiles = response.profiles
-        result["plate_temperature"] = (
-            ("profile_time", "plate", "plate_position"),
-            np.array(profiles.temperature),
-            quantity("plate_temperature").attributes,
-        )
-        result = result.assign_coords(
-            profile_time=("profile_time", np.array(profiles.time), quantity("time").attributes),
-            plate_position=(
-                "plate_position",
-                np.array(profiles.position),
-                quantity("plate_position").attributes,
-            ),
-        )
-    return result
+    return result if response.profiles is None else result.merge(profile_variables(response.profiles))
 
 
 def _provenance(response: "Response") -> dict[str, str | float]:

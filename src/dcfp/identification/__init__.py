@@ -1,0 +1,1 @@
+"""Friction laws from measured tests."""

@@ -1,0 +1,196 @@
+"""What is measured on each cycle of a test."""
+
+import itertools
+import math
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from dcfp.arrays import FloatArray
+
+#: Displacement, relative to the amplitude, up to which a branch of a loop is fitted by a line [-].
+_BRANCH = 0.5
+#: Fewest samples of a branch to fit a line to.
+_FEWEST = 5
+
+
+class ForceHistory(Protocol):
+    """What cycles are measured on: a test of the virtual machine, or a measured one."""
+
+    @property
+    def time(self) -> FloatArray:
+        """Time [s], shape (n,)."""
+        ...
+
+    @property
+    def displacement(self) -> FloatArray:
+        """Displacement [mm]."""
+        ...
+
+    @property
+    def force(self) -> FloatArray:
+        """Horizontal force [N]."""
+        ...
+
+    @property
+    def load(self) -> FloatArray:
+        """Vertical force [N]."""
+        ...
+
+    @property
+    def cycle_times(self) -> FloatArray:
+        """Times at which cycles begin and end [s]."""
+        ...
+
+
+class HeatedHistory(ForceHistory, Protocol):
+    """A history whose temperature and work are known."""
+
+    @property
+    def temperature(self) -> FloatArray:
+        """Temperature of the contact [degC]."""
+        ...
+
+    @property
+    def work(self) -> FloatArray:
+        """Work of the machine [N mm]."""
+        ...
+
+
+@dataclass(frozen=True)
+class Cycle:
+    """Measures of one cycle.
+
+    Attributes
+    ----------
+    number
+        From one.
+    largest, least
+        Displacements at its ends, d+ and d- [mm].
+    force_at_largest, force_at_least
+        Forces there, F+ and F- [N].
+    load
+        Mean vertical force [N].
+    energy
+        Work of the machine over the cycle, the area of the loop [N mm].
+    crossings
+        Coefficients at zero displacement [-], |F| / N wherever the cycle passes zero: at its start, unless nothing has moved before,
+        and in its middle. Its end belongs to the next cycle.
+    strength
+        Characteristic strength: mean size of the forces there [N]; NaN where it never passes zero.
+    post_yield_stiffness
+        Mean slope of the strokes between half of the amplitude to either side [N/mm]; NaN where they are too short.
+    peak_temperature
+        Highest temperature of the contact [degC]; NaN for a measured history.
+    """
+
+    number: int
+    largest: float
+    least: float
+    force_at_largest: float
+    force_at_least: float
+    load: float
+    energy: float
+    crossings: tuple[float, ...]
+    strength: float
+    post_yield_stiffness: float
+    peak_temperature: float
+
+    @property
+    def friction(self) -> float:
+        """Return the mean coefficient at zero displacement [-]; NaN where the cycle never passes zero."""
+        return float(np.mean(self.crossings)) if self.crossings else math.nan
+
+    @property
+    def effective_stiffness(self) -> float:
+        """Return k_eff = (F+ - F-)/(d+ - d-) [N/mm]: ASCE/SEI 7-16, Eq. (17.8-1)."""
+        return effective_stiffness(self.force_at_largest, self.force_at_least, self.largest, self.least)
+
+    @property
+    def effective_damping(self) -> float:
+        """Return beta_eff = 2/pi E / (k_eff (|d+| + |d-|)^2) [-]: ASCE/SEI 7-16, Eq. (17.8-2)."""
+        return effective_damping(self.energy, self.effective_stiffness, self.largest, self.least)
+
+
+def effective_stiffness(
+    force_at_largest: float, force_at_least: float, largest: float, least: float
+) -> float:
+    """Return the effective stiffness of a loop [N/mm] from its ends [N, mm]: ASCE/SEI 7-16, Eq. (17.8-1)."""
+    return (abs(force_at_largest) + abs(force_at_least)) / (abs(largest) + abs(least))
+
+
+def effective_damping(energy: float, stiffness: float, largest: float, least: float) -> float:
+    """Return the effective damping of a loop [-] from its area [N mm]: ASCE/SEI 7-16, Eq. (17.8-2)."""
+    return 2.0 / math.pi * energy / (stiffness * (abs(largest) + abs(least)) ** 2)
+
+
+def cycles_of(history: HeatedHistory) -> tuple[Cycle, ...]:
+    """Return the measures of every cycle of a test whose temperature and work are known."""
+    return _measured(history, history.work, history.temperature)
+
+
+def measured_cycles(history: ForceHistory) -> tuple[Cycle, ...]:
+    """Return the measures of every cycle of a measured history; the area is that of the polygon of its samples."""
+    steps = 0.5 * (history.force[1:] + history.force[:-1]) * np.diff(history.displacement)
+    work = np.concatenate(([0.0], np.cumsum(steps)))
+    return _measured(history, work, np.full(work.size, math.nan))
+
+
+def _measured(history: ForceHistory, work: FloatArray, temperature: FloatArray) -> tuple[Cycle, ...]:
+    time, bounds = history.time, history.cycle_times
+    slack = 1e-9 * float(time[-1] - time[0])
+    crossings = zero_crossings(history)
+    cycles: list[Cycle] = []
+    for number, (first, last) in enumerate(itertools.pairwise(bounds.tolist()), start=1):
+        part = slice(*(int(i) for i in np.searchsorted(time, [first - slack, last + slack])))
+        displacement, force = history.displacement[part], history.force[part]
+        highest, lowest = int(displacement.argmax()), int(displacement.argmin())
+        inside = (crossings[:, 0] >= first - slack) & (crossings[:, 0] < last - slack)
+        forces, loads = np.abs(crossings[inside, 1]), crossings[inside, 2]
+        cycles.append(
+            Cycle(
+                number=number,
+                largest=float(displacement[highest]),
+                least=float(displacement[lowest]),
+                force_at_largest=float(force[highest]),
+                force_at_least=float(force[lowest]),
+                load=float(history.load[part].mean()),
+                energy=float(np.interp(last, time, work) - np.interp(first, time, work)),
+                crossings=tuple(float(value) for value in forces / loads),
+                strength=float(forces.mean()) if forces.size else math.nan,
+                post_yield_stiffness=_post_yield_stiffness(displacement, force, virgin=part.start == 0),
+                peak_temperature=float(temperature[part].max()),
+            )
+        )
+    return tuple(cycles)
+
+
+def zero_crossings(history: ForceHistory) -> FloatArray:
+    """Return time [s], force [N] and load [N] wherever the displacement passes zero, shape (crossings, 3).
+
+    The first sample of all is left out: a bearing that has not moved yet has no friction force.
+    """
+    y = history.displacement
+    # what is a rounding error away from zero is there
+    y = np.where(np.abs(y) < 1e-9 * np.abs(y).max(), 0.0, y)
+    ends = np.flatnonzero((y[1:] == 0.0) & (y[:-1] != 0.0) | (y[:-1] * y[1:] < 0.0))
+    part = y[ends] / (y[ends] - y[ends + 1])
+    columns = (history.time, history.force, history.load)
+    return np.column_stack([c[ends] + part * (c[ends + 1] - c[ends]) for c in columns])
+
+
+def _post_yield_stiffness(displacement: FloatArray, force: FloatArray, *, virgin: bool) -> float:
+    """Return the mean slope of the strokes [N/mm], weighted by how far they go; `virgin` says that the first sample has no friction."""
+    near = np.abs(displacement) <= _BRANCH * np.abs(displacement).max()
+    near[0] &= not virgin
+    steps = np.sign(np.diff(displacement))
+    turns = np.flatnonzero(steps[1:] * steps[:-1] < 0.0) + 1
+    slopes: list[float] = []
+    weights: list[float] = []
+    for stroke in np.split(np.arange(displacement.size), turns):
+        part = stroke[near[stroke]]
+        if part.size >= _FEWEST:
+            slopes.append(float(np.polyfit(displacement[part], force[part], 1)[0]))
+            weights.append(float(np.ptp(displacement[part])))
+    return float(np.average(slopes, weights=weights)) if sum(weights) > 0.0 else math.nan

@@ -1,0 +1,131 @@
+"""Test programs: what is done to a bearing, one test after another."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from dcfp.bearing import Bearing
+from dcfp.bearing.checks import finite
+from dcfp.errors import InputError
+from dcfp.rig.load import VerticalLoad
+from dcfp.rig.waveform import Waveform
+
+#: Displacement over the effective radius up to which the pendulum's force is linear within some percent [-].
+_LARGEST_ANGLE = 0.5
+#: Longest pause [s].
+_LONGEST_PAUSE = 7 * 24 * 3600.0
+
+
+@dataclass(frozen=True)
+class RigTest:
+    """One test.
+
+    Parameters
+    ----------
+    name
+        Such as ``"T01"``.
+    waveform
+        The displacement.
+    load
+        The vertical load.
+    pause
+        Time of cooling between the test before and this one [s]; None where the plates begin at the ambient temperature.
+    purpose
+        What the test is for.
+    """
+
+    name: str
+    waveform: Waveform
+    load: VerticalLoad
+    pause: float | None = None
+    purpose: str = ""
+
+    def __post_init__(self) -> None:
+        if self.pause is not None:
+            finite(self.pause, "pause before a test", "s")
+            if not 0.0 <= self.pause <= _LONGEST_PAUSE:
+                msg = f"The pause before {self.name} must be from 0 to {_LONGEST_PAUSE:g} s, not {self.pause!r}."
+                raise InputError(msg)
+
+
+@dataclass(frozen=True)
+class Program:
+    """Tests in their order.
+
+    Parameters
+    ----------
+    name
+        What to call it.
+    tests
+        At least one.
+    source
+        Where it comes from, in words.
+    citation
+        Key of the source in the bibliography; empty for a user's own.
+    """
+
+    name: str
+    tests: tuple[RigTest, ...]
+    source: str = ""
+    citation: str = ""
+
+    def __post_init__(self) -> None:
+        if not self.tests:
+            msg = f"{self.name}: a test program needs at least one test."
+            raise InputError(msg)
+        names = [test.name for test in self.tests]
+        for name in names:
+            if names.count(name) > 1:
+                msg = f"{self.name}: two tests have the name {name!r}; give each its own."
+                raise InputError(msg)
+
+    @property
+    def stories(self) -> tuple[tuple[RigTest, ...], ...]:
+        """Runs of tests through which the plates keep their heat."""
+        stories: list[list[RigTest]] = []
+        for test in self.tests:
+            if test.pause is None or not stories:
+                stories.append([])
+            stories[-1].append(test)
+        return tuple(tuple(story) for story in stories)
+
+    def only(self, names: Sequence[str]) -> "Program":
+        """Return the program with some of its tests, in its own order.
+
+        Raises
+        ------
+        InputError
+            If it has no test of such a name.
+        """
+        known = [test.name for test in self.tests]
+        for name in names:
+            if name not in known:
+                msg = f"{self.name} has no test {name!r}; it has {', '.join(known)}."
+                raise InputError(msg)
+        return Program(
+            self.name, tuple(test for test in self.tests if test.name in names), self.source, self.citation
+        )
+
+
+def check_stroke(test: RigTest, bearing: Bearing) -> None:
+    """Refuse a test that moves the slider beyond the plate.
+
+    Raises
+    ------
+    InputError
+        If the amplitude is above the bearing's capacity, or, where that is not known, above half of its effective radius.
+    """
+    stroke = test.waveform.travel().largest
+    capacity = bearing.displacement_capacity
+    if capacity is not None and stroke > capacity * (1.0 + 1e-9):
+        msg = (
+            f"{test.name}: a stroke of {stroke:.4g} mm goes beyond the plate, whose capacity is {capacity:g} mm; choose a smaller"
+            " amplitude, or give the bearing its true capacity (--capacity)."
+        )
+        raise InputError(msg)
+    furthest = _LARGEST_ANGLE * bearing.effective_radius
+    if stroke > furthest:
+        msg = (
+            f"{test.name}: a stroke of {stroke:.4g} mm is more than half of the bearing's effective radius of"
+            f" {bearing.effective_radius:g} mm; look at the unit of the displacement."
+        )
+        raise InputError(msg)

@@ -1,0 +1,51 @@
+"""The measures of each cycle with their units in their names."""
+
+import math
+from typing import TYPE_CHECKING
+
+from dcfp.rig.measures import Cycle
+
+if TYPE_CHECKING:
+    from dcfp.rig.loops import Loops
+
+
+def cycle_rows(loops: "Loops") -> list[dict[str, float | str | None]]:
+    """Return what the command line's JSON holds for each cycle of a test."""
+    shared = {
+        "test": loops.test.name,
+        "friction": loops.friction_law.name,
+        "heating": loops.heating.name,
+        "waveform": loops.test.waveform.kind,
+        "peak_velocity_mm_s": loops.test.waveform.peak_velocity,
+        "period_s": loops.test.waveform.period,
+    }
+    pressure = 1.0 / loops.bearing.slider_area
+    return [
+        {**shared, **measures(cycle), "pressure_N_mm2": cycle.load * pressure, "elapsed_s": loops.elapsed}
+        for cycle in loops.cycles
+    ]
+
+
+def measures(cycle: Cycle) -> dict[str, float | None]:
+    """Return the measures of one cycle; None where one does not exist."""
+    return {
+        "cycle": cycle.number,
+        "displacement_max_mm": cycle.largest,
+        "displacement_min_mm": cycle.least,
+        "force_max_kN": cycle.force_at_largest / 1e3,
+        "force_min_kN": cycle.force_at_least / 1e3,
+        "load_kN": cycle.load / 1e3,
+        "keff_kN_mm": cycle.effective_stiffness / 1e3,
+        "beta_eff": cycle.effective_damping,
+        "post_yield_stiffness_kN_mm": _known(cycle.post_yield_stiffness / 1e3),
+        "strength_kN": _known(cycle.strength / 1e3),
+        "energy_kN_m": cycle.energy / 1e6,
+        "friction_at_zero": _known(cycle.friction),
+        "friction_at_zero_first": cycle.crossings[0] if cycle.crossings else None,
+        "friction_at_zero_second": cycle.crossings[1] if len(cycle.crossings) > 1 else None,
+        "temperature_max_degC": _known(cycle.peak_temperature),
+    }
+
+
+def _known(value: float) -> float | None:
+    return None if math.isnan(value) else value
