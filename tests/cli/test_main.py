@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 
 import dcfp.cli.respond
-from dcfp.cli.main import main
+from dcfp.cli.main import COMMANDS, main
 from dcfp.errors import AnalysisError, InputError
 
 HEAVY = ("numpy", "numba", "scipy", "matplotlib", "xarray", "pandas", "rich", "h5py")
@@ -25,7 +25,7 @@ def python(code: str) -> subprocess.CompletedProcess[str]:
 )
 def test_help_imports_nothing_heavy(words: list[str]) -> None:
     done = python(
-        "import sys; from dcfp.cli.main import main; "
+        "import sys; from dcfp.cli.main import COMMANDS, main; "
         f"assert main({words!r}) == 0; heavy = sorted(set({HEAVY!r}) & set(sys.modules)); assert not heavy, heavy"
     )
     assert done.returncode == 0, done.stderr
@@ -49,7 +49,7 @@ def test_version(run) -> None:
     ("words", "sentence"),
     [
         (["respnd"], "dcfp: there is no command 'respnd'; did you mean 'respond'?\n"),
-        (["xyz"], "dcfp: there is no command 'xyz'; the commands are records, respond, verify.\n"),
+        (["xyz"], f"dcfp: there is no command 'xyz'; the commands are {', '.join(COMMANDS)}.\n"),
         (["respond"], "dcfp: name at least one RECORD, for example NCC or a file; dcfp records lists the named ones.\n"),
         (["respond", "NCC", "--frction", "x"], "dcfp: --frction is not an option of dcfp respond; did you mean --friction?\n"),
         (["respond", "NCC", "--zzz"], "dcfp: --zzz is not an option of dcfp respond; dcfp respond --help lists the options.\n"),

@@ -7,6 +7,7 @@ from dcfp.bearing.friction import Constantinou1990 as Constantinou1990
 from dcfp.bearing.friction import FrictionLaw as FrictionLaw
 from dcfp.bearing.friction import Kumar2015 as Kumar2015
 from dcfp.bearing.friction import Li2020 as Li2020
+from dcfp.bearing.friction import Lomiento2013 as Lomiento2013
 from dcfp.bearing.friction import UserFriction as UserFriction
 from dcfp.bearing.friction import friction_law as friction_law
 from dcfp.bearing.friction import friction_names as friction_names
@@ -16,5 +17,6 @@ from dcfp.bearing.heating import PreciseHeating as PreciseHeating
 from dcfp.bearing.heating import SimplifiedHeating as SimplifiedHeating
 from dcfp.bearing.heating import heating_model as heating_model
 from dcfp.bearing.heating import heating_names as heating_names
+from dcfp.bearing.heating import plates_of as plates_of
 from dcfp.bearing.read import BearingFile as BearingFile
 from dcfp.bearing.read import read_bearing as read_bearing

@@ -1,8 +1,8 @@
 """How the contact heats up: Li et al. (2020), section 4.2."""
 
 import math
-from dataclasses import dataclass
-from typing import ClassVar, TypeAlias
+from dataclasses import dataclass, field, fields
+from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -20,6 +20,12 @@ DIFFUSIVITY = 4.07
 #: Temperature at the start [degC].
 AMBIENT = 20.0
 
+#: What the back of a plate can do.
+INSULATED = "insulated"
+BACKS = (INSULATED, "ambient")
+#: Limits of a plate's thickness [mm]: in a thinner one the modes' fit is not checked, in a thicker one the fastest becomes too slow.
+LEAST_THICKNESS, LARGEST_THICKNESS = 10.0, 200.0
+
 
 @dataclass(frozen=True)
 class _Steel:
@@ -33,11 +39,18 @@ class _Steel:
         Thermal diffusivity D of the plates [mm2/s].
     ambient
         Temperature at the start [degC].
+    thickness
+        Of the plates [mm]; None for the half-space of the paper.
+    back
+        What the back of a plate of finite thickness does: ``"insulated"`` lets no heat through, ``"ambient"`` stays at the ambient
+        temperature. A real one is in between.
     """
 
     conductivity: float = CONDUCTIVITY
     diffusivity: float = DIFFUSIVITY
     ambient: float = AMBIENT
+    thickness: float | None = field(default=None, kw_only=True)
+    back: str = field(default=INSULATED, kw_only=True)
     name: ClassVar[str]
     kind: ClassVar[int]
 
@@ -45,6 +58,18 @@ class _Steel:
         positive(self.conductivity, "thermal conductivity", "N/(s degC)")
         positive(self.diffusivity, "thermal diffusivity", "mm2/s")
         finite(self.ambient, "ambient temperature", "degC")
+        if self.back not in BACKS:
+            msg = f"The back of a plate must be one of {', '.join(BACKS)}, not {self.back!r}."
+            raise InputError(msg)
+        if self.thickness is None:
+            if self.back != INSULATED:
+                msg = f"A back that is {self.back!r} needs the thickness of the plate."
+                raise InputError(msg)
+        elif (
+            not LEAST_THICKNESS <= positive(self.thickness, "thickness of a plate", "mm") <= LARGEST_THICKNESS
+        ):
+            msg = f"The thickness of a plate must be from {LEAST_THICKNESS:g} to {LARGEST_THICKNESS:g} mm, not {self.thickness!r}."
+            raise InputError(msg)
 
     @property
     def rise_factor(self) -> float:
@@ -102,7 +127,7 @@ def heating_names() -> tuple[str, ...]:
     return tuple(_MODELS)
 
 
-def heating_model(name: str, **parameters: float) -> Heating:
+def heating_model(name: str, **parameters: Any) -> Heating:
     """Return a heating model by name.
 
     Raises
@@ -111,6 +136,11 @@ def heating_model(name: str, **parameters: float) -> Heating:
         If there is no model of that name, or it has no such parameter, or a value is out of range.
     """
     return make_named("heating model", _MODELS, name, parameters)
+
+
+def plates_of(heating: Heating) -> dict[str, Any]:
+    """Return what every heating model knows of the plates, to make another model of the same plates with."""
+    return {item.name: getattr(heating, item.name) for item in fields(_Steel)}
 
 
 def constant_flux_rise(heating: Heating, flux: ArrayLike, time: ArrayLike) -> FloatArray:

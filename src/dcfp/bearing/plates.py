@@ -8,7 +8,7 @@ import numpy as np
 from dcfp.arrays import FloatArray
 from dcfp.bearing.bearing import Bearing
 from dcfp.bearing.friction import FrictionLaw
-from dcfp.bearing.heating import Heating, PreciseHeating
+from dcfp.bearing.heating import INSULATED, Heating, PreciseHeating
 from dcfp.kernels.heat_state import (
     BANK_ROWS,
     DOSE,
@@ -25,6 +25,7 @@ from dcfp.kernels.heat_state import (
 )
 from dcfp.kernels.memory import HORIZON, MODES, fading_modes
 from dcfp.kernels.motion import Structure
+from dcfp.kernels.slab import slab_modes
 
 #: Displacement for which the line of cells has room at first [mm].
 FIRST_REACH = 600.0
@@ -102,10 +103,14 @@ def cold_plates(
     reach
         Displacement for which the line of cells of the precise model has room [mm].
     horizon
-        Time within which the slowest mode of the heat hardly fades [s]; see `fading_modes`.
+        Time within which the slowest mode of a half-space hardly fades [s]; see `fading_modes`.
     """
     plates = len(set(bearing.radii))
-    rates, weights, instant = fading_modes(horizon)
+    if heating.thickness is None:
+        rates, weights, instant = fading_modes(horizon)
+    else:
+        insulated = heating.back == INSULATED
+        rates, weights, instant = slab_modes(heating.diffusivity, heating.thickness, insulated=insulated)
     bank = np.zeros((BANK_ROWS, MODES))
     bank[RATES] = rates
     bank[WEIGHTS] = weights * heating.rise_factor

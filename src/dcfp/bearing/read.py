@@ -34,7 +34,7 @@ def read_bearing(path: str | Path) -> BearingFile:
         TOML with any of the keys ``name``, ``radius`` [mm] (of both plates) or ``radii`` [mm] (a list of one or
         two), ``slider`` (diameter, mm), ``pressure`` [N/mm2], ``stiffness`` (kN/mm), ``capacity`` [mm] and
         ``capacity_note``, and the tables ``[friction]`` (``law`` and its parameters) and ``[heating]`` (``model``,
-        ``conductivity`` [N/(s degC)], which is numerically W/(m degC), ``diffusivity`` [mm2/s], ``ambient`` [degC], ``cells``).
+        ``conductivity`` [N/(s degC)], which is numerically W/(m degC), ``diffusivity`` [mm2/s], ``ambient`` [degC], ``thickness`` [mm], ``back``, ``cells``).
 
     Raises
     ------

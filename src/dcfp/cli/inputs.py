@@ -134,14 +134,12 @@ def _friction(base: "FrictionLaw", options: argparse.Namespace) -> "FrictionLaw"
 
 
 def _heating(base: "Heating", options: argparse.Namespace) -> "Heating":
-    from dcfp.bearing import heating_model
+    from dcfp.bearing import heating_model, plates_of
 
     heating = base
     if options.heating is not None and options.heating.strip().lower() != base.name:
-        heating = heating_model(
-            options.heating,
-            conductivity=base.conductivity,
-            diffusivity=base.diffusivity,
-            ambient=base.ambient,
-        )
-    return heating if options.ambient is None else replace(heating, ambient=options.ambient)
+        heating = heating_model(options.heating, **plates_of(base))
+    changes = {
+        name: value for name in ("ambient", "thickness") if (value := getattr(options, name)) is not None
+    }
+    return replace(heating, **changes)

@@ -13,6 +13,7 @@ from dcfp.errors import DcfpError, InputError
 COMMANDS = {
     "records": "named records, or what is in a record file",
     "respond": "response history analysis",
+    "test": "virtual test machine: test programs, measures per cycle, checks of codes",
     "verify": "what is checked against what, and by how much it differs",
 }
 

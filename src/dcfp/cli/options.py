@@ -80,7 +80,7 @@ def add_bearing(parser: Parser) -> None:
     group.add_argument(
         "--friction",
         metavar="NAME",
-        help="friction law: li2020 (default), constant, constantinou1990, kumar2015, kim2023-third or kim2023-two-thirds",
+        help="friction law: li2020 (default), constant, constantinou1990, kumar2015, kim2023-third, kim2023-two-thirds, lomiento2013 or fitted",
     )
     group.add_argument(
         "--mu", type=fraction(), metavar="VALUE", help="reference coefficient of the friction law [-]"
@@ -93,6 +93,12 @@ def add_bearing(parser: Parser) -> None:
         type=any_number("degC", -60.0, 200.0),
         metavar="DEGC",
         help="temperature at the start [degC]; default 20",
+    )
+    group.add_argument(
+        "--thickness",
+        type=positive("mm", 10.0, 200.0),
+        metavar="MM",
+        help="thickness of the plates, with an insulated back [mm]; by default they are endlessly thick",
     )
 
 

@@ -133,7 +133,8 @@ def drive(
             grip = stroke.grip
             work += stroke.work
             hysteretic += stroke.hysteretic
-            now = interval if stroke.length == room else now + stroke.length
+            # rounding must not leave a sliver, in which the travel is noise
+            now = interval if room - stroke.length <= 1e-12 * interval else now + stroke.length
             steps += 1
             if not stroke.fits:
                 return OUT_OF_CELLS, i
@@ -220,7 +221,12 @@ def _stick(
     prepare_cooling(heat, place, length)
     expect_cooling(heat, structure, place)
     start = displacement_at(piece, now)
-    slip = _slip_time(law, structure, rig, heat, piece, grip, now, length)
+    # spring (b) reaches the yield surface on the side that it moves to, unless the surface shrinks faster on the other one
+    side = 1 if displacement_at(piece, now + length) >= start else -1
+    slip = _slip_time(law, structure, rig, heat, piece, grip, side, now, length)
+    behind = _slip_time(law, structure, rig, heat, piece, grip, -side, now, length)
+    if behind < slip:
+        slip, side = behind, -side
     slips = slip < length
     if slips:
         length = slip
@@ -230,13 +236,11 @@ def _stick(
         cool_down(heat, structure, place)
     elongation = grip.elongation + displacement_at(piece, now + length) - start
     friction = available(law, structure, rig, heat, piece, now + length, PRESENT)
-    side = 0
     if slips:
-        side = 1 if elongation > 0.0 else -1
         friction = abs(elongation) * rig.elastic / load_at(piece, now + length)
     stored = 0.5 * rig.elastic * (elongation * elongation - grip.elongation * grip.elongation)
     work = stored + _pendulum_work(rig, piece, now, length)
-    return Stroke(Grip(elongation, side, friction), length, work, 0.0, True)
+    return Stroke(Grip(elongation, side if slips else 0, friction), length, work, 0.0, True)
 
 
 @kernel
@@ -247,16 +251,17 @@ def _excess(
     heat: Heat,
     piece: Piece,
     grip: Grip,
+    side: int,
     now: float,
     time: float,
     length: float,
 ) -> float:
-    """How far spring (b) is beyond the yield surface [mm], `time` [s] into a step of `length`."""
+    """How far spring (b) is beyond the yield surface on a side [mm], `time` [s] into a step of `length`."""
     mix(heat, structure, time / length, BETWEEN)
     t = now + time
     friction = available(law, structure, rig, heat, piece, t, BETWEEN)
     elongation = grip.elongation + displacement_at(piece, t) - displacement_at(piece, now)
-    return abs(elongation) - friction * load_at(piece, t) / rig.elastic
+    return side * elongation - friction * load_at(piece, t) / rig.elastic
 
 
 @kernel
@@ -267,14 +272,15 @@ def _slip_time(
     heat: Heat,
     piece: Piece,
     grip: Grip,
+    side: int,
     now: float,
     length: float,
 ) -> float:
-    """Time into the step of the slip, by the Illinois method; infinity if there is none."""
-    below = _excess(law, structure, rig, heat, piece, grip, now, 0.0, length)
+    """Time into the step of the slip on a side, by the Illinois method; infinity if there is none."""
+    below = _excess(law, structure, rig, heat, piece, grip, side, now, 0.0, length)
     # it may begin on the surface, as closely as the temperature was expected: it slips where it goes further out
     outside = max(below, 0.0)
-    beyond = _excess(law, structure, rig, heat, piece, grip, now, length, length) - outside
+    beyond = _excess(law, structure, rig, heat, piece, grip, side, now, length, length) - outside
     if beyond <= 0.0:
         return math.inf
     below = min(below - outside, -_CLOSE)
@@ -282,7 +288,7 @@ def _slip_time(
     kept = 0  # which end stayed in the last round
     for _ in range(60):
         middle = high - beyond * (high - low) / (beyond - below)
-        there = _excess(law, structure, rig, heat, piece, grip, now, middle, length) - outside
+        there = _excess(law, structure, rig, heat, piece, grip, side, now, middle, length) - outside
         if abs(there) < _CLOSE:
             return middle
         if there > 0.0:
@@ -335,7 +341,7 @@ def _slide(
         ending = opening + (friction * here.pressure * speed - opening) / part
         prepare(heat, level, regular)
         rubbing = here.pressure * travel * travel / (length * part)
-        expect(heat, structure, level, y + 0.5 * travel, travel / part, opening, ending, rubbing)
+        expect(heat, structure, level, clock + now, y + 0.5 * travel, travel / part, opening, ending, rubbing)
         if part != 1.0:
             mix(heat, structure, part, EXPECTED)
         last = available(law, structure, rig, heat, piece, end, EXPECTED)

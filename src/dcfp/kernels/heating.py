@@ -66,6 +66,7 @@ def expect(
     heat: Heat,
     structure: Structure,
     place: int,
+    time: float,
     displacement: float,
     travel: float,
     flux_start: float,
@@ -74,7 +75,7 @@ def expect(
 ) -> None:
     """Note the temperatures and doses to expect at the end of a step, without taking it.
 
-    `displacement` [mm] is in the middle of the step and `travel` [mm] over it; fluxes are mu p |v|
+    `time` [s] is at its start, `displacement` [mm] in its middle and `travel` [mm] over it; fluxes are mu p |v|
     [N/(mm s)], of which a plate gets its share, in the ratio of its coefficient to the mean; `rubbing` is p v2 over
     the step at the relative speed [N/s].
     """
@@ -93,7 +94,7 @@ def expect(
                     * (notes[entry + 1] * flux_start + (notes[entry + 2] + heat.instant) * flux_end)
                 )
             if heat.kind == LINE:
-                swept = plate.expect_sweep(heat, i, portion * travel)
+                swept = plate.expect_sweep(heat, i, time, portion * travel)
                 inside = faded_total(bank, fade, first + INSIDE)
                 rise += (inside + swept) / (2.0 * heat.half_contact)
         notes[EXPECTED + i] = rise

@@ -39,10 +39,8 @@ def fading_modes(horizon: float = HORIZON) -> tuple[NDArray[np.float64], NDArray
     sum is within 2.7e-4 of the kernel for lags from 4 milliseconds to 100 s, within 1e-3 up to 300 s.
     """
     rates = 0.02 / horizon * RATE_RATIO ** np.arange(MODES)
-    spacing = 0.5 * math.log(RATE_RATIO)  # of ln x, x = sqrt(s)
-    weights = 2.0 / math.sqrt(math.pi) * spacing * np.sqrt(rates)
+    weights = trapezoidal_weights(rates)
     shrink = 1.0 / math.sqrt(RATE_RATIO)
-    instant = weights[-1] / rates[-1] * shrink / (1.0 - shrink)
     # the slower modes are not there: the two slowest take over their weight and their first fading
     slower = weights[0] * shrink / (1.0 - shrink)
     faded = weights[0] * rates[0] * shrink**3 / (1.0 - shrink**3)
@@ -50,18 +48,31 @@ def fading_modes(horizon: float = HORIZON) -> tuple[NDArray[np.float64], NDArray
     weights[0] += slower - moved
     weights[1] += moved
     rates.flags.writeable = weights.flags.writeable = False
-    return rates, weights, float(instant)
+    return rates, weights, instant_weight(rates[-1])
+
+
+def trapezoidal_weights(rates: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the weights [s^-1/2] of the rule for modes in the ratio `RATE_RATIO`, of rates [1/s]."""
+    spacing = 0.5 * math.log(RATE_RATIO)  # of ln x, x = sqrt(s)
+    return 2.0 / math.sqrt(math.pi) * spacing * np.sqrt(rates)
+
+
+def instant_weight(fastest: float) -> float:
+    """Return the weight [s^1/2] of all modes faster than one of a rate [1/s], which act at once."""
+    shrink = 1.0 / math.sqrt(RATE_RATIO)
+    weight = float(trapezoidal_weights(np.array([fastest]))[0])
+    return weight / fastest * shrink / (1.0 - shrink)
 
 
 @kernel
 def fill_fade(bank: NDArray[np.float64], rates: int, step: float, fade: int) -> None:
-    """Write exp(-rate step) of every mode into row `fade`, by repeated squaring of the two slowest.
+    """Write exp(-rate step) of every mode into row `fade`, from the fourth mode on by repeated squaring.
 
-    Every second rate is RATE_RATIO squared = 8 times as fast.
+    Every second rate is RATE_RATIO squared = 8 times as fast; the slowest modes of a plate have rates of their own.
     """
-    bank[fade, 0] = fading(bank[rates, 0] * step)
-    bank[fade, 1] = fading(bank[rates, 1] * step)
-    for j in range(2, MODES):
+    for j in range(4):
+        bank[fade, j] = fading(bank[rates, j] * step)
+    for j in range(4, MODES):
         f = bank[fade, j - 2]
         f *= f
         f *= f

@@ -54,8 +54,11 @@ def fade_edges(heat: Heat, fade: int, plate: int) -> None:
 
 
 @kernel
-def expect_sweep(heat: Heat, plate: int, travel: float) -> float:
-    """Change of the sum inside [degC mm] when the slider moves by `travel` [mm], with the edge cells as they are."""
+def expect_sweep(heat: Heat, plate: int, time: float, travel: float) -> float:
+    """Change of the sum inside [degC mm] when the slider moves by `travel` [mm] from `time` [s] on.
+
+    With the edge cells as they are, or with the next ones where an edge is about to enter them.
+    """
     bank = heat.bank
     first = PLATE_ROW + plate * PLATE_ROWS
     covered = heat.notes[PLATE_NOTE + plate * PLATE_NOTES + COVERED]
@@ -66,8 +69,29 @@ def expect_sweep(heat: Heat, plate: int, travel: float) -> float:
         width = covered
         gain = total(bank, first + LEFT_OPEN) - total(bank, first + RIGHT_COVERED)
     if width < 0.01 * heat.cell:
-        return 0.0
+        width, gain = heat.cell, _next_gain(heat, plate, time, 1 if travel >= 0.0 else -1)
     return abs(travel) * (gain / width - total(bank, first + COMMON))
+
+
+@kernel
+def _next_gain(heat: Heat, plate: int, time: float, direction: int) -> float:
+    """Return what the contact gains [degC mm] by covering the next cell ahead and uncovering the next one behind."""
+    left = int(heat.notes[PLATE_NOTE + plate * PLATE_NOTES + LEFT_CELL]) + direction
+    right = left + _cells_across(heat)
+    if left < 0 or right >= heat.cells.shape[1]:
+        return 0.0
+    ahead, behind = (right, left) if direction > 0 else (left, right)
+    return _faded_cell(heat, plate, ahead, time) - _faded_cell(heat, plate, behind, time)
+
+
+@kernel
+def _faded_cell(heat: Heat, plate: int, cell: int, time: float) -> float:
+    """Sum of the modes of a cell that was put away, brought up to `time` [s]."""
+    elapsed = time - heat.cells[plate, cell, MODES]
+    rise = 0.0
+    for j in range(MODES):
+        rise += fading(heat.bank[RATES, j] * elapsed) * heat.cells[plate, cell, j]
+    return rise
 
 
 @kernel
@@ -167,11 +191,7 @@ def write_profile(heat: Heat, plate: int, time: float, flux: float, rises: NDArr
     right = left + _cells_across(heat)
     under = total(bank, first + COMMON) + heat.instant * flux
     for n in range(heat.cells.shape[1]):
-        elapsed = time - heat.cells[plate, n, MODES]
-        rise = 0.0
-        for j in range(MODES):
-            rise += fading(bank[RATES, j] * elapsed) * heat.cells[plate, n, j]
-        rise /= heat.cell
+        rise = _faded_cell(heat, plate, n, time) / heat.cell
         rises[n] = rise + under if left < n < right else rise
     covered = notes[entry + COVERED]
     for cell, row, width in ((left, LEFT_COVERED, heat.cell - covered), (right, RIGHT_COVERED, covered)):

@@ -64,7 +64,7 @@ def slide_step(
         closing = opening + (flux * speed - opening) / part
         prepare(heat, level, regular)
         rubbing = structure.pressure * travel * travel / (length * part)
-        expect(heat, structure, level, y + 0.5 * travel, travel / part, opening, closing, rubbing)
+        expect(heat, structure, level, time, y + 0.5 * travel, travel / part, opening, closing, rubbing)
         if part != 1.0:
             mix(heat, structure, part, EXPECTED)
         last = mean_coefficient(law, structure, speed, heat.notes, EXPECTED)

@@ -13,5 +13,6 @@ from dcfp.plots.loop import plot_loop as plot_loop
 from dcfp.plots.motions import plot_motions as plot_motions
 from dcfp.plots.overview import plot_overview as plot_overview
 from dcfp.plots.profile import plot_profile as plot_profile
+from dcfp.plots.program import plot_program as plot_program
 from dcfp.plots.sheet import plot_response as plot_response
 from dcfp.plots.style import save_figure as save_figure

@@ -1,6 +1,6 @@
-"""How much of a response is worth showing."""
+"""How much of a history is worth showing."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias, TypeGuard
 
 import numpy as np
 
@@ -8,6 +8,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dcfp.response import Response
+    from dcfp.rig import Loops
+
+    #: What has a displacement, a force, friction and temperature over time.
+    History: TypeAlias = Response | Loops
 
 #: Part of the hysteretic energy, or of the peak velocity of the ground, below which nothing of note happens [-].
 _LITTLE = 0.001
@@ -16,20 +20,26 @@ _QUIET = 0.05
 _LONG_START = 0.2
 
 
-def shown(response: "Response") -> slice:
-    """Return the samples in which something happens.
+def shown(history: "History") -> slice:
+    """Return the samples in which something happens; of a test all of them.
 
-    They end a little after the last thousandth of the hysteretic energy, or after the ground has become quiet where
+    Those of an analysis end a little after the last thousandth of the hysteretic energy, or after the ground has become quiet where
     nothing slides; a long quiet start is left out.
     """
-    samples = int(response.time.size)
-    places = np.flatnonzero(_busy(response))
+    samples = int(history.time.size)
+    if not _is_response(history):
+        return slice(0, samples)
+    places = np.flatnonzero(_busy(history))
     if places.size < 2:
         return slice(0, samples)
     first, last = int(places[0]), int(places[-1])
     margin = 2 + (last - first) // 12
     start = max(0, first - margin) if first > _LONG_START * last else 0
     return slice(start, min(samples, last + margin))
+
+
+def _is_response(history: "History") -> "TypeGuard[Response]":
+    return hasattr(history, "motion")
 
 
 def _busy(response: "Response") -> "NDArray[np.bool_]":
@@ -41,8 +51,8 @@ def _busy(response: "Response") -> "NDArray[np.bool_]":
     return ground > _QUIET * float(ground.max())
 
 
-def line_width(response: "Response") -> float:
+def line_width(history: "History") -> float:
     """Return the width [pt] at which the waves of a history stay apart."""
-    part = shown(response)
-    span = float(response.time[part.stop - 1] - response.time[part.start])
+    part = shown(history)
+    span = float(history.time[part.stop - 1] - history.time[part.start])
     return 0.9 if span < 25.0 else 0.7 if span < 60.0 else 0.5

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from dcfp.arrays import FloatArray
+    from dcfp.plots.extent import History
     from dcfp.response import Response
 
 #: Part of the capacity from which on it is drawn [-].
@@ -56,7 +57,7 @@ def plot_velocities(response: "Response", axes: "Axes | None" = None) -> "Axes":
 
 
 @styled
-def plot_displacement(response: "Response", axes: "Axes | None" = None) -> "Axes":
+def plot_displacement(response: "History", axes: "Axes | None" = None) -> "Axes":
     """Draw the displacement with its peak, and the capacity where the peak comes near it."""
     axes = _history_axes(response, axes)
     part = shown(response)
@@ -76,7 +77,7 @@ def plot_displacement(response: "Response", axes: "Axes | None" = None) -> "Axes
 
 
 @styled
-def plot_temperature(response: "Response", axes: "Axes | None" = None) -> "Axes":
+def plot_temperature(response: "History", axes: "Axes | None" = None) -> "Axes":
     """Draw the temperature of the contact."""
     axes = _history_axes(response, axes)
     part = shown(response)
@@ -89,7 +90,7 @@ def plot_temperature(response: "Response", axes: "Axes | None" = None) -> "Axes"
 
 
 @styled
-def plot_friction(response: "Response", axes: "Axes | None" = None) -> "Axes":
+def plot_friction(response: "History", axes: "Axes | None" = None) -> "Axes":
     """Draw the coefficient of friction: at work while it slides, faint where it only has to be overcome."""
     axes = _history_axes(response, axes)
     part = shown(response)
@@ -104,7 +105,7 @@ def plot_friction(response: "Response", axes: "Axes | None" = None) -> "Axes":
     return axes
 
 
-def _history_axes(response: "Response", axes: "Axes | None") -> "Axes":
+def _history_axes(response: "History", axes: "Axes | None") -> "Axes":
     axes = new_axes(height=1.8) if axes is None else axes
     time = response.time[shown(response)]
     axes.set_xlim(float(time[0]), float(time[-1]))

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from dcfp.arrays import FloatArray
-    from dcfp.response import Response
+    from dcfp.plots.extent import History
 
 ColourQuantity: TypeAlias = Literal["temperature", "time"]
 
@@ -26,7 +26,7 @@ _MANY = 6000
 
 @styled
 def plot_loop(
-    response: "Response",
+    response: "History",
     axes: "Axes | None" = None,
     *,
     colour: ColourQuantity | None = None,
@@ -39,7 +39,7 @@ def plot_loop(
     Parameters
     ----------
     response
-        The analysis.
+        The analysis or test.
     axes
         Where to draw; by default on a new figure.
     colour
@@ -68,8 +68,7 @@ def plot_loop(
         capstyle="round",
         rasterized=len(pieces) > _MANY,
     )
-    axes.axhline(0.0, color=GREY, linewidth=0.4, zorder=0)
-    axes.axvline(0.0, color=GREY, linewidth=0.4, zorder=0)
+    draw_cross(axes)
     axes.add_collection(line)
     reach, height = (1.08 * max(float(np.abs(values).max()), 1e-6) for values in (displacement, force))
     axes.set_xlim(-reach, reach)
@@ -80,6 +79,12 @@ def plot_loop(
     if colour_bar:
         colour_bar_beside(axes, line, quantity(shows).label)
     return axes
+
+
+def draw_cross(axes: "Axes") -> None:
+    """Draw thin lines through zero."""
+    axes.axhline(0.0, color=GREY, linewidth=0.4, zorder=0)
+    axes.axvline(0.0, color=GREY, linewidth=0.4, zorder=0)
 
 
 def _pieces(
@@ -95,13 +100,13 @@ def _pieces(
     return pieces, middle[starts]
 
 
-def colour_quantity(response: "Response") -> ColourQuantity:
+def colour_quantity(response: "History") -> ColourQuantity:
     """Return what the colour of a loop shows best."""
     rise = float(response.temperature.max()) - response.heating.ambient
     return "temperature" if rise > 1.0 else "time"
 
 
-def colour_range(response: "Response", shows: ColourQuantity) -> Normalize:
+def colour_range(response: "History", shows: ColourQuantity) -> Normalize:
     """Return the range of the colours of a loop, which the temperature of the plates shares."""
     if shows == "time":
         time = response.time[shown(response)]

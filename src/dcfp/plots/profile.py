@@ -14,7 +14,7 @@ from dcfp.plots.style import calm_ticks, colour_bar_beside, new_axes, styled, wa
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from dcfp.response import Response
+    from dcfp.plots.extent import History
 
 #: Rise of the temperature, relative to the highest one, that is shown at least [-].
 _COOL = 0.01
@@ -22,7 +22,7 @@ _COOL = 0.01
 
 @styled
 def plot_profile(
-    response: "Response",
+    response: "History",
     axes: "Axes | None" = None,
     *,
     plate: int = 0,
@@ -34,7 +34,7 @@ def plot_profile(
     Parameters
     ----------
     response
-        An analysis with the precise heating model that kept profiles.
+        An analysis or test with the precise heating model that kept profiles.
     axes
         Where to draw; by default on a new figure.
     plate

@@ -45,7 +45,7 @@ def plot_response(response: "Response") -> Figure:
 
 
 def _draw_loop(left: "SubFigure", response: "Response", shows: ColourQuantity, norm: Normalize) -> None:
-    panels: Any = left.subplots(2, 1, height_ratios=[3.2, 1.0])
+    panels: Any = left.subplots(2, 1, height_ratios=[3.0, 1.15])
     plot_loop(response, panels[0], colour=shows, norm=norm)
     _write_notes(left, panels[1], response)
 

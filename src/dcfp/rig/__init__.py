@@ -7,6 +7,7 @@ from dcfp.rig.measurement import read_measurement as read_measurement
 from dcfp.rig.measures import Cycle as Cycle
 from dcfp.rig.program import Program as Program
 from dcfp.rig.program import RigTest as RigTest
+from dcfp.rig.read import load_program as load_program
 from dcfp.rig.run import run_program as run_program
 from dcfp.rig.waveform import Recorded as Recorded
 from dcfp.rig.waveform import Sine as Sine

@@ -49,7 +49,7 @@ def _provenance(loops: "Loops") -> dict[str, str | float]:
         "waveform": test.waveform.kind,
         "begins_s": loops.begins,
         "cycles": json.dumps(cycle_rows(loops)),
-        "vertical_load": json.dumps(asdict(test.load)),
+        "vertical_load": json.dumps(None if test.load is None else asdict(test.load)),
         "bearing": json.dumps(asdict(loops.bearing)),
         "friction_law": repr(loops.friction_law),
         "heating_model": repr(loops.heating),

@@ -10,8 +10,9 @@ from dcfp.arrays import FloatArray
 from dcfp.bearing import Bearing, FrictionLaw, Heating
 from dcfp.bearing.profiles import Profiles
 from dcfp.kernels import drive as d
-from dcfp.rig.measures import Cycle, cycles_of
+from dcfp.rig.measures import Cycle, cycles_of, zero_crossings
 from dcfp.rig.program import RigTest
+from dcfp.rig.validity import validity_remarks
 
 if TYPE_CHECKING:
     import xarray
@@ -108,15 +109,30 @@ class Loops:
         """Energy dissipated by friction since the start of the test [N mm]."""
         return self.lines[:, d.HYSTERETIC]
 
+    @property
+    def crossings(self) -> FloatArray:
+        """Time [s], force [N] and load [N] wherever the displacement passes zero, shape (crossings, 3)."""
+        return zero_crossings(self)
+
     @cached_property
     def cycles(self) -> tuple[Cycle, ...]:
         """Measures of each cycle."""
         return cycles_of(self)
 
     @property
+    def peak_displacement(self) -> float:
+        """Largest displacement, to either side [mm]."""
+        return float(np.abs(self.displacement).max())
+
+    @property
     def peak_temperature(self) -> float:
         """Highest temperature of the contact of any plate [degC]."""
         return float(self.lines[:, d.TEMPERATURE :].max())
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """Sentences that a reader of the measures must know."""
+        return tuple(validity_remarks(self))
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return histories, measures and provenance as a data set with units."""

@@ -13,7 +13,7 @@ import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
-from dcfp.rig.measures import Cycle, measured_cycles
+from dcfp.rig.measures import Cycle, measured_cycles, zero_crossings
 from dcfp.rig.waveform import cycle_bounds
 
 #: Units of each column: what the value is multiplied by to be in N, mm, s, degC.
@@ -77,6 +77,11 @@ class Measurement:
     def cycle_times(self) -> FloatArray:
         """Times at which cycles begin and end [s]."""
         return cycle_bounds(self.time, self.displacement)
+
+    @property
+    def crossings(self) -> FloatArray:
+        """Time [s], force [N] and load [N] wherever the displacement passes zero, shape (crossings, 3)."""
+        return zero_crossings(self)
 
     @cached_property
     def cycles(self) -> tuple[Cycle, ...]:

@@ -103,6 +103,11 @@ class Cycle:
         return float(np.mean(self.crossings)) if self.crossings else math.nan
 
     @property
+    def loop_friction(self) -> float:
+        """Return the mean coefficient over the cycle, E / (2 N (d+ - d-)) [-]: that of the Coulomb loop of the same area."""
+        return self.energy / (2.0 * self.load * (self.largest - self.least))
+
+    @property
     def effective_stiffness(self) -> float:
         """Return k_eff = (F+ - F-)/(d+ - d-) [N/mm]: ASCE/SEI 7-16, Eq. (17.8-1)."""
         return effective_stiffness(self.force_at_largest, self.force_at_least, self.largest, self.least)
@@ -143,7 +148,8 @@ def _measured(history: ForceHistory, work: FloatArray, temperature: FloatArray) 
     crossings = zero_crossings(history)
     cycles: list[Cycle] = []
     for number, (first, last) in enumerate(itertools.pairwise(bounds.tolist()), start=1):
-        part = slice(*(int(i) for i in np.searchsorted(time, [first - slack, last + slack])))
+        samples = np.flatnonzero((time >= first - slack) & (time <= last + slack))
+        part = slice(int(samples[0]), int(samples[-1]) + 1)
         displacement, force = history.displacement[part], history.force[part]
         highest, lowest = int(displacement.argmax()), int(displacement.argmin())
         inside = (crossings[:, 0] >= first - slack) & (crossings[:, 0] < last - slack)
@@ -156,8 +162,8 @@ def _measured(history: ForceHistory, work: FloatArray, temperature: FloatArray) 
                 force_at_largest=float(force[highest]),
                 force_at_least=float(force[lowest]),
                 load=float(history.load[part].mean()),
-                energy=float(np.interp(last, time, work) - np.interp(first, time, work)),
-                crossings=tuple(float(value) for value in forces / loads),
+                energy=float(np.diff(np.interp(np.array([first, last]), time, work))[0]),
+                crossings=tuple((forces / loads).tolist()),
                 strength=float(forces.mean()) if forces.size else math.nan,
                 post_yield_stiffness=_post_yield_stiffness(displacement, force, virgin=part.start == 0),
                 peak_temperature=float(temperature[part].max()),

@@ -1,7 +1,7 @@
 """Test programs: what is done to a bearing, one test after another."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from dcfp.bearing import Bearing
 from dcfp.bearing.checks import finite
@@ -13,6 +13,8 @@ from dcfp.rig.waveform import Waveform
 _LARGEST_ANGLE = 0.5
 #: Longest pause [s].
 _LONGEST_PAUSE = 7 * 24 * 3600.0
+#: What a test can be to the checks of a code.
+ROLES = ("wind", "increment", "maximum", "endurance", "stability")
 
 
 @dataclass(frozen=True)
@@ -26,20 +28,26 @@ class RigTest:
     waveform
         The displacement.
     load
-        The vertical load.
+        The vertical load; None for that of the bearing.
     pause
         Time of cooling between the test before and this one [s]; None where the plates begin at the ambient temperature.
     purpose
-        What the test is for.
+        What the test is for, in words.
+    role
+        What it is to the checks of a code: one of `ROLES`, or empty.
     """
 
     name: str
     waveform: Waveform
-    load: VerticalLoad
+    load: VerticalLoad | None = None
     pause: float | None = None
     purpose: str = ""
+    role: str = ""
 
     def __post_init__(self) -> None:
+        if self.role and self.role not in ROLES:
+            msg = f"The role of {self.name} must be one of {', '.join(ROLES)}, not {self.role!r}."
+            raise InputError(msg)
         if self.pause is not None:
             finite(self.pause, "pause before a test", "s")
             if not 0.0 <= self.pause <= _LONGEST_PAUSE:
@@ -61,12 +69,15 @@ class Program:
         Where it comes from, in words.
     citation
         Key of the source in the bibliography; empty for a user's own.
+    code
+        Name of the code whose checks the tests are to pass; empty for none.
     """
 
     name: str
     tests: tuple[RigTest, ...]
     source: str = ""
     citation: str = ""
+    code: str = ""
 
     def __post_init__(self) -> None:
         if not self.tests:
@@ -101,9 +112,7 @@ class Program:
             if name not in known:
                 msg = f"{self.name} has no test {name!r}; it has {', '.join(known)}."
                 raise InputError(msg)
-        return Program(
-            self.name, tuple(test for test in self.tests if test.name in names), self.source, self.citation
-        )
+        return replace(self, tests=tuple(test for test in self.tests if test.name in names))
 
 
 def check_stroke(test: RigTest, bearing: Bearing) -> None:

@@ -16,6 +16,7 @@ from dcfp.kernels.friction import CyclingLaw, ExponentialLaw, Law
 from dcfp.kernels.heat_state import Heat
 from dcfp.kernels.heating import place_slider
 from dcfp.kernels.memory import HORIZON
+from dcfp.rig.load import VerticalLoad
 from dcfp.rig.loops import Loops
 from dcfp.rig.program import Program, RigTest, check_stroke
 from dcfp.rig.waveform import Travel
@@ -154,7 +155,8 @@ class _Machine:
 
     def _pieces(self, test: RigTest, travel: Travel) -> tuple[Law, FloatArray]:
         """Return the law at some pressure, and the path with load and reference of the law in each piece."""
-        load = test.load.at(travel.time, self.bearing)
+        vertical = VerticalLoad((self.bearing.pressure,)) if test.load is None else test.load
+        load = vertical.at(travel.time, self.bearing)
         pressure = load / self.bearing.slider_area
         law = self.friction.at_pressure(float(pressure[0]))
         reference = np.ones_like(load)

@@ -40,6 +40,7 @@ def measures(cycle: Cycle) -> dict[str, float | None]:
         "post_yield_stiffness_kN_mm": _known(cycle.post_yield_stiffness / 1e3),
         "strength_kN": _known(cycle.strength / 1e3),
         "energy_kN_m": cycle.energy / 1e6,
+        "friction_of_loop": cycle.loop_friction,
         "friction_at_zero": _known(cycle.friction),
         "friction_at_zero_first": cycle.crossings[0] if cycle.crossings else None,
         "friction_at_zero_second": cycle.crossings[1] if len(cycle.crossings) > 1 else None,

@@ -2,11 +2,33 @@
 
 from collections.abc import Callable
 
-from dcfp.verification import analytic, convergence, explicit, half_space, laws, opensees, published
+from dcfp.verification import (
+    analytic,
+    convergence,
+    explicit,
+    half_space,
+    laws,
+    opensees,
+    published,
+    rig,
+    rig_brute_force,
+    rig_opensees,
+)
 from dcfp.verification.check import Check, Task
 
 #: In the order in which they are printed.
-GROUPS = (published, analytic, half_space, laws, convergence, explicit, opensees)
+GROUPS = (
+    published,
+    analytic,
+    half_space,
+    laws,
+    convergence,
+    explicit,
+    rig,
+    rig_brute_force,
+    opensees,
+    rig_opensees,
+)
 
 
 def tasks(full: bool = False) -> list[Task]:

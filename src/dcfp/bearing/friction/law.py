@@ -1,6 +1,7 @@
 """What a friction law is."""
 
 from abc import ABC, abstractmethod
+from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -8,6 +9,25 @@ from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.kernels.friction import Law
+
+
+@dataclass(frozen=True)
+class Tested:
+    """The tests that a law rests on.
+
+    Attributes
+    ----------
+    pressure
+        Smallest and largest on the slider's area [N/mm2].
+    speed
+        Smallest and largest relative speed of the plates [mm/s].
+    source
+        Where they are described.
+    """
+
+    pressure: tuple[float, float]
+    speed: tuple[float, float]
+    source: str
 
 
 class FrictionLaw(ABC):
@@ -24,12 +44,18 @@ class FrictionLaw(ABC):
         relative speed of the two plates.
     reference_parameter
         Name of the parameter that scales the whole law; empty for a law that has none.
+    tested
+        The tests that it rests on, where they are known.
+    caution
+        A sentence that must stand beside every result; empty for a law that needs none.
     """
 
     name: ClassVar[str]
     citation: ClassVar[str] = ""
     speed_is_of_surface: ClassVar[bool] = False
     reference_parameter: ClassVar[str] = ""
+    tested: ClassVar[Tested | None] = None
+    caution: ClassVar[str] = ""
 
     @property
     def reference(self) -> float:
@@ -48,11 +74,17 @@ class FrictionLaw(ABC):
         """Effect of the temperature of the contact [degC] on the coefficient [-]; one unless a law says otherwise."""
         return np.ones_like(temperature, dtype=np.float64)
 
+    def dose_factor(self, dose: ArrayLike) -> FloatArray:
+        """Effect of the dose of rubbing, the integral of p v2 over time [N/s], on the coefficient [-]; one unless a law says otherwise."""
+        return np.ones_like(dose, dtype=np.float64)
+
     @abstractmethod
     def at_pressure(self, pressure: float) -> Law:
         """Return the law at a constant pressure [N/mm2] in the form that the kernels take."""
 
-    def coefficient(self, pressure: ArrayLike, speed: ArrayLike, temperature: ArrayLike) -> FloatArray:
+    def coefficient(
+        self, pressure: ArrayLike, speed: ArrayLike, temperature: ArrayLike, dose: ArrayLike = 0.0
+    ) -> FloatArray:
         """Coefficient of friction [-].
 
         Parameters
@@ -63,11 +95,14 @@ class FrictionLaw(ABC):
             Of the upper plate relative to the lower one, or of the slider on a plate
             where ``speed_is_of_surface`` [mm/s].
         temperature
-            Of the contact [degC]. The arguments are broadcast together.
+            Of the contact [degC].
+        dose
+            Of rubbing so far [N/s], for laws that wear off. The arguments are broadcast together.
         """
         return np.asarray(
             self.reference
             * self.pressure_factor(pressure)
             * self.velocity_factor(np.abs(speed))
             * self.temperature_factor(temperature)
+            * self.dose_factor(dose)
         )

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.bearing.checks import fraction, yes_or_no
-from dcfp.bearing.friction.law import FrictionLaw
+from dcfp.bearing.friction.law import FrictionLaw, Tested
 from dcfp.kernels.friction import ExponentialLaw
 
 #: Coefficient at 60 N/mm2, 400 mm/s and about 20 degC [-], section 4.1.
@@ -71,6 +71,7 @@ class Li2020(FrictionLaw):
     name: ClassVar[str] = "li2020"
     citation: ClassVar[str] = "li_2020"
     reference_parameter: ClassVar[str] = "mu_0"
+    tested: ClassVar[Tested | None] = Tested((30.0, 90.0), (0.0, 644.0), "Li et al. 2020, Tables 1 and 2")
 
     def __post_init__(self) -> None:
         fraction(self.mu_0, "coefficient of friction mu_0")

@@ -6,6 +6,7 @@ from typing import Any
 from dcfp.bearing.choice import make_named
 from dcfp.bearing.friction.constant import ConstantFriction
 from dcfp.bearing.friction.constantinou_1990 import Constantinou1990
+from dcfp.bearing.friction.fitted import FittedFriction
 from dcfp.bearing.friction.kim_constantinou_2023 import (
     KimConstantinou2023Third,
     KimConstantinou2023TwoThirds,
@@ -13,6 +14,7 @@ from dcfp.bearing.friction.kim_constantinou_2023 import (
 from dcfp.bearing.friction.kumar_2015 import Kumar2015
 from dcfp.bearing.friction.law import FrictionLaw
 from dcfp.bearing.friction.li_2020 import Li2020
+from dcfp.bearing.friction.lomiento_2013 import Lomiento2013
 
 _LAWS: dict[str, type[FrictionLaw]] = {
     law.name: law
@@ -23,6 +25,8 @@ _LAWS: dict[str, type[FrictionLaw]] = {
         Kumar2015,
         KimConstantinou2023Third,
         KimConstantinou2023TwoThirds,
+        Lomiento2013,
+        FittedFriction,
     )
 }
 

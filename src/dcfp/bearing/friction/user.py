@@ -56,8 +56,11 @@ class UserFriction(FrictionLaw):
             raise InputError(msg)
         object.__setattr__(self, "_compiled", compiled)
 
-    def coefficient(self, pressure: ArrayLike, speed: ArrayLike, temperature: ArrayLike) -> FloatArray:
-        """Coefficient of friction [-]; the arguments are broadcast together."""
+    def coefficient(
+        self, pressure: ArrayLike, speed: ArrayLike, temperature: ArrayLike, dose: ArrayLike = 0.0
+    ) -> FloatArray:
+        """Coefficient of friction [-], whatever the dose; the arguments are broadcast together."""
+        del dose
         return np.asarray(
             np.vectorize(self._compiled, otypes=[np.float64])(pressure, np.abs(speed), temperature)
         )

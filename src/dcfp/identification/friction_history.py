@@ -1,0 +1,195 @@
+"""From a measured loop to the history of the coefficient of friction, and of what it may depend on."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from dcfp.arrays import FloatArray, freeze
+from dcfp.bearing import Bearing, Heating
+from dcfp.bearing.friction import FittedFriction
+from dcfp.bearing.plates import cold_plates, heat_of, structure_of
+from dcfp.errors import AnalysisError, InputError
+from dcfp.identification.smoothing import Smoothed, find_strokes, smooth
+from dcfp.kernels.memory import HORIZON
+from dcfp.kernels.thermometer import follow_heat
+from dcfp.rig import Measurement
+
+#: Order of the polynomials that displacement and load are smoothed with.
+_DISPLACEMENT_ORDER, _LOAD_ORDER = 4, 2
+#: Root mean square over the mean load of what is scatter of the load, where one parabola goes through each stroke [-].
+_LOAD_SCATTER = 0.03
+#: Least length of a stroke over the largest displacement [-].
+_LEAST_STROKE = 0.02
+#: Speed over the peak speed of the test above which samples are used [-].
+_LEAST_SPEED = 0.05
+#: Distance from a reversal from which on samples are used, over the one in which spring (b) goes from one yield force to the other [-].
+_CLEAR = 2.0
+#: The longest mode of the heat fades 3 % in so much of a test; see `fading_modes`.
+_HORIZONS = 3.0
+_FEWEST_SAMPLES = 20
+
+
+@dataclass(frozen=True, eq=False)
+class FrictionHistory:
+    """What one test tells of friction; arrays have the shape (n,) of the measured ones.
+
+    Attributes
+    ----------
+    measurement
+        Where it comes from.
+    coefficient
+        (F - N y / R) / N, positive against the sliding [-].
+    displacement, speed
+        Without noise [mm, mm/s]; the speed is that of the plates against each other, and positive.
+    load, pressure
+        Vertical force, without noise [N], and over the slider's area [N/mm2].
+    temperature
+        Of the contact, from the measured heat [degC].
+    stroke
+        Number of the stroke of each sample, -1 in none.
+    used
+        Whether a sample tells of sliding: not near a reversal, where spring (b) sticks, and not slower than 5 % of the peak speed.
+    speed_window, load_window
+        Length of the filter that speed and load come from [samples].
+    """
+
+    measurement: Measurement
+    coefficient: FloatArray
+    displacement: FloatArray
+    speed: FloatArray
+    load: FloatArray
+    pressure: FloatArray
+    temperature: FloatArray
+    stroke: NDArray[np.int64]
+    used: NDArray[np.bool_]
+    speed_window: int
+    load_window: int
+
+    @property
+    def name(self) -> str:
+        """Name of the test."""
+        return self.measurement.name
+
+    @property
+    def time(self) -> FloatArray:
+        """Time [s]."""
+        return self.measurement.time
+
+
+def friction_history(measurement: Measurement, bearing: Bearing, heating: Heating) -> FrictionHistory:
+    r"""Take the friction out of a measured loop.
+
+    .. math:: \mu = \pm \frac{F - N y / R}{N}
+
+    Parameters
+    ----------
+    measurement
+        With force and load.
+    bearing
+        That was tested; its pressure is not used.
+    heating
+        Gives the temperature from the flux of heat that was measured, (F - N y / R) v over the slider's area, and not from a law of friction.
+        The plates start at its ambient temperature.
+
+    Raises
+    ------
+    InputError
+        If the measurement has no force or no load, or nothing slides.
+
+    Notes
+    -----
+    Speed and displacement come from polynomials of the fourth order in a moving window, the load from such of the second, of a length that
+    follows the noise and the sampling (`smooth`); each stroke is smoothed by itself, so that a corner of the motion stays one. The load is
+    smoothed since the reciprocal of one with 2 % of noise is 0.04 % too large in the mean, as much as the standard error of mu_0 from
+    ten thousand samples. The force enters once, in the numerator, and stays as it is.
+
+    On two plates that differ, both are taken to have the coefficient of the whole bearing, and the temperature is the mean by their share of the travel.
+    """
+    time, force = measurement.time, measurement.force
+    strokes = find_strokes(
+        measurement.displacement, _LEAST_STROKE * float(np.abs(measurement.displacement).max())
+    )
+    motion = smooth(measurement.displacement, time, strokes, _DISPLACEMENT_ORDER)
+    load = smooth(
+        measurement.load, time, strokes, _LOAD_ORDER, _LOAD_SCATTER * float(measurement.load.mean())
+    )
+    friction_force = force - load.values * motion.values / bearing.effective_radius
+    number = np.full(time.size, -1, dtype=np.int64)
+    side = np.sign(motion.slope)
+    for i, stroke in enumerate(strokes):
+        number[stroke] = i
+        side[stroke] = np.sign(
+            measurement.displacement[stroke.stop - 1] - measurement.displacement[stroke.start]
+        )
+    coefficient = side * friction_force / load.values
+    used = _sliding(motion, side, number, coefficient, load.values / bearing.elastic_stiffness, strokes)
+    if np.count_nonzero(used) < _FEWEST_SAMPLES:
+        msg = (
+            f"{measurement.name}: only {np.count_nonzero(used)} samples are of steady sliding, and {_FEWEST_SAMPLES} are needed; the stroke must go"
+            " beyond the elastic deformation of the bearing (look at its --stiffness), and be sampled finely."
+        )
+        raise InputError(msg)
+    flux = friction_force * motion.slope / bearing.slider_area
+    if coefficient[0] < 0.5 * coefficient[1]:
+        # at rest before it began: the force has risen long before the second sample, and with it the heat
+        flux[0] = flux[1] * motion.slope[0] / motion.slope[1] if motion.slope[1] else 0.0
+    return FrictionHistory(
+        measurement=measurement,
+        coefficient=freeze(coefficient),
+        displacement=freeze(motion.values),
+        speed=freeze(np.abs(motion.slope)),
+        load=freeze(load.values),
+        pressure=freeze(load.values / bearing.slider_area),
+        temperature=freeze(_temperature(time, motion.values, flux, bearing, heating)),
+        stroke=number,
+        used=used,
+        speed_window=motion.window,
+        load_window=load.window,
+    )
+
+
+def _sliding(
+    motion: Smoothed,
+    side: FloatArray,
+    number: NDArray[np.int64],
+    coefficient: FloatArray,
+    reach: FloatArray,
+    strokes: list[slice],
+) -> NDArray[np.bool_]:
+    """Return which samples are used; `reach` is the elongation of spring (b) under a coefficient of one [mm]."""
+    speed = side * motion.slope
+    inside = number >= 0
+    if not inside.any():
+        return inside
+    peak = float(speed[inside].max())
+    fast = inside & (speed > 0.5 * peak)
+    swing = 2.0 * float(np.median((coefficient * reach)[fast]))
+    moved = np.zeros(speed.size)
+    for stroke in strokes:
+        moved[stroke] = np.abs(motion.values[stroke] - motion.values[stroke.start])
+    return inside & (speed > _LEAST_SPEED * peak) & (moved > _CLEAR * swing)
+
+
+def _temperature(
+    time: FloatArray, displacement: FloatArray, flux: FloatArray, bearing: Bearing, heating: Heating
+) -> FloatArray:
+    """Return the temperature of the contact [degC] under a flux mu p v [N/(mm s)]."""
+    plates = cold_plates(
+        bearing,
+        heating,
+        reach=float(np.abs(displacement).max()),
+        horizon=max(HORIZON, float(time[-1]) / _HORIZONS),
+    )
+    structure = structure_of(bearing, FittedFriction())
+    temperatures = np.empty((time.size, structure.plates))
+    steps = np.diff(time)
+    middle = float(np.median(steps))
+    if np.abs(steps - middle).max() < 1e-6 * middle:
+        steps = np.full(steps.size, middle)  # equal steps are prepared once
+    if not follow_heat(structure, heat_of(plates, bearing, heating), steps, displacement, flux, temperatures):
+        msg = (
+            "The slider leaves the cells of the precise heating model; look at the unit of the displacement."
+        )
+        raise AnalysisError(msg)
+    return temperatures[:, 0] if structure.plates == 1 else temperatures @ np.array(bearing.shares)

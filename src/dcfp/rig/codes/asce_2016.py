@@ -1,0 +1,145 @@
+"""Prototype tests and their adequacy: ASCE/SEI 7-16, sections 17.8.2 and 17.8.4.
+
+The order, displacements and cycles of the sequence agree with the tests of Li et al. (2020), Table 2, which follow the same standard. The limits of
+17.8.4 are *unconfirmed*: they are from memory of the standard, its text could not be read.
+"""
+
+import math
+from collections.abc import Sequence
+
+from dcfp.rig.codes.criterion import Criterion
+from dcfp.rig.codes.design import PrototypeDesign
+from dcfp.rig.loops import Loops
+from dcfp.rig.program import Program, RigTest
+from dcfp.rig.waveform import Sine
+
+CODE = "ASCE/SEI 7-16"
+#: Displacements over D_M of item 2 (a).
+INCREMENTS = (0.25, 0.5, 0.67, 1.0)
+WIND_CYCLES = 20
+LEAST_ENDURANCE_CYCLES = 10
+ENDURANCE_DISPLACEMENT = 0.75
+#: Limits of 17.8.4, unconfirmed: scatter of k_eff over the cycles of one displacement, change of k_eff and fall of beta_eff over item 4 [-].
+LARGEST_SCATTER = 0.15
+LARGEST_STIFFNESS_CHANGE = 0.20
+LARGEST_DAMPING_FALL = 0.20
+
+
+def prototype_program(design: PrototypeDesign) -> Program:
+    """Return the sequence of 17.8.2.2 (items 1, 2 (a), 3 and 4 (a)) and 17.8.2.5, sine waves at the effective period.
+
+    Every test starts on cold plates; the wind force of item 1 is replaced by a displacement.
+    """
+
+    def wave(displacement: float, cycles: int) -> Sine:
+        return Sine(displacement, 2.0 * math.pi * displacement / design.period, cycles)
+
+    d = design.displacement
+    endurance = max(LEAST_ENDURANCE_CYCLES, design.endurance_cycles)
+    tests = [
+        RigTest(
+            "1 wind",
+            wave(design.wind_displacement, WIND_CYCLES),
+            design.load(),
+            purpose="item 1",
+            role="wind",
+        ),
+        *(
+            RigTest(
+                f"2 {part:g} D_M", wave(part * d, 3), design.load(), purpose="item 2 (a)", role="increment"
+            )
+            for part in INCREMENTS
+        ),
+        RigTest("3 D_M", wave(d, 3), design.load(), purpose="item 3", role="maximum"),
+        RigTest(
+            "4 0.75 D_M",
+            wave(ENDURANCE_DISPLACEMENT * d, endurance),
+            design.load(),
+            purpose="item 4 (a)",
+            role="endurance",
+        ),
+        RigTest(
+            "5 least load",
+            wave(design.total, 1),
+            design.load(design.least_load),
+            purpose="17.8.2.5",
+            role="stability",
+        ),
+        RigTest(
+            "5 largest load",
+            wave(design.total, 1),
+            design.load(design.largest_load),
+            purpose="17.8.2.5",
+            role="stability",
+        ),
+    ]
+    source = "ASCE/SEI 7-16, sections 17.8.2.2 and 17.8.2.5"
+    return Program("ASCE/SEI 7-16 prototype tests", tuple(tests), source, code="asce7-16")
+
+
+def judge(loops: Sequence[Loops]) -> list[Criterion]:
+    """Return what 17.8.4 wants of the tests that have a role."""
+    found: list[Criterion] = []
+    for test in loops:
+        cycles = test.cycles
+        if not test.test.role:
+            continue
+        slopes = [c.post_yield_stiffness for c in cycles]
+        found.append(
+            _criterion(
+                test,
+                "(1)",
+                "force grows with displacement: least post-yield stiffness",
+                min(slopes) / 1e3,
+                0.0,
+                "kN/mm",
+                at_least=True,
+            )
+        )
+        stiffness = [c.effective_stiffness for c in cycles]
+        if test.test.role in ("increment", "maximum"):
+            mean = sum(stiffness) / len(stiffness)
+            scatter = max(abs(k / mean - 1.0) for k in stiffness)
+            found.append(
+                _criterion(
+                    test,
+                    "(3)",
+                    "k_eff of each cycle within 15 % of the mean of the cycles",
+                    scatter,
+                    LARGEST_SCATTER,
+                )
+            )
+        if test.test.role == "endurance":
+            change = max(abs(k / stiffness[0] - 1.0) for k in stiffness)
+            damping = [c.effective_damping for c in cycles]
+            fall = 1.0 - min(damping) / damping[0]
+            found += [
+                _criterion(
+                    test,
+                    "(4)",
+                    "k_eff changes by at most 20 % of the first cycle's",
+                    change,
+                    LARGEST_STIFFNESS_CHANGE,
+                ),
+                _criterion(
+                    test,
+                    "(6)",
+                    "beta_eff falls by at most 20 % of the first cycle's",
+                    fall,
+                    LARGEST_DAMPING_FALL,
+                ),
+            ]
+    return found
+
+
+def _criterion(
+    test: Loops,
+    item: str,
+    statement: str,
+    value: float,
+    limit: float,
+    unit: str = "-",
+    *,
+    at_least: bool = False,
+) -> Criterion:
+    return Criterion(CODE, f"17.8.4 {item}", test.test.name, statement, value, limit, unit, at_least)

@@ -1,0 +1,29 @@
+"""Whether a virtual test stayed within what the model assumes."""
+
+from typing import TYPE_CHECKING
+
+from dcfp.bearing.validity import History, assumption_remarks
+from dcfp.kernels.drive import TEMPERATURE
+
+if TYPE_CHECKING:
+    from dcfp.rig.loops import Loops
+
+
+def validity_remarks(loops: "Loops") -> list[str]:
+    """Return a sentence for each assumption that a test left."""
+    return assumption_remarks(
+        History(
+            name=loops.test.name,
+            bearing=loops.bearing,
+            friction_law=loops.friction_law,
+            heating=loops.heating,
+            velocity=loops.velocity,
+            friction=loops.friction,
+            temperatures=loops.lines[:, TEMPERATURE:],
+            slides=bool(loops.sliding.any()),
+            load=loops.load,
+            duration=loops.begins + float(loops.time[-1]),
+            memory=float("inf"),  # the modes are chosen for the whole story
+            rests=loops.begins > 0.0,
+        )
+    )
