@@ -89,6 +89,9 @@ def run(chosen: argparse.Namespace) -> int:
     model = inputs.model(chosen)
     program = _program(chosen, model)
     measured = _measured(chosen, program)
+    if chosen.checks and not program.code:
+        msg = f"{program.name} belongs to no code whose checks could be made; asce, asce7-16 and en15129 do."
+        raise InputError(msg)
     runs = _run(program, model, chosen)
     _write(runs, measured, program, outputs)
     loops = [test for tests in runs.values() for test in tests]
@@ -216,9 +219,6 @@ def _show_checks(program: "Program", runs: "dict[str, tuple[Loops, ...]]", *, as
 
     name, loops = next(iter(runs.items()))
     criteria, factors = judge_tests(program, loops), property_factors(loops)
-    if not criteria and not factors:
-        msg = f"{program.name} belongs to no code whose checks could be made; asce, asce7-16 and en15129 do."
-        raise InputError(msg)
     if as_json:
         rows = [{**asdict(item), "passed": item.passed} for item in criteria]
         print(

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from dcfp.errors import InputError
+from dcfp.rig.codes.choice import prototype_programs
 from dcfp.rig.load import VerticalLoad
 from dcfp.rig.measurement import Measurement, read_measurement
 from dcfp.rig.program import Program, RigTest
@@ -109,6 +110,10 @@ def parse_program(content: Mapping[str, Any], where: str, folder: Path) -> Progr
         _test(cast("dict[str, Any]", table), number, where, folder)
         for number, table in enumerate(cast("list[Any]", tables), start=1)
     ]
+    code = str(content.get("code", ""))
+    if code and code not in prototype_programs():
+        msg = f"{where}: there are no checks of the code {code!r}; the choices are {', '.join(prototype_programs())}."
+        raise InputError(msg)
     try:
         words = {key: str(content.get(key, "")) for key in ("source", "citation", "code")}
         return Program(str(content.get("name", Path(where).stem)), tuple(tests), **words)
