@@ -173,9 +173,9 @@ static inline double share(const struct structure *structure, int plate)
 
 static void fill_fade(const struct steel *steel, double length, double *restrict fade)
 {
-    fade[0] = exp(-steel->rates[0] * length);
-    fade[1] = exp(-steel->rates[1] * length);
-    for (int j = 2; j < MODES; j++) {
+    for (int j = 0; j < 4; j++)
+        fade[j] = exp(-steel->rates[j] * length);
+    for (int j = 4; j < MODES; j++) {
         double f = fade[j - 2];
         f *= f;
         f *= f;

@@ -4,6 +4,7 @@ from dcfp.bearing.bearing import LI_2020 as LI_2020
 from dcfp.bearing.bearing import Bearing as Bearing
 from dcfp.bearing.friction import ConstantFriction as ConstantFriction
 from dcfp.bearing.friction import Constantinou1990 as Constantinou1990
+from dcfp.bearing.friction import FittedFriction as FittedFriction
 from dcfp.bearing.friction import FrictionLaw as FrictionLaw
 from dcfp.bearing.friction import Kumar2015 as Kumar2015
 from dcfp.bearing.friction import Li2020 as Li2020

@@ -11,6 +11,7 @@ from dcfp.errors import DcfpError, InputError
 
 #: Each sub-command, the module of this package that it is in, and what it does.
 COMMANDS = {
+    "identify": "friction law from measured tests",
     "records": "named records, or what is in a record file",
     "respond": "response history analysis",
     "test": "virtual test machine: test programs, measures per cycle, checks of codes",

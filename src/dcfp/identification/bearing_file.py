@@ -33,7 +33,11 @@ def bearing_file(bearing: Bearing, law: FrictionLaw, heating: Heating, notes: tu
     lines = [f"# {' '.join(note.split())}" for note in notes]
     lines += [f"{key} = {_value(value)}" for key, value in top.items()]
     for table, entries in tables.items():
-        lines += ["", f"[{table}]", *(f"{key} = {_value(value)}" for key, value in entries.items() if value is not None)]
+        lines += [
+            "",
+            f"[{table}]",
+            *(f"{key} = {_value(value)}" for key, value in entries.items() if value is not None),
+        ]
     return "\n".join(lines) + "\n"
 
 

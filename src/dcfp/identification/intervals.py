@@ -86,12 +86,14 @@ def jackknife(slopes: FloatArray, residual: FloatArray, block: NDArray[np.int64]
     weakest = int(np.argmax(np.linalg.cond(left)))
     if not np.linalg.cond(left[weakest]) < _LARGEST_CONDITION:
         lost = _least_told(left[weakest])
-        return Jackknife(np.full((count, count), np.inf), np.ones(count, dtype=np.float64), blocks, lost)
+        unknown: FloatArray = np.full((count, count), np.inf)
+        freedom: FloatArray = np.ones(count)
+        return Jackknife(unknown, freedom, blocks, lost)
     change = np.asarray(np.linalg.solve(left, pull[:, :, None])[:, :, 0], dtype=np.float64)
     covariance: FloatArray = (blocks - 1) / blocks * change.T @ change
     inverse = np.asarray(np.linalg.inv(whole), dtype=np.float64)
     share: FloatArray = np.einsum("ij,gjk,ki->gi", inverse, own, inverse)
-    freedom: FloatArray = share.sum(axis=0) ** 2 / (share**2).sum(axis=0)
+    freedom = np.asarray(share.sum(axis=0) ** 2 / (share**2).sum(axis=0))
     return Jackknife(covariance / np.outer(size, size), freedom, blocks)
 
 

@@ -70,7 +70,7 @@ class Lomiento2013(FrictionLaw):
     -----
     What wears off does not come back: there is no cooling, so the law is for one strong motion. It knows no temperature; a heating model
     beside it only reports one. The defaults restate the law of Li et al. (2020): its pressure factor from 40 to 80 N/mm2 within 1.1 %, its velocity factor, and
-    for the cycling effect a fit to the friction at zero displacement in its dependency test T01 (precise model, four cycles; within 0.6 %).
+    for the cycling effect a fit to the friction at zero displacement in its dependency test T01 (precise model, four cycles; within 0.9 %).
     """
 
     mu_0: float = 0.45 * li_2020.MU_0 * math.exp(60.0 / 325.6)
