@@ -1,6 +1,6 @@
 """Double concave friction pendulum bearings under recorded earthquakes.
 
-The names below are in the order in which data flow: a record, a bearing, its response. Each is imported when it is
+The names below are in the order in which data flow: a record, a bearing, its response; a test program, its loops. Each is imported when it is
 first used, so that ``dcfp --help`` does not wait for the compiler of the kernels.
 """
 
@@ -28,6 +28,11 @@ if TYPE_CHECKING:
     from dcfp.record.load import load_motion as load_motion
     from dcfp.response import Response as Response
     from dcfp.response import respond as respond
+    from dcfp.rig import Loops as Loops
+    from dcfp.rig import Program as Program
+    from dcfp.rig import load_program as load_program
+    from dcfp.rig import read_measurement as read_measurement
+    from dcfp.rig import run_program as run_program
 
 _HOMES = {
     "GroundMotion": "dcfp.record.ground_motion",
@@ -45,6 +50,11 @@ _HOMES = {
     "PreciseHeating": "dcfp.bearing",
     "respond": "dcfp.response",
     "Response": "dcfp.response",
+    "Program": "dcfp.rig",
+    "load_program": "dcfp.rig",
+    "run_program": "dcfp.rig",
+    "Loops": "dcfp.rig",
+    "read_measurement": "dcfp.rig",
 }
 
 

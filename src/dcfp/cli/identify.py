@@ -3,6 +3,7 @@
 import argparse
 import json
 import math
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -157,20 +158,9 @@ def _csv(found: "Identification") -> str:
     from dcfp.tabulation import Column, table_text
 
     names = ("name", "unit", "value", "standard_error", "lower", "upper", "held", "words")
-    rows: list[dict[str, object]] = [
-        {
-            "name": one.name,
-            "unit": one.unit or "-",
-            "value": one.value,
-            "standard_error": one.standard_error,
-            "lower": one.lower,
-            "upper": one.upper,
-            "held": None,
-            "words": one.words,
-        }
-        for one in found.estimates
-    ]
-    blank = dict.fromkeys(names)
+    blank: dict[str, object] = {}
+    blank.update(dict.fromkeys(names))
+    rows = [{**blank, **asdict(one), "unit": one.unit or "-"} for one in found.estimates]
     rows += [
         {**blank, "name": one.name, "unit": one.unit or "-", "value": one.value, "held": one.reason}
         for one in found.held

@@ -52,7 +52,7 @@ def _print_estimates(out: "Console", found: "Identification") -> None:
 def _print_correlation(out: "Console", found: "Identification") -> None:
     if len(found.estimates) < 2:
         return
-    table = new_table(["Correlation"], [one.name.replace("_", "\n", 1) for one in found.estimates])
+    table = new_table(["Correlation"], [_head(one.name) for one in found.estimates])
     for one, row in zip(found.estimates, found.correlation.tolist(), strict=True):
         add_row(table, [one.name, *(f"{value:.3f}" for value in row)])
     out.print()
@@ -101,3 +101,8 @@ def _notes(found: "Identification") -> list[str]:
         for one in found.predictions
     ]
     return notes
+
+
+def _head(name: str) -> str:
+    """Return a name in two lines where it is long."""
+    return name.replace("_", "\n", 1) if len(name) > 6 else name

@@ -125,11 +125,19 @@ def print_checks(
             out.print(table)
         if factors:
             table = new_table(
-                ["Property"], ["nominal", "lambda_max", "lambda_min", "after all"], ["Unit", "Tests"]
+                ["Property"],
+                ["nominal", "lambda_max", "lambda_min", "1st/3rd", "after all"],
+                ["Unit", "Tests"],
             )
             for factor in factors:
                 enduring = "" if factor.enduring is None else f"{factor.enduring:.3f}"
-                numbers = [f"{factor.nominal:.4g}", f"{factor.upper:.3f}", f"{factor.lower:.3f}", enduring]
+                numbers = [
+                    f"{factor.nominal:.4g}",
+                    f"{factor.upper:.3f}",
+                    f"{factor.lower:.3f}",
+                    f"{factor.first_over_third:.3f}",
+                    enduring,
+                ]
                 add_row(table, [factor.name, *numbers, factor.unit, ", ".join(factor.tests)])
             out.print()
             out.print(table)

@@ -82,6 +82,7 @@ def identify(
     else:
         found, reasons = _fit_what_is_asked(samples, start, fit, given), {}
     constants = start.changed({name: found.values[name] for name in found.names})
+    temperatures = _temperatures(histories, start, constants)
     return Identification(
         bearing=bearing,
         law=constants.law,
@@ -91,8 +92,8 @@ def identify(
         correlation=found.jackknife.correlation,
         blocks=found.jackknife.blocks,
         histories=tuple(histories),
-        temperatures=tuple(_temperatures(histories, start, constants)),
-        residuals=residuals_of(histories, samples, found),
+        temperatures=tuple(temperatures),
+        residuals=residuals_of(histories, temperatures, samples, found),
         predictions=tuple(
             predict(history, bearing, constants.law, constants.heating) for history in held_histories
         ),

@@ -72,7 +72,7 @@ def jackknife(slopes: FloatArray, residual: FloatArray, block: NDArray[np.int64]
     is not too small in the mean where blocks weigh unequally. The degrees of freedom for Student's t follow from the part :math:`\tau_g^2` that each block has in the variance if
     all errors are alike, :math:`\nu = (\sum \tau_g^2)^2 / \sum \tau_g^4` (Satterthwaite).
     """
-    blocks, count = int(block.max()) + 1, slopes.shape[1]
+    blocks, count = int(block.max()) + 1, int(slopes.shape[1])
     size = np.sqrt((slopes**2).sum(axis=0))
     size[size == 0.0] = 1.0
     order = np.argsort(block, kind="stable")
@@ -87,7 +87,7 @@ def jackknife(slopes: FloatArray, residual: FloatArray, block: NDArray[np.int64]
     if not np.linalg.cond(left[weakest]) < _LARGEST_CONDITION:
         lost = _least_told(left[weakest])
         unknown: FloatArray = np.full((count, count), np.inf)
-        freedom: FloatArray = np.ones(count)
+        freedom: FloatArray = np.full(count, 1.0)
         return Jackknife(unknown, freedom, blocks, lost)
     change = np.asarray(np.linalg.solve(left, pull[:, :, None])[:, :, 0], dtype=np.float64)
     covariance: FloatArray = (blocks - 1) / blocks * change.T @ change

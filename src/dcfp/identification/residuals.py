@@ -20,11 +20,14 @@ _LEAST_MISS = 0.01
 
 
 def residuals_of(
-    histories: Sequence[FrictionHistory], samples: Samples, found: Fit
+    histories: Sequence[FrictionHistory],
+    temperatures: Sequence[FloatArray],
+    samples: Samples,
+    found: Fit,
 ) -> tuple[ResidualStatistics, ...]:
-    """Return the statistics of each test."""
+    """Return the statistics of each test, of which `temperatures` [degC] are those with the conductivity that was found."""
     rows: list[ResidualStatistics] = []
-    for i, history in enumerate(histories):
+    for i, (history, temperature) in enumerate(zip(histories, temperatures, strict=True)):
         own = samples.test == i
         residual, scatter = found.residual[own], float(found.scatter[i])
         rows.append(
@@ -38,7 +41,7 @@ def residuals_of(
                 correlation=_correlation(residual, 1),
                 pressure=float(samples.pressure[own].mean()),
                 peak_speed=float(samples.speed[own].max()),
-                peak_temperature=float(history.temperature[history.used].max()),
+                peak_temperature=float(temperature[history.used].max()),
                 speed_window=history.speed_window,
                 load_window=history.load_window,
             )

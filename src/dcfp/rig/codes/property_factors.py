@@ -35,6 +35,8 @@ class PropertyFactor:
         lambda_test,max: the first of these cycles over the nominal value [-].
     lower
         lambda_test,min: the last of these cycles over the nominal value [-].
+    first_over_third
+        The first over the third of these cycles [-].
     enduring
         The last cycle of the endurance tests over their own first three's mean [-]; None where there are none.
     tests
@@ -46,6 +48,7 @@ class PropertyFactor:
     unit: str
     upper: float
     lower: float
+    first_over_third: float
     enduring: float | None
     tests: tuple[str, ...]
 
@@ -76,6 +79,15 @@ def property_factors(loops: Sequence[Loops]) -> list[PropertyFactor]:
             early = many[:NOMINAL_CYCLES]
             late = of(many[-1]) * len(early) / sum(of(cycle) for cycle in early)
         factors.append(
-            PropertyFactor(name, nominal, unit, max(values) / nominal, min(values) / nominal, late, names)
+            PropertyFactor(
+                name=name,
+                nominal=nominal,
+                unit=unit,
+                upper=values[0] / nominal,
+                lower=values[-1] / nominal,
+                first_over_third=values[0] / values[-1],
+                enduring=late,
+                tests=names,
+            )
         )
     return factors
