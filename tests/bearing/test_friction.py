@@ -122,3 +122,29 @@ def test_the_laws_of_kim_and_constantinou_are_variants_of_kumar():
     assert third.velocity_factor(10.0) == Kumar2015().velocity_factor(10.0)
     assert third.citation in bibliography()
     assert isinstance(friction_law("constant"), ConstantFriction)
+
+
+def test_the_fitted_law_restates_li_2020():
+    pressure, speed, temperature = np.meshgrid([20.0, 60.0, 120.0], [0.0, 20.0, 600.0], [-20.0, 20.0, 300.0])
+    fitted = friction_law("fitted").coefficient(pressure, speed, temperature)
+    assert fitted == pytest.approx(Li2020().coefficient(pressure, speed, temperature), rel=6e-4)
+    assert friction_law("fitted").pressure_factor(60.0) == 1.0
+
+
+@pytest.mark.parametrize(
+    ("parameters", "words"),
+    [
+        ({"mu_0": 1.0}, "between 0 and 1"),
+        ({"pressure_exponent": -0.1}, "pressure exponent must lie between 0 and 5"),
+        ({"pressure_floor": 1.1}, "pressure floor"),
+        ({"reference_pressure": 0.0}, "positive number of N/mm2"),
+        ({"speed_drop": 1.0}, "speed drop"),
+        ({"speed_rate": 0.0}, "positive number of s/mm"),
+        ({"speed_rate": 19.0}, "speed rate"),
+        ({"temperature_rate": 0.7}, "temperature rate"),
+        ({"reference_temperature": float("nan")}, "number of degC"),
+    ],
+)
+def test_constants_of_the_fitted_law_are_checked(parameters, words):
+    with pytest.raises(InputError, match=words):
+        friction_law("fitted", parameters)

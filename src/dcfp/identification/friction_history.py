@@ -7,12 +7,9 @@ from numpy.typing import NDArray
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.bearing import Bearing, Heating
-from dcfp.bearing.friction import FittedFriction
-from dcfp.bearing.plates import cold_plates, heat_of, structure_of
-from dcfp.errors import AnalysisError, InputError
+from dcfp.errors import InputError
+from dcfp.identification.contact_temperature import contact_temperature
 from dcfp.identification.smoothing import Smoothed, find_strokes, smooth
-from dcfp.kernels.memory import HORIZON
-from dcfp.kernels.thermometer import follow_heat
 from dcfp.rig import Measurement
 
 #: Order of the polynomials that displacement and load are smoothed with.
@@ -25,8 +22,6 @@ _LEAST_STROKE = 0.02
 _LEAST_SPEED = 0.05
 #: Distance from a reversal from which on samples are used, over the one in which spring (b) goes from one yield force to the other [-].
 _CLEAR = 2.0
-#: The longest mode of the heat fades 3 % in so much of a test; see `fading_modes`.
-_HORIZONS = 3.0
 _FEWEST_SAMPLES = 20
 
 
@@ -99,10 +94,10 @@ def friction_history(measurement: Measurement, bearing: Bearing, heating: Heatin
 
     Notes
     -----
-    Speed and displacement come from polynomials of the fourth order in a moving window, the load from such of the second, of a length that
-    follows the noise and the sampling (`smooth`); each stroke is smoothed by itself, so that a corner of the motion stays one. The load is
-    smoothed since the reciprocal of one with 2 % of noise is 0.04 % too large in the mean, as much as the standard error of mu_0 from
-    ten thousand samples. The force enters once, in the numerator, and stays as it is.
+    Speed and displacement come from polynomials of the fourth order in a moving window, whose length follows the noise and the sampling (`smooth`);
+    each stroke is smoothed by itself, so that a corner of the motion stays one. The load is a parabola over each stroke where that is within 3 %
+    of the mean load, else smoothed in the same way. It has to be: the reciprocal of a load with 2 % of noise is 0.04 % too large in the
+    mean. The force enters once, in the numerator, and stays as it is.
 
     On two plates that differ, both are taken to have the coefficient of the whole bearing, and the temperature is the mean by their share of the travel.
     """
@@ -130,10 +125,9 @@ def friction_history(measurement: Measurement, bearing: Bearing, heating: Heatin
             " beyond the elastic deformation of the bearing (look at its --stiffness), and be sampled finely."
         )
         raise InputError(msg)
-    flux = friction_force * motion.slope / bearing.slider_area
-    if coefficient[0] < 0.5 * coefficient[1]:
-        # at rest before it began: the force has risen long before the second sample, and with it the heat
-        flux[0] = flux[1] * motion.slope[0] / motion.slope[1] if motion.slope[1] else 0.0
+    temperature = contact_temperature(
+        time, motion.values, motion.slope, friction_force, used, bearing, heating
+    )
     return FrictionHistory(
         measurement=measurement,
         coefficient=freeze(coefficient),
@@ -141,7 +135,7 @@ def friction_history(measurement: Measurement, bearing: Bearing, heating: Heatin
         speed=freeze(np.abs(motion.slope)),
         load=freeze(load.values),
         pressure=freeze(load.values / bearing.slider_area),
-        temperature=freeze(_temperature(time, motion.values, flux, bearing, heating)),
+        temperature=freeze(temperature),
         stroke=number,
         used=used,
         speed_window=motion.window,
@@ -169,27 +163,3 @@ def _sliding(
     for stroke in strokes:
         moved[stroke] = np.abs(motion.values[stroke] - motion.values[stroke.start])
     return inside & (speed > _LEAST_SPEED * peak) & (moved > _CLEAR * swing)
-
-
-def _temperature(
-    time: FloatArray, displacement: FloatArray, flux: FloatArray, bearing: Bearing, heating: Heating
-) -> FloatArray:
-    """Return the temperature of the contact [degC] under a flux mu p v [N/(mm s)]."""
-    plates = cold_plates(
-        bearing,
-        heating,
-        reach=float(np.abs(displacement).max()),
-        horizon=max(HORIZON, float(time[-1]) / _HORIZONS),
-    )
-    structure = structure_of(bearing, FittedFriction())
-    temperatures = np.empty((time.size, structure.plates))
-    steps = np.diff(time)
-    middle = float(np.median(steps))
-    if np.abs(steps - middle).max() < 1e-6 * middle:
-        steps = np.full(steps.size, middle)  # equal steps are prepared once
-    if not follow_heat(structure, heat_of(plates, bearing, heating), steps, displacement, flux, temperatures):
-        msg = (
-            "The slider leaves the cells of the precise heating model; look at the unit of the displacement."
-        )
-        raise AnalysisError(msg)
-    return temperatures[:, 0] if structure.plates == 1 else temperatures @ np.array(bearing.shares)

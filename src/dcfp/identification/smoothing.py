@@ -6,6 +6,7 @@ from functools import lru_cache
 
 import numpy as np
 from numpy.polynomial.legendre import legder, legval, legvander
+from scipy.interpolate import PchipInterpolator
 
 from dcfp.arrays import FloatArray
 
@@ -64,27 +65,36 @@ def smooth(
 ) -> Smoothed:
     """Fit polynomials of an `order` to `values` in a window that moves through each part.
 
-    Where one polynomial for each part leaves a root mean square of no more than `scatter`, the window is the part. Else it
-    is the one, of eighteen from 5 to 731 samples, with the least generalised cross-validation (Craven and Wahba 1979): as long as the
-    noise asks for, if it is white, and no longer than the motion in its sampling allows. At the ends of a part the polynomial of the last whole
-    window goes on. What belongs to no part, or to one that is too short, stays as it is.
+    Where one polynomial for each part leaves a root mean square of no more than `scatter`, the window is the part. Else it is the one,
+    of eighteen from 5 to 731 samples, with the least generalised cross-validation (Craven and Wahba 1979): as long as the noise asks for, if that is
+    white, and no longer than the motion in its sampling allows. At the ends of a part the polynomial of the last whole window goes on. What
+    belongs to no part, or to one that is too short, stays as it is.
     """
     long_parts = [part for part in parts if part.stop - part.start >= order + 3]
     smoothed = values.copy()
     slope = np.gradient(values, time)
     if not long_parts:
         return Smoothed(smoothed, slope, 0)
-    window = max(part.stop - part.start for part in long_parts)
-    if _residual(values, long_parts, order, window)[0] > scatter**2:
-        window = _best_window(values, long_parts, order)
     steps = np.diff(time)
     middle = float(np.median(steps))
     uniform = float(np.abs(steps - middle).max()) < _SAME_STEP * middle
+    even = values.copy()
+    grids: dict[int, FloatArray] = {}
+    if not uniform:  # they are read off a curve through them at as many times that are evenly spaced
+        for part in long_parts:
+            first, last = float(time[part.start]), float(time[part.stop - 1])
+            grids[part.start] = np.linspace(first, last, part.stop - part.start)
+            even[part] = PchipInterpolator(time[part], values[part])(grids[part.start])
+    window = max(part.stop - part.start for part in long_parts)
+    if _residual(even, long_parts, order, window)[0] > scatter**2:
+        window = _best_window(even, long_parts, order)
     for part in long_parts:
         moving = _moving_polynomial(_fitting(window, part, order), order)
-        smoothed[part] = moving.value(values[part])
-        # where samples are not evenly spaced, time is one more history over their number
-        slope[part] = moving.slope(values[part]) / (middle if uniform else moving.slope(time[part]))
+        pace = float(time[part.stop - 1] - time[part.start]) / (part.stop - part.start - 1)
+        found = np.stack((moving.value(even[part]), moving.slope(even[part]) / pace), axis=1)
+        if grids:
+            found = PchipInterpolator(grids[part.start], found)(time[part])
+        smoothed[part], slope[part] = found[:, 0], found[:, 1]
     return Smoothed(smoothed, slope, window)
 
 

@@ -49,6 +49,8 @@ DISPLACEMENT, VELOCITY, ELONGATION, FRICTION, SIDE, LOAD, WORK, HYSTERETIC, TEMP
 _MOST_STEPS_PER_PIECE = 20_000
 #: How close to the yield surface the start of sliding is found [mm].
 _CLOSE = 1e-10
+#: Part of a step within which what is outside of the surface was so from the start [-].
+_AT_ONCE = 1e-3
 # four points of Gauss on (0, 1): exact for the work, whose integrands are of the sixth order in time
 _POINTS = (0.06943184420297371, 0.33000947820757187, 0.6699905217924281, 0.9305681557970263)
 _PARTS = (0.17392742256872692, 0.32607257743127307, 0.32607257743127307, 0.17392742256872692)
@@ -283,8 +285,14 @@ def _slip_time(
     beyond = _excess(law, structure, rig, heat, piece, grip, side, now, length, length) - outside
     if beyond <= 0.0:
         return math.inf
-    below = min(below - outside, -_CLOSE)
     low, high = 0.0, length
+    below -= outside
+    if below > -_CLOSE:  # on the surface: does it go further out at once, or does it first move away?
+        low = _AT_ONCE * length
+        below = _excess(law, structure, rig, heat, piece, grip, side, now, low, length) - outside
+        if below >= 0.0:
+            return 0.0
+    below = min(below, -_CLOSE)
     kept = 0  # which end stayed in the last round
     for _ in range(60):
         middle = high - beyond * (high - low) / (beyond - below)

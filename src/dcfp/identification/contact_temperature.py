@@ -1,0 +1,110 @@
+"""Temperature of the contact in a test, from the heat that was measured and not from a law of friction."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from dcfp.arrays import FloatArray
+from dcfp.bearing import Bearing, Heating
+from dcfp.bearing.friction import FittedFriction
+from dcfp.bearing.plates import PlateHeat, cold_plates, heat_of, structure_of
+from dcfp.errors import AnalysisError
+from dcfp.kernels.heat_state import RATES, WEIGHTS
+from dcfp.kernels.memory import HORIZON
+from dcfp.kernels.thermometer import follow_heat
+
+#: The longest mode of the heat fades 3 % in so much of a test; see `fading_modes`.
+_HORIZONS = 3.0
+#: Steps of time that differ by no more than that are the same, relative to the middle one [-].
+_SAME_STEP = 1e-6
+#: Weights of the second and the first neighbours on either side, which give a cubic at the sample between them [-].
+_SECOND, _FIRST = -1.0 / 6.0, 4.0 / 6.0
+
+
+def contact_temperature(
+    time: FloatArray,
+    displacement: FloatArray,
+    velocity: FloatArray,
+    friction_force: FloatArray,
+    used: NDArray[np.bool_],
+    bearing: Bearing,
+    heating: Heating,
+) -> FloatArray:
+    """Return the temperature of the contact [degC] under the measured flux, the friction force times the velocity over the slider's area.
+
+    Parameters
+    ----------
+    time, displacement, velocity
+        The motion, without its noise [s, mm, mm/s].
+    friction_force
+        F - N y / R, as it was measured [N].
+    used
+        Samples of steady sliding.
+    bearing, heating
+        What was tested, and how it heats up; it starts at the ambient temperature.
+
+    Notes
+    -----
+    The noise of a sample's force would heat that sample: its coefficient and its temperature would rise together, and the fall with temperature
+    would seem less steep than it is, by 0.7 % where two cycles of 440 mm at up to 400 mm/s have 2 % of noise. In what a sample heats at itself its own force
+    is therefore replaced by what its neighbours say of it.
+    """
+    flux = friction_force * velocity / bearing.slider_area
+    if abs(flux[0]) < 0.5 * abs(flux[1]):
+        flux[0] = _flux_from_rest(flux, displacement, friction_force / bearing.elastic_stiffness)
+    plates = cold_plates(
+        bearing,
+        heating,
+        reach=float(np.abs(displacement).max()),
+        horizon=max(HORIZON, float(time[-1]) / _HORIZONS),
+    )
+    structure = structure_of(bearing, FittedFriction())
+    temperatures = np.empty((time.size, structure.plates))
+    steps = np.diff(time)
+    middle = float(np.median(steps))
+    if np.abs(steps - middle).max() < _SAME_STEP * middle:
+        steps = np.full(steps.size, middle)  # equal steps are prepared once
+    own = _rise_by_own_flux(steps, displacement, plates, bearing, heating)
+    if not follow_heat(structure, heat_of(plates, bearing, heating), steps, displacement, flux, temperatures):
+        msg = (
+            "The slider leaves the cells of the precise heating model; look at the unit of the displacement."
+        )
+        raise AnalysisError(msg)
+    mean = temperatures[:, 0] if structure.plates == 1 else temperatures @ np.array(bearing.shares)
+    return mean - own * _noise(friction_force, used) * velocity / bearing.slider_area
+
+
+def _flux_from_rest(flux: FloatArray, displacement: FloatArray, elongation: FloatArray) -> float:
+    """Return the flux at the first sample that makes the first step's mean right, where the force rises from nothing within it.
+
+    Spring (b), of the `elongation` [mm], takes the first of the travel; the rest of it is sliding under the force of the second sample.
+    """
+    travel = abs(float(displacement[1] - displacement[0]))
+    part = max(0.0, 1.0 - abs(float(elongation[1])) / travel) if travel > 0.0 else 0.0
+    return float(flux[1]) * (2.0 * part - 1.0)
+
+
+def _noise(values: FloatArray, used: NDArray[np.bool_]) -> FloatArray:
+    """Return how far each value is from the cubic through two neighbours on either side; zero where one of them is not used."""
+    noise = np.zeros(values.size)
+    among = used[:-4] & used[1:-3] & used[2:-2] & used[3:-1] & used[4:]
+    expected = _SECOND * (values[:-4] + values[4:]) + _FIRST * (values[1:-3] + values[3:-1])
+    noise[2:-2] = np.where(among, values[2:-2] - expected, 0.0)
+    return noise
+
+
+def _rise_by_own_flux(
+    steps: FloatArray, displacement: FloatArray, plates: PlateHeat, bearing: Bearing, heating: Heating
+) -> FloatArray:
+    """Return by how much a flux at a sample alone heats the contact there, over the flux mu p v [degC mm s/N]."""
+    lengths, place = np.unique(steps, return_inverse=True)
+    grown = lengths[:, None] * plates.bank[RATES]
+    closing = lengths[:, None] * plates.bank[WEIGHTS] * (grown + np.expm1(-grown)) / grown**2
+    rise = np.concatenate(([0.0], (closing.sum(axis=1) + plates.instant * heating.rise_factor)[place]))
+    felt = np.zeros(displacement.size)
+    for share in bearing.shares:
+        # of two plates each gets its share of the flux, and has its share in the mean
+        inside = heating.name != "simplified" or np.abs(share * displacement) <= bearing.contact_half_side
+        felt += np.where(
+            inside, share * share if len(set(bearing.shares)) > 1 else share / len(bearing.shares), 0.0
+        )
+    return np.zeros(displacement.size) if heating.name == "none" else rise * felt
