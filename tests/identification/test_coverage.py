@@ -58,8 +58,8 @@ def test_at_least_90_of_100_intervals_contain_the_truth(white) -> None:
 
 
 def test_the_intervals_are_no_longer_than_they_must_be(white) -> None:
-    """Measured: 0.99 to 1.14 times the length that 95 % need, Student's t included."""
-    assert (white.width < 1.2).all()
+    """Measured: 0.99 to 1.19 times the length that 95 % need, of which Student's t is 1.05 to 1.11."""
+    assert (white.width < 1.25).all()
     assert (white.width > 0.9).all()
     assert white.half.mean(axis=0) / white.truth == pytest.approx(
         [0.0063, 0.024, 0.0045, 0.014, 0.0082], rel=0.1

@@ -1,7 +1,7 @@
 """What holds for every test of the virtual machine, whatever the motion, the load, the bearing, its law and its heating."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numba
 import numpy as np
@@ -30,6 +30,9 @@ from dcfp.rig.waveform import STARTS, Travel, Waveform
 
 #: Ten times what any machine does [mm/s]; readers of measured tests refuse more.
 FASTEST = 10_000.0
+LARGEST_COEFFICIENT, LARGEST_PRESSURE = 0.3, 150.0
+#: Where spring (b) stretches by more than this before it slides [mm], both sliding and sticking can be consistent, and a remark says so.
+STIFF = 1.0
 
 
 @numba.njit
@@ -86,7 +89,7 @@ def bearings(draw: st.DrawFn) -> Bearing:
 
 
 def friction_laws() -> st.SearchStrategy[FrictionLaw]:
-    mu = logarithmic(0.003, 0.3)
+    mu = logarithmic(0.003, LARGEST_COEFFICIENT)
     switches = {f"{effect}_dependent": st.booleans() for effect in ("pressure", "velocity", "temperature")}
     return st.one_of(
         st.builds(ConstantFriction, mu),
@@ -119,7 +122,7 @@ def heating_models() -> st.SearchStrategy[NoHeating | SimplifiedHeating | Precis
 def loads(draw: st.DrawFn, duration: float) -> VerticalLoad:
     """Pressures that stay, or change up to 20 times while the test lasts."""
     points = draw(st.sampled_from((1, 1, 2, 5, 20)))
-    values = draw(st.lists(st.floats(1.0, 150.0), min_size=points, max_size=points))
+    values = draw(st.lists(st.floats(1.0, LARGEST_PRESSURE), min_size=points, max_size=points))
     parts = draw(st.lists(st.integers(0, 1000), min_size=points, max_size=points, unique=True))
     return VerticalLoad(tuple(values), tuple(duration * part / 1000.0 for part in sorted(parts)))
 
@@ -168,8 +171,11 @@ def waveforms(draw: st.DrawFn, largest: float) -> Waveform:
 
 
 @st.composite
-def cases(draw: st.DrawFn) -> Case:
+def cases(draw: st.DrawFn, softest: float = math.inf) -> Case:
+    """Tests of all kinds, on bearings whose spring (b) stretches by no more than `softest` [mm] before it slides."""
     bearing = draw(bearings())
+    largest_force = LARGEST_COEFFICIENT * LARGEST_PRESSURE * bearing.slider_area
+    bearing = replace(bearing, elastic_stiffness=max(bearing.elastic_stiffness, largest_force / softest))
     waveform = draw(waveforms(0.49 * bearing.effective_radius))
     duration = float(waveform.travel().time[-1])
     return Case(waveform, draw(loads(duration)), bearing, draw(friction_laws()), draw(heating_models()))
@@ -220,21 +226,24 @@ def test_the_energy_closes_under_a_constant_load(case: Case) -> None:
 @SEARCH
 @example(TURNS_AT_A_SAMPLE)
 @example(PAPER)
-@given(cases())
+@given(cases(STIFF))
 def test_friction_never_gives_energy_back(case: Case) -> None:
     loops = case.run()
-    assert np.diff(loops.hysteretic_energy).min() >= -1e-12 * largest_energy(loops)
+    # under a load that grows, spring (b) may lag behind the yield surface unseen inside a step
+    unseen = 1e-12 if len(case.load.values) == 1 else 1e-2
+    assert np.diff(loops.hysteretic_energy).min() >= -unseen * largest_energy(loops)
 
 
 @SEARCH
 @example(TURNS_AT_A_SAMPLE)
-@given(cases())
+@given(cases(STIFF))
 def test_friction_stays_below_the_yield_force_and_slides_with_the_motion(case: Case) -> None:
     loops = case.run()
     assert (loops.friction > 0.0).all()
-    # the slip is found to within 1e-10 mm
+    # sticking begins on the surface as closely as the temperature was expected, and a slip is found to within 1e-10 mm
+    expected = 1e-9 if isinstance(case.law, ConstantFriction | Constantinou1990) else 0.02
     close = 1e-9 * case.bearing.elastic_stiffness
-    assert (np.abs(loops.friction_force) <= loops.friction * loops.load * (1.0 + 1e-9) + close).all()
+    assert (np.abs(loops.friction_force) <= loops.friction * loops.load * (1.0 + expected) + close).all()
     slides = loops.sliding != 0.0
     assert (loops.sliding * loops.elongation >= 0.0)[slides].all()
     if len(case.load.values) == 1:  # else the yield surface may shrink under a spring that moves back
@@ -255,12 +264,12 @@ def test_histories_are_finite_and_never_colder_than_the_surroundings(case: Case)
 
 @SEARCH
 @example(TURNS_AT_A_SAMPLE)
-@given(cases())
+@given(cases(STIFF))
 def test_the_mirror_image_gives_the_mirror_image(case: Case) -> None:
     there, back = case.run(), case.run(Mirrored(case.waveform))
-    assert np.abs(there.force + back.force).max() <= 1e-7 * max(np.abs(there.force).max(), 1e-30)
+    assert np.abs(there.force + back.force).max() <= 1e-9 * max(np.abs(there.force).max(), 1e-30)
     rise = there.peak_temperature - case.heating.ambient
-    assert np.abs(there.temperature - back.temperature).max() <= 1e-7 * max(rise, 1.0)
+    assert np.abs(there.temperature - back.temperature).max() <= 1e-9 * max(rise, 1.0)
 
 
 @SEARCH

@@ -45,7 +45,7 @@ def contact_temperature(
     Notes
     -----
     The noise of a sample's force would heat that sample: its coefficient and its temperature would rise together, and the fall with temperature
-    would seem less steep than it is, by 0.7 % where two cycles of 440 mm at up to 400 mm/s have 2 % of noise. In what a sample heats at itself its own force
+    would seem less steep than it is, by 0.7 % instead of 0.3 % where two cycles of 440 mm at up to 400 mm/s have 2 % of noise. In what a sample heats at itself its own force
     is therefore replaced by what its neighbours say of it.
     """
     flux = friction_force * velocity / bearing.slider_area

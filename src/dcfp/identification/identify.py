@@ -67,7 +67,7 @@ def identify(
     Of 400 dependency tests (4 speeds, 3 pressures, strokes of 200 mm) with white noise of 2 % of the peak on the force, 2 % on the load and 0.05 % of the
     amplitude on the displacement, 93 to 97 % of the 95 % intervals of each parameter contained the truth, and the mean estimates were within 0.2
     standard errors of it. With noise in which neighbouring samples have a correlation of 0.9 it was 91 to 96 % of 200, and 0.3 standard errors. The noise on the
-    displacement alone leaves biases of up to 0.2 %, which other noise hides.
+    displacement alone leaves biases of up to 0.2 %, which other noise hides. With 40 samples a cycle in place of 400 it was 90 to 94 % of 200.
     """
     start = Constants(law or FittedFriction(), heating or SimplifiedHeating()).changed(fixed or {})
     if not tests:

@@ -11,7 +11,7 @@ from scipy.interpolate import PchipInterpolator
 from dcfp.arrays import FloatArray
 
 #: Windows of the filter that are tried [samples].
-_WINDOWS = (5, 7, 9, 13, 17, 23, 31, 41, 55, 73, 97, 129, 173, 231, 309, 411, 549, 731)
+_WINDOWS = (5, 7, 9, 13, 17, 23, 31, 41, 55, 73, 97, 129, 173, 231, 309, 411, 549, 731, 975, 1301, 1735)
 #: Steps of time that differ by no more than that are the same, relative to the middle one [-].
 _SAME_STEP = 1e-6
 
@@ -66,7 +66,7 @@ def smooth(
     """Fit polynomials of an `order` to `values` in a window that moves through each part.
 
     Where one polynomial for each part leaves a root mean square of no more than `scatter`, the window is the part. Else it is the one,
-    of eighteen from 5 to 731 samples, with the least generalised cross-validation (Craven and Wahba 1979): as long as the noise asks for, if that is
+    of those from 5 to 1735 samples that are tried, with the least generalised cross-validation (Craven and Wahba 1979): as long as the noise asks for, if that is
     white, and no longer than the motion in its sampling allows. At the ends of a part the polynomial of the last whole window goes on. What
     belongs to no part, or to one that is too short, stays as it is.
     """
@@ -169,7 +169,7 @@ class _MovingPolynomial:
         )
 
 
-@lru_cache(maxsize=256)
+@lru_cache(maxsize=128)
 def _moving_polynomial(window: int, order: int) -> _MovingPolynomial:
     place = np.linspace(-1.0, 1.0, window)
     raw = legvander(place, order)
