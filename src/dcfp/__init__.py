@@ -17,13 +17,16 @@ if TYPE_CHECKING:
     from dcfp.bearing import Bearing as Bearing
     from dcfp.bearing import ConstantFriction as ConstantFriction
     from dcfp.bearing import Constantinou1990 as Constantinou1990
+    from dcfp.bearing import FittedFriction as FittedFriction
     from dcfp.bearing import Kumar2015 as Kumar2015
     from dcfp.bearing import Li2020 as Li2020
+    from dcfp.bearing import Lomiento2013 as Lomiento2013
     from dcfp.bearing import NoHeating as NoHeating
     from dcfp.bearing import PreciseHeating as PreciseHeating
     from dcfp.bearing import SimplifiedHeating as SimplifiedHeating
     from dcfp.bearing import UserFriction as UserFriction
     from dcfp.bearing import read_bearing as read_bearing
+    from dcfp.identification import identify as identify
     from dcfp.record.ground_motion import GroundMotion as GroundMotion
     from dcfp.record.load import load_motion as load_motion
     from dcfp.response import Response as Response
@@ -43,7 +46,9 @@ _HOMES = {
     "Li2020": "dcfp.bearing",
     "ConstantFriction": "dcfp.bearing",
     "Constantinou1990": "dcfp.bearing",
+    "FittedFriction": "dcfp.bearing",
     "Kumar2015": "dcfp.bearing",
+    "Lomiento2013": "dcfp.bearing",
     "UserFriction": "dcfp.bearing",
     "NoHeating": "dcfp.bearing",
     "SimplifiedHeating": "dcfp.bearing",
@@ -55,6 +60,7 @@ _HOMES = {
     "run_program": "dcfp.rig",
     "Loops": "dcfp.rig",
     "read_measurement": "dcfp.rig",
+    "identify": "dcfp.identification",
 }
 
 

@@ -9,6 +9,7 @@ from dcfp.plots.histories import plot_displacement as plot_displacement
 from dcfp.plots.histories import plot_friction as plot_friction
 from dcfp.plots.histories import plot_temperature as plot_temperature
 from dcfp.plots.histories import plot_velocities as plot_velocities
+from dcfp.plots.identification import plot_identification as plot_identification
 from dcfp.plots.loop import plot_loop as plot_loop
 from dcfp.plots.motions import plot_motions as plot_motions
 from dcfp.plots.overview import plot_overview as plot_overview
