@@ -738,7 +738,7 @@ enum status march(const struct law *law, const struct structure *structure, cons
             const bool slid = motion.side != 0 && advance.length > 0.0;
             motion = advance.motion;
             friction = advance.friction;
-            elapsed = advance.length == room ? interval : elapsed + advance.length;
+            elapsed = room - advance.length <= 1e-12 * interval ? interval : elapsed + advance.length;
             note(outcome, structure, &advance, slid, &heat);
             if (++steps > MOST_STEPS_PER_SAMPLE)
                 return NO_PROGRESS;

@@ -172,14 +172,10 @@ def test_unequal_ends() -> None:
     assert effective_damping(math.pi * 1600.0, 100.0, 3.0, -1.0) == pytest.approx(2.0)
 
 
-@pytest.mark.xfail(reason="a turn with two samples at the same place is not seen as one", strict=True)
 def test_a_sample_repeated_at_the_turn_does_not_join_two_strokes() -> None:
     assert cycles_of(parallelogram(2.0))[1].post_yield_stiffness == pytest.approx(STIFFNESS)
 
 
-@pytest.mark.xfail(
-    reason="the first sample, which has no force of friction yet, is taken for the end", strict=True
-)
 def test_the_end_of_a_cycle_that_begins_at_the_peak_has_friction() -> None:
     y = AMPLITUDE * np.cos(2.0 * math.pi * np.arange(201) / 100.0)
     side = np.sign(np.diff(y, prepend=y[0]))
@@ -187,7 +183,6 @@ def test_the_end_of_a_cycle_that_begins_at_the_peak_has_friction() -> None:
     assert first.force_at_largest == pytest.approx(second.force_at_largest)
 
 
-@pytest.mark.xfail(reason="nothing guards against a stroke of no length", strict=True)
 @pytest.mark.parametrize("y", [np.zeros(30), np.repeat([0.0, 10.0, -10.0], 10)])
 def test_motions_without_strokes_have_no_stiffness(y: np.ndarray) -> None:
     (cycle,) = cycles_of(made(y, np.zeros(y.size), np.array([0.0, y.size - 1.0])))

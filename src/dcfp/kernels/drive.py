@@ -344,15 +344,18 @@ def _slide(
         end = now + length
         here = _under(structure, rig, load_at(piece, end))
         travel, speed = displacement_at(piece, end) - y, abs(velocity_at(piece, end))
-        # what an odd length brings is a part of what the regular one would: its modes are at hand
-        part = length / regular
-        ending = opening + (friction * here.pressure * speed - opening) / part
-        prepare(heat, level, regular)
-        rubbing = here.pressure * travel * travel / (length * part)
-        expect(heat, structure, level, clock + now, y + 0.5 * travel, travel / part, opening, ending, rubbing)
-        if part != 1.0:
-            mix(heat, structure, part, EXPECTED)
+        place = level if length == regular else ODD_LENGTH
+        prepare(heat, place, length)
+        rubbing = here.pressure * travel * travel / length
+        ending = friction * here.pressure * speed
+        expect(heat, structure, place, clock + now, y + 0.5 * travel, travel, opening, ending, rubbing)
         last = available(law, structure, rig, heat, piece, end, EXPECTED)
+        if (
+            abs(last - friction) > 0.1 * tolerance * last
+        ):  # once more, with the heat of the friction at the end
+            ending = last * here.pressure * speed
+            expect(heat, structure, place, clock + now, y + 0.5 * travel, travel, opening, ending, rubbing)
+            last = available(law, structure, rig, heat, piece, end, EXPECTED)
         bend = 0.0
         if abs(last - friction) > tolerance * last:
             mix(heat, structure, 0.5, BETWEEN)
@@ -361,7 +364,6 @@ def _slide(
             if abs(bend) > tolerance * last and level < FINEST_LEVEL:
                 level += 1
                 continue
-        place = level
         if abs(bend) < 0.2 * tolerance * last and level > 0 and not fresh:
             level -= 1
         break
@@ -385,8 +387,6 @@ def _slide(
     closing = here.pressure * last * speed
     # the flux is taken as linear, and raised so that the heat is the work of friction
     missing = abs(rubbed) / (rig.area * length) - 0.5 * (opening + closing)
-    place = place if length == regular else ODD_LENGTH
-    prepare(heat, place, length)
     note_ratios(with_reference(law, reference_at(piece, end)), here, speed, heat.notes, EXPECTED, RATIO)
     fits = heat_up(
         heat,

@@ -133,7 +133,8 @@ def march(
                 fresh = fresh and advance.length == 0.0
             slid = motion.side != 0 and advance.length > 0.0
             motion, friction = advance.motion, advance.friction
-            elapsed = interval if advance.length == room else elapsed + advance.length
+            # rounding must not leave a sliver, in which the travel is noise
+            elapsed = interval if room - advance.length <= 1e-12 * interval else elapsed + advance.length
             tally = _noted(tally, structure, motion, advance, slid, heat.notes)
             steps += 1
             if not advance.fits:

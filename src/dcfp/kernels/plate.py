@@ -70,7 +70,9 @@ def expect_sweep(heat: Heat, plate: int, time: float, travel: float) -> float:
         gain = total(bank, first + LEFT_OPEN) - total(bank, first + RIGHT_COVERED)
     if width < 0.01 * heat.cell:
         width, gain = heat.cell, _next_gain(heat, plate, time, 1 if travel >= 0.0 else -1)
-    return abs(travel) * (gain / width - total(bank, first + COMMON))
+    # what is further away than the contact is long cannot be seen from its edges
+    reach = min(abs(travel), 2.0 * heat.half_contact)
+    return reach * (gain / width - total(bank, first + COMMON))
 
 
 @kernel

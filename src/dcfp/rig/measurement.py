@@ -31,6 +31,9 @@ _HEAD = re.compile(r"\s*(?P<name>[^\[\](]+?)\s*[\[(]\s*(?P<unit>[^\])]*?)\s*[\])
 #: A step so much longer than the usual one is a gap.
 _GAP = 10.0
 _FEWEST_SAMPLES = 20
+#: Size beyond which a number is no measured value, and characters of one that a sentence repeats.
+_LARGEST_NUMBER = 1e30
+_LONGEST_WORD = 40
 #: Peaks that a wrong unit would pass: displacement [mm], mean velocity between samples [mm/s], force over load [-].
 _DISPLACEMENTS = (0.5, 5000.0)
 _VELOCITIES = (0.01, 10_000.0)
@@ -140,11 +143,16 @@ def read_measurement(path: str | Path) -> Measurement:
 
 def _columns(text: str, where: str) -> tuple[dict[str, FloatArray], list[int]]:
     """Return the columns in N, mm, s, degC, time from zero, and the number of the line of each sample."""
-    rows = [
-        (number, row)
-        for number, row in enumerate(csv.reader(io.StringIO(text)), start=1)
-        if any(cell.strip() for cell in row) and not row[0].lstrip().startswith("#")
-    ]
+    reader = csv.reader(io.StringIO(text, newline=None))
+    try:
+        rows = [
+            (reader.line_num, row)
+            for row in reader
+            if any(cell.strip() for cell in row) and not row[0].lstrip().startswith("#")
+        ]
+    except csv.Error as error:
+        msg = f"{where}, line {reader.line_num}: this is not a line of a CSV file ({error})."
+        raise InputError(msg) from error
     if not rows:
         msg = f"{where}: the file is empty; its first line must name the columns, such as 'time [s],displacement [mm],load [kN]'."
         raise InputError(msg)
@@ -173,7 +181,7 @@ def _places(head: list[str], where: str) -> dict[str, tuple[int, float]]:
             msg = f"{where}: the column {name!r} has no unit; write it in brackets, such as '{name} [{next(iter(units))}]'."
             raise InputError(msg)
         if found["unit"] not in units:
-            msg = f"{where}: the unit {found['unit']!r} of the column {name!r} is not known; the choices are {', '.join(units)}."
+            msg = f"{where}: the unit {found['unit'][:_LONGEST_WORD]!r} of the column {name!r} is not known; the choices are {', '.join(units)}."
             raise InputError(msg)
         if name in places:
             msg = f"{where}: there are two columns {name!r}; leave one."
@@ -193,8 +201,9 @@ def _number(row: list[str], place: int, name: str, line: int, where: str) -> flo
         value = float(cell)
     except ValueError:
         value = math.nan
-    if not math.isfinite(value):
-        what = f"is {cell!r}, not a number" if cell else "is missing"
+    if not abs(value) < _LARGEST_NUMBER:
+        shown = cell if len(cell) <= _LONGEST_WORD else f"{cell[:_LONGEST_WORD]}..."
+        what = f"is {shown!r}, not a number" if cell else "is missing"
         msg = f"{where}, line {line}: the {name} {what}."
         raise InputError(msg)
     return value

@@ -13,6 +13,8 @@ from dcfp.arrays import FloatArray
 _BRANCH = 0.5
 #: Fewest samples of a branch to fit a line to.
 _FEWEST = 5
+#: Least travel in such a branch, relative to the amplitude [-].
+_LEAST_STROKE = 1e-3
 
 
 class ForceHistory(Protocol):
@@ -105,7 +107,8 @@ class Cycle:
     @property
     def loop_friction(self) -> float:
         """Return the mean coefficient over the cycle, E / (2 N (d+ - d-)) [-]: that of the Coulomb loop of the same area."""
-        return self.energy / (2.0 * self.load * (self.largest - self.least))
+        travel = self.largest - self.least
+        return self.energy / (2.0 * self.load * travel) if travel > 0.0 else math.nan
 
     @property
     def effective_stiffness(self) -> float:
@@ -122,12 +125,14 @@ def effective_stiffness(
     force_at_largest: float, force_at_least: float, largest: float, least: float
 ) -> float:
     """Return the effective stiffness of a loop [N/mm] from its ends [N, mm]: ASCE/SEI 7-16, Eq. (17.8-1)."""
-    return (abs(force_at_largest) + abs(force_at_least)) / (abs(largest) + abs(least))
+    travel = abs(largest) + abs(least)
+    return (abs(force_at_largest) + abs(force_at_least)) / travel if travel > 0.0 else math.nan
 
 
 def effective_damping(energy: float, stiffness: float, largest: float, least: float) -> float:
     """Return the effective damping of a loop [-] from its area [N mm]: ASCE/SEI 7-16, Eq. (17.8-2)."""
-    return 2.0 / math.pi * energy / (stiffness * (abs(largest) + abs(least)) ** 2)
+    elastic = stiffness * (abs(largest) + abs(least)) ** 2
+    return 2.0 / math.pi * energy / elastic if elastic > 0.0 else math.nan
 
 
 def cycles_of(history: HeatedHistory) -> tuple[Cycle, ...]:
@@ -151,7 +156,9 @@ def _measured(history: ForceHistory, work: FloatArray, temperature: FloatArray) 
         samples = np.flatnonzero((time >= first - slack) & (time <= last + slack))
         part = slice(int(samples[0]), int(samples[-1]) + 1)
         displacement, force = history.displacement[part], history.force[part]
-        highest, lowest = int(displacement.argmax()), int(displacement.argmin())
+        virgin = int(part.start == 0)  # the first sample of all has no friction force
+        highest = virgin + int(displacement[virgin:].argmax())
+        lowest = virgin + int(displacement[virgin:].argmin())
         inside = (crossings[:, 0] >= first - slack) & (crossings[:, 0] < last - slack)
         forces, loads = np.abs(crossings[inside, 1]), crossings[inside, 2]
         cycles.append(
@@ -165,7 +172,7 @@ def _measured(history: ForceHistory, work: FloatArray, temperature: FloatArray) 
                 energy=float(np.diff(np.interp(np.array([first, last]), time, work))[0]),
                 crossings=tuple((forces / loads).tolist()),
                 strength=float(forces.mean()) if forces.size else math.nan,
-                post_yield_stiffness=_post_yield_stiffness(displacement, force, virgin=part.start == 0),
+                post_yield_stiffness=_post_yield_stiffness(displacement, force, virgin=virgin),
                 peak_temperature=float(temperature[part].max()),
             )
         )
@@ -186,17 +193,19 @@ def zero_crossings(history: ForceHistory) -> FloatArray:
     return np.column_stack([c[ends] + part * (c[ends + 1] - c[ends]) for c in columns])
 
 
-def _post_yield_stiffness(displacement: FloatArray, force: FloatArray, *, virgin: bool) -> float:
-    """Return the mean slope of the strokes [N/mm], weighted by how far they go; `virgin` says that the first sample has no friction."""
-    near = np.abs(displacement) <= _BRANCH * np.abs(displacement).max()
-    near[0] &= not virgin
+def _post_yield_stiffness(displacement: FloatArray, force: FloatArray, *, virgin: int) -> float:
+    """Return the mean slope of the strokes [N/mm], weighted by how far they go; so many `virgin` samples at the start are left out."""
+    largest = float(np.abs(displacement).max())
+    near = np.abs(displacement) <= _BRANCH * largest
+    near[:virgin] = False
     steps = np.sign(np.diff(displacement))
-    turns = np.flatnonzero(steps[1:] * steps[:-1] < 0.0) + 1
+    moving = np.flatnonzero(steps)  # a sample may be there twice
+    turns = moving[1:][steps[moving[1:]] != steps[moving[:-1]]]
     slopes: list[float] = []
     weights: list[float] = []
     for stroke in np.split(np.arange(displacement.size), turns):
         part = stroke[near[stroke]]
-        if part.size >= _FEWEST:
+        if part.size >= _FEWEST and np.ptp(displacement[part]) > _LEAST_STROKE * largest:
             slopes.append(float(np.polyfit(displacement[part], force[part], 1)[0]))
             weights.append(float(np.ptp(displacement[part])))
     return float(np.average(slopes, weights=weights)) if sum(weights) > 0.0 else math.nan
