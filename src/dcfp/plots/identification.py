@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from dcfp.identification import PARAMETERS
 from dcfp.nomenclature import quantity
 from dcfp.plots.style import BLUE, GREY, INK, OCHRE, PAGE_WIDTH, RED, calm_ticks, drawable, style
 from dcfp.plots.words import number
@@ -85,6 +84,8 @@ def _write_head(head: Any, found: "Identification") -> None:
 
 def _interval(found: "Identification", name: str) -> str:
     one = found.estimate(name)
+    from dcfp.identification import PARAMETERS  # late: it imports the kernels
+
     symbol = next(parameter.symbol for parameter in PARAMETERS if parameter.name == name)
     decimals = max(0, 1 - math.floor(math.log10(max(one.upper - one.lower, 1e-12))))
     unit = {"": "", "1/degC": "/°C", "N/(s degC)": " N/(s °C)"}.get(one.unit, f" {one.unit}")
