@@ -13,9 +13,11 @@ from dcfp.bearing.profiles import Profiles, profile_now
 from dcfp.errors import AnalysisError, InputError
 from dcfp.kernels import drive as d
 from dcfp.kernels.friction import CyclingLaw, ExponentialLaw, Law
-from dcfp.kernels.heat_state import Heat
+from dcfp.kernels.grip import Rig, available
+from dcfp.kernels.heat_state import PRESENT, Heat
 from dcfp.kernels.heating import place_slider
 from dcfp.kernels.memory import HORIZON
+from dcfp.kernels.path import Piece
 from dcfp.rig.load import VerticalLoad
 from dcfp.rig.loops import Loops
 from dcfp.rig.program import Program, RigTest, check_stroke
@@ -107,7 +109,7 @@ class _Machine:
         self.bearing, self.friction, self.heating = bearing, friction, heating
         self.tolerance, self.profile_every = tolerance, profile_every
         self.structure = structure_of(bearing, friction)
-        self.rig = d.Rig(bearing.slider_area, bearing.effective_radius, bearing.elastic_stiffness)
+        self.rig = Rig(bearing.slider_area, bearing.effective_radius, bearing.elastic_stiffness)
         self.travels = {test.name: test.waveform.travel() for test in story}
         duration = sum(float(travel.lengths.sum()) for travel in self.travels.values())
         duration += sum(test.pause or 0.0 for test in story[1:])
@@ -173,9 +175,9 @@ class _Machine:
 
     def _first_line(self, law: Law, heat: Heat, first: FloatArray) -> FloatArray:
         line = np.zeros(d.TEMPERATURE + self.structure.plates)
-        piece = d.Piece(*(float(value) for value in first))
+        piece = Piece(*(float(value) for value in first))
         line[d.DISPLACEMENT], line[d.VELOCITY] = piece.displacement, piece.velocity
-        line[d.FRICTION] = d.available(law, self.structure, self.rig, heat, piece, 0.0, d.PRESENT)
+        line[d.FRICTION] = available(law, self.structure, self.rig, heat, piece, 0.0, PRESENT)
         line[d.LOAD] = piece.load
         line[d.TEMPERATURE :] = self.plates.temperature
         return line
