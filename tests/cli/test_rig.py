@@ -135,7 +135,7 @@ def test_files_hold_histories_and_measures(run, tmp_path):
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
-        (["dependancy"], "there is no such test program or file; the programs are dependency, asce"),
+        (["dependancy"], "there is no such test program or file; did you mean 'dependency'"),
         ([], "required: PROGRAM"),
         (["dependency", "asce"], "unrecognized|not an option|one PROGRAM"),
         (["dependency", "--tests", "T09"], "has no test 'T09'; it has T01, T02, T03, T04"),
@@ -147,6 +147,11 @@ def test_files_hold_histories_and_measures(run, tmp_path):
         (["dependency", "--measured", "loop.csv"], "say which test it belongs to, such as T01=loop.csv"),
         (["dependency", "--measured", "T09=loop.csv"], "has no test 'T09'"),
         (["dependency", "--measured", "T01=none.csv"], "there is no such file"),
+        (["asce", "--checks", "--tests", "T01"], "asks nothing of T01"),
+        (["asce", "--checks", "--compare"], "leave out --compare"),
+        (["dependency", "--measured", "T01=a.csv", "T01=b.csv"], "no such file|twice"),
+        (["x" * 300], "cannot be the name"),
+        (["en15129", "--displacement", "380", "--period", "4", "--total-displacement", "300"], "must not be below"),
         (["dependency", "--capacity", "100"], "beyond the plate"),
         (["dependency", "--tolerance", "2"], "between 0 and 1"),
         (["dependency", "--thickness", "3"], "from 10 to 200"),
@@ -162,6 +167,40 @@ def test_slips_get_one_sentence_and_write_nothing(run, tmp_path, monkeypatch, wo
     assert re.search(sentence, outcome.err), outcome.err
     assert outcome.err.count("\n") == 1
     assert list(tmp_path.iterdir()) == []
+
+
+def flip(row: str) -> str:
+    """Turn the sign of the force of a row."""
+    cells = row.split(",")
+    return ",".join([*cells[:2], str(-float(cells[2])), cells[3]])
+
+
+def test_a_spreadsheet_with_semicolons_and_decimal_commas_is_read(run, loop):
+    rows = loop.read_text().splitlines()
+    plain = run("test", loop, "--json").out
+    loop.write_text("\n".join(["sep=;", *(row.replace(",", ";").replace(".", ",") for row in rows[1:])]))
+    assert (
+        json.loads(run("test", loop, "--json").out)[0]["energy_kN_m"] == json.loads(plain)[0]["energy_kN_m"]
+    )
+
+
+def test_measured_cycles_are_in_the_json(run, loop, tmp_path):
+    program = tmp_path / "own.toml"
+    program.write_text(
+        '[[test]]\nname = "A"\namplitude = 100\npeak_velocity = 100\ncycles = 2\nload = 7540\n'
+    )
+    rows = json.loads(run("test", program, "--measured", loop, "--json").out)
+    assert [row["heating"] for row in rows] == ["simplified"] * 2 + ["measured"] * 2
+    assert rows[2]["friction_at_zero"] == pytest.approx(0.05, rel=0.02)
+
+
+def test_a_caution_stands_beside_the_checks(run, tmp_path):
+    words = ["test", "asce", "--tests", "T07", "--friction", "lomiento2013"]
+    assert "unconfirmed and its constants" in " ".join(run(*words, "--checks").out.split())
+    assert any("unconfirmed" in told for told in json.loads(run(*words, "--checks", "--json").out)["remarks"])
+    assert run(*words, "--out", tmp_path / "a.nc").status == 0
+    with xarray.open_dataset(tmp_path / "a.nc", engine="h5netcdf") as data:
+        assert "unconfirmed" in data.attrs["remarks"]
 
 
 def test_an_input_is_never_written_over(run, loop):
@@ -194,6 +233,7 @@ def test_an_input_is_never_written_over(run, loop):
             lambda rows: [*rows[:50], rows[50].replace("7540", "x"), *rows[51:]],
             "line 51: the load is 'x', not a number",
         ),
+        (lambda rows: [*rows[:2], *(flip(row) for row in rows[2:])], "negative work"),
         (lambda rows: [], "empty"),
         (lambda rows: rows[:12], "10 samples"),
     ],

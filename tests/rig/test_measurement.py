@@ -148,7 +148,7 @@ WRONG = {
     "unknown unit": (text(HEAD.replace("[mm]", "[furlong]")), "unit 'furlong' .* choices are mm, cm, m, in"),
     "wrong unit": (text(HEAD.replace("[mm]", "[kN]")), "unit 'kN' of the column 'displacement' is not known"),
     "double column": (text(HEAD.replace("temperature [degC]", "load [kN]")), "two columns 'load'"),
-    "semicolons": (text(HEAD.replace(",", ";"), separator=";"), "first line"),
+    "bars": (text(HEAD.replace(",", "|"), separator="|"), "first line"),
     "empty": ("", "the file is empty"),
     "only notes": ("# nothing\n\n# more\n", "the file is empty"),
     "only a head": (HEAD + "\n", "there are 0 samples; at least 20"),

@@ -164,7 +164,7 @@ def waveforms(draw: st.DrawFn, largest: float) -> Waveform:
         return draw(recorded(largest))
     amplitude = draw(logarithmic(1e-3, 0.99)) * largest
     speed = min(amplitude / draw(logarithmic(0.02, 50.0)), FASTEST)
-    cycles = draw(st.integers(1, 12)) / 4.0
+    cycles = draw(st.integers(4, 12)) / 4.0
     if kind == "triangle":
         return Triangle(amplitude, speed, cycles)
     return Sine(amplitude, speed, cycles, draw(st.sampled_from(STARTS)), draw(st.integers(1, 8)) / 4.0)

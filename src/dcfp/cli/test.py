@@ -2,6 +2,7 @@
 
 import argparse
 import json
+import math
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -89,19 +90,18 @@ def run(chosen: argparse.Namespace) -> int:
     model = inputs.model(chosen)
     program = _program(chosen, model)
     measured = _measured(chosen, program)
-    if chosen.checks and not program.code:
-        msg = f"{program.name} belongs to no code whose checks could be made; asce, asce7-16 and en15129 do."
-        raise InputError(msg)
+    if chosen.checks:
+        _refuse_without_checks(program, chosen)
     runs = _run(program, model, chosen)
     _write(runs, measured, program, outputs)
     loops = [test for tests in runs.values() for test in tests]
     if chosen.checks:
         _show_checks(program, runs, as_json=chosen.json)
     elif chosen.json:
-        from dcfp.rig.summary import cycle_rows
+        from dcfp.rig.summary import cycle_rows, measured_rows
 
-        remarks = {test.test.name: list(test.remarks) for test in loops}
-        rows = [{**row, "remarks": remarks[test.test.name]} for test in loops for row in cycle_rows(test)]
+        rows = [{**row, "remarks": list(test.remarks)} for test in loops for row in cycle_rows(test)]
+        rows += [row for name, test in measured.items() for row in measured_rows(name, test)]
         print(json.dumps(rows, indent=2, allow_nan=False))
     elif len(runs) > 1:
         test_table.print_models(program, runs, measured)
@@ -155,9 +155,25 @@ def _measured(chosen: argparse.Namespace, program: "Program") -> "dict[str, Meas
         if name not in names:
             msg = f"--measured {pair}: {program.name} has no test {name!r}; it has {', '.join(names)}."
             raise InputError(msg)
+        if name in found:
+            msg = f"--measured gives {name} twice; one measured test belongs to it."
+            raise InputError(msg)
         found[name] = read_measurement(file)
         _ = found[name].force, found[name].load  # both are needed
     return found
+
+
+def _refuse_without_checks(program: "Program", chosen: argparse.Namespace) -> None:
+    if chosen.compare or chosen.measured:
+        msg = f"--checks is made with one model and without measured tests; leave out {'--compare' if chosen.compare else '--measured'}."
+        raise InputError(msg)
+    if not program.code:
+        msg = f"{program.name} belongs to no code whose checks could be made; asce, asce7-16 and en15129 do."
+        raise InputError(msg)
+    if not any(test.role for test in program.tests):
+        names = ", ".join(test.name for test in program.tests)
+        msg = f"The code asks nothing of {names}; the checks need tests with a role, such as those for the increments of displacement."
+        raise InputError(msg)
 
 
 def _run(
@@ -219,14 +235,13 @@ def _show_checks(program: "Program", runs: "dict[str, tuple[Loops, ...]]", *, as
 
     name, loops = next(iter(runs.items()))
     criteria, factors = judge_tests(program, loops), property_factors(loops)
-    if as_json:
-        rows = [{**asdict(item), "passed": item.passed} for item in criteria]
-        print(
-            json.dumps(
-                {"heating": name, "criteria": rows, "factors": [asdict(f) for f in factors]},
-                indent=2,
-                allow_nan=False,
-            )
-        )
-    else:
-        print_checks(program, loops[0], criteria, factors)
+    if not as_json:
+        print_checks(program, loops, criteria, factors)
+        return
+    rows = [
+        {**asdict(item), "value": item.value if math.isfinite(item.value) else None, "passed": item.passed}
+        for item in criteria
+    ]
+    remarks = list(dict.fromkeys(remark for test in loops for remark in test.remarks))
+    told = {"heating": name, "criteria": rows, "factors": [asdict(f) for f in factors], "remarks": remarks}
+    print(json.dumps(told, indent=2, allow_nan=False))

@@ -8,6 +8,8 @@ from dcfp.cli.tables import add_row, new_table, page, print_labelled, print_rema
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
+    from rich.table import Table
+
     from dcfp.rig import Cycle, Loops, Measurement, Program
     from dcfp.rig.codes import Criterion, PropertyFactor
 
@@ -86,63 +88,31 @@ def print_models(
         out.print(table)
         last = f"k_eff [kN/mm], b_eff [-] and E [kN m]; E/E_{names[0][0]}: energy over that of the {names[0]} model."
         print_remarks(
-            out, [last, *(r for tests in runs.values() for r in _nominal(program, tests)), *_remarks(first)]
+            out,
+            [
+                last,
+                *(r for tests in runs.values() for r in _nominal(program, tests)),
+                *_remarks([test for tests in runs.values() for test in tests]),
+            ],
         )
 
 
 def print_checks(
     program: "Program",
-    first: "Loops",
+    loops: "Sequence[Loops]",
     criteria: "Sequence[Criterion]",
     factors: "Sequence[PropertyFactor]",
 ) -> None:
-    """Print what a code wants and whether it is so, and the property modification factors."""
+    """Print what a code wants and whether it is so, the property modification factors, and the remarks."""
+    notes: list[str] = []
     with page() as out:
-        print_labelled(out, _labelled(program, first, first.heating.name))
+        print_labelled(out, _labelled(program, loops[0], loops[0].heating.name))
         if criteria:
-            table = new_table(
-                ["Code", "Clause", "Test", "What must hold"], ["Found", "Limit"], ["Unit", "Result"]
-            )
-            for item in criteria:
-                limit = f"{'≥' if item.at_least else '≤'} {item.limit:g}"
-                verdict = ("ok" if item.passed else "NOT MET") + (
-                    "" if item.confirmed else " (unconfirmed limit)"
-                )
-                add_row(
-                    table,
-                    [
-                        item.code,
-                        item.clause,
-                        item.test,
-                        item.statement,
-                        f"{item.value:.3f}",
-                        limit,
-                        item.unit,
-                        verdict,
-                    ],
-                )
             out.print()
-            out.print(table)
+            out.print(_criteria_table(criteria))
         if factors:
-            table = new_table(
-                ["Property"],
-                ["nominal", "lambda_max", "lambda_min", "1st/3rd", "after all"],
-                ["Unit", "Tests"],
-            )
-            for factor in factors:
-                enduring = "" if factor.enduring is None else f"{factor.enduring:.3f}"
-                numbers = [
-                    f"{factor.nominal:.4g}",
-                    f"{factor.upper:.3f}",
-                    f"{factor.lower:.3f}",
-                    f"{factor.first_over_third:.3f}",
-                    enduring,
-                ]
-                add_row(table, [factor.name, *numbers, factor.unit, ", ".join(factor.tests)])
             out.print()
-            out.print(table)
-        notes: list[str] = []
-        if factors:
+            out.print(_factors_table(factors))
             notes.append(
                 "lambda_test predicted by the heated model: first and last of the first three cycles at the maximum displacement over their mean"
                 " (nominal); after all: last cycle of the endurance tests over the mean of their first three."
@@ -151,7 +121,28 @@ def print_checks(
             notes.append(
                 "An unconfirmed limit is from memory of the code, whose text could not be read; look it up before relying on it."
             )
-        print_remarks(out, notes)
+        print_remarks(out, [*notes, *_remarks(loops)])
+
+
+def _criteria_table(criteria: "Sequence[Criterion]") -> "Table":
+    table = new_table(["Code", "Clause", "Test", "What must hold"], ["Found", "Limit"], ["Unit", "Result"])
+    for item in criteria:
+        limit = f"{'≥' if item.at_least else '≤'} {item.limit:g}"
+        verdict = ("ok" if item.passed else "NOT MET") + ("" if item.confirmed else " (unconfirmed limit)")
+        words = [item.code, item.clause, item.test, item.statement]
+        add_row(table, [*words, f"{item.value:.3f}", limit, item.unit, verdict])
+    return table
+
+
+def _factors_table(factors: "Sequence[PropertyFactor]") -> "Table":
+    heads = ["nominal", "lambda_max", "lambda_min", "1st/3rd", "after all"]
+    table = new_table(["Property"], heads, ["Unit", "Tests"])
+    for factor in factors:
+        enduring = "" if factor.enduring is None else f"{factor.enduring:.3f}"
+        ratios = [f"{value:.3f}" for value in (factor.upper, factor.lower, factor.first_over_third)]
+        numbers = [f"{factor.nominal:.4g}", *ratios, enduring]
+        add_row(table, [factor.name, *numbers, factor.unit, ", ".join(factor.tests)])
+    return table
 
 
 def _labelled(program: "Program", first: "Loops", heating: str) -> list[tuple[str, str]]:

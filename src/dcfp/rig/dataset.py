@@ -53,5 +53,6 @@ def _provenance(loops: "Loops") -> dict[str, str | float]:
         "bearing": json.dumps(asdict(loops.bearing)),
         "friction_law": repr(loops.friction_law),
         "heating_model": repr(loops.heating),
+        "remarks": " ".join(loops.remarks),
         "elapsed_s": loops.elapsed,
     }

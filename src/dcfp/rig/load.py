@@ -59,14 +59,25 @@ class VerticalLoad:
             If the pressure is out of any sensible range, as it is where a unit was wrong.
         """
         factor = bearing.slider_area if self.is_pressure else 1.0
-        forces = np.interp(time, self.times, np.array(self.values) * factor)
-        pressures = forces / bearing.slider_area
-        for extreme in (float(pressures.min()), float(pressures.max())):
-            if not LEAST_PRESSURE <= extreme <= LARGEST_PRESSURE:
-                msg = (
-                    f"A vertical load of {extreme * bearing.slider_area / 1e3:.4g} kN puts {extreme:.3g} N/mm2 on a slider of"
-                    f" {bearing.slider_diameter:g} mm; from {LEAST_PRESSURE:g} to {LARGEST_PRESSURE:g} N/mm2 is possible:"
-                    " look at the unit of the load."
-                )
-                raise InputError(msg)
-        return np.asarray(forces)
+        forces = np.asarray(np.interp(time, self.times, np.array(self.values) * factor))
+        check_load(forces, bearing)
+        return forces
+
+
+def check_load(forces: FloatArray, bearing: Bearing) -> None:
+    """Refuse vertical forces [N] under which the pressure on the slider is out of any sensible range.
+
+    Raises
+    ------
+    InputError
+        If it is.
+    """
+    pressures = forces / bearing.slider_area
+    for extreme in (float(pressures.min()), float(pressures.max())):
+        if not LEAST_PRESSURE <= extreme <= LARGEST_PRESSURE:
+            msg = (
+                f"A vertical load of {extreme * bearing.slider_area / 1e3:.4g} kN puts {extreme:.3g} N/mm2 on a slider of"
+                f" {bearing.slider_diameter:g} mm; from {LEAST_PRESSURE:g} to {LARGEST_PRESSURE:g} N/mm2 is possible:"
+                " look at the unit of the load."
+            )
+            raise InputError(msg)

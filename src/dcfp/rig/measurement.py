@@ -31,6 +31,10 @@ _HEAD = re.compile(r"\s*(?P<name>[^\[\](]+?)\s*[\[(]\s*(?P<unit>[^\])]*?)\s*[\])
 #: A step so much longer than the usual one is a gap.
 _GAP = 10.0
 _FEWEST_SAMPLES = 20
+#: Beginnings of lines that are no data: a note, and how a spreadsheet names its separator.
+_NOTES = ("#", "sep=")
+#: Part of the largest force times the largest displacement that the work may fall below zero by rounding and noise [-].
+_BACKWARD_WORK = 0.1
 #: Size beyond which a number is no measured value, and characters of one that a sentence repeats.
 _LARGEST_NUMBER = 1e30
 _LONGEST_WORD = 40
@@ -106,7 +110,7 @@ def read_measurement(path: str | Path) -> Measurement:
     path
         CSV whose first line names the columns with their units: ``time [s]`` and ``displacement [mm]``, and where they were measured
         ``force [kN]``, ``load [kN]`` (vertical, compression positive) and ``temperature [degC]``. Other columns are left alone, lines that begin
-        with ``#`` are notes. A file that `dcfp test --out` wrote is one.
+        with ``#`` are notes; columns may be separated by commas, semicolons or tabs, the last two with decimal commas. A file that `dcfp test --out` wrote is one.
 
     Raises
     ------
@@ -121,11 +125,11 @@ def read_measurement(path: str | Path) -> Measurement:
     except FileNotFoundError as error:
         msg = f"{path}: there is no such file."
         raise InputError(msg) from error
-    except OSError as error:
-        msg = f"{path}: the file cannot be read ({error.strerror})."
-        raise InputError(msg) from error
-    except UnicodeDecodeError as error:
-        msg = f"{path}: this is not a text file; a measured test is a CSV file with a head such as 'time [s],displacement [mm]'."
+    except (OSError, ValueError) as error:
+        if isinstance(error, UnicodeDecodeError):
+            msg = f"{path}: this is not a text file; a measured test is a CSV file with a head such as 'time [s],displacement [mm]'."
+            raise InputError(msg) from error
+        msg = f"{path}: the file cannot be read ({getattr(error, 'strerror', None) or error})."
         raise InputError(msg) from error
     columns, lines = _columns(text, str(path))
     measurement = Measurement(
@@ -143,12 +147,13 @@ def read_measurement(path: str | Path) -> Measurement:
 
 def _columns(text: str, where: str) -> tuple[dict[str, FloatArray], list[int]]:
     """Return the columns in N, mm, s, degC, time from zero, and the number of the line of each sample."""
-    reader = csv.reader(io.StringIO(text, newline=None))
+    separator = _separator(text)
+    reader = csv.reader(io.StringIO(text, newline=None), delimiter=separator)
     try:
         rows = [
             (reader.line_num, row)
             for row in reader
-            if any(cell.strip() for cell in row) and not row[0].lstrip().startswith("#")
+            if any(cell.strip() for cell in row) and not row[0].lstrip().startswith(_NOTES)
         ]
     except csv.Error as error:
         msg = f"{where}, line {reader.line_num}: this is not a line of a CSV file ({error})."
@@ -161,11 +166,19 @@ def _columns(text: str, where: str) -> tuple[dict[str, FloatArray], list[int]]:
         msg = f"{where}: there are {len(rows) - 1} samples; at least {_FEWEST_SAMPLES} are needed."
         raise InputError(msg)
     values = {
-        name: np.array([_number(row, place, name, number, where) for number, row in rows[1:]]) * factor
+        name: np.array([_number(row, place, name, number, where, separator) for number, row in rows[1:]])
+        * factor
         for name, (place, factor) in places.items()
     }
     values["time"] = values["time"] - values["time"][0]
     return values, [number for number, _ in rows[1:]]
+
+
+def _separator(text: str) -> str:
+    """Return what stands between the columns of the head: a comma, a semicolon or a tab."""
+    lines = (line for line in text.splitlines() if line.strip() and not line.lstrip().startswith(_NOTES))
+    head = next(lines, "")
+    return max(",;\t", key=head.count)
 
 
 def _places(head: list[str], where: str) -> dict[str, tuple[int, float]]:
@@ -195,10 +208,10 @@ def _places(head: list[str], where: str) -> dict[str, tuple[int, float]]:
     return places
 
 
-def _number(row: list[str], place: int, name: str, line: int, where: str) -> float:
+def _number(row: list[str], place: int, name: str, line: int, where: str, separator: str) -> float:
     cell = row[place].strip() if place < len(row) else ""
     try:
-        value = float(cell)
+        value = float(cell if separator == "," else cell.replace(",", "."))  # a decimal comma
     except ValueError:
         value = math.nan
     if not abs(value) < _LARGEST_NUMBER:
@@ -239,6 +252,11 @@ def _check(measurement: Measurement, lines: list[int], where: str) -> None:
         ratio = float(np.abs(force).max() / load.mean())
         if not _FORCE_RATIOS[0] <= ratio <= _FORCE_RATIOS[1]:
             msg = f"{where}: the largest force is {ratio:.3g} times the load; look at the units of both."
+            raise InputError(msg)
+    if force is not None:
+        work = float((0.5 * (force[1:] + force[:-1])) @ np.diff(displacement))
+        if work < -_BACKWARD_WORK * float(np.abs(force).max() * np.abs(displacement).max()):
+            msg = f"{where}: the force does negative work, so the bearing would drive the machine; change the sign of the force or the displacement."
             raise InputError(msg)
 
 

@@ -7,12 +7,18 @@ from typing import Protocol
 
 import numpy as np
 
-from dcfp.arrays import FloatArray
+from dcfp.arrays import FloatArray, IntArray
 
 #: Displacement, relative to the amplitude, up to which a branch of a loop is fitted by a line [-].
 _BRANCH = 0.5
 #: Fewest samples of a branch to fit a line to.
 _FEWEST = 5
+#: Displacement, relative to the largest, that lies between two passages of zero [-].
+CROSSING = 0.1
+#: Part of a cycle within which a passage of zero is at its end [-].
+_AT_END = 0.02
+#: Parts of a cycle before and after an end in which a measured turn is looked for, and before it in which its force is [-].
+_NEAR_END, _LEADING = 0.04, 0.02
 #: Least travel in such a branch, relative to the amplitude [-].
 _LEAST_STROKE = 1e-3
 
@@ -112,7 +118,7 @@ class Cycle:
 
     @property
     def effective_stiffness(self) -> float:
-        """Return k_eff = (F+ - F-)/(d+ - d-) [N/mm]: ASCE/SEI 7-16, Eq. (17.8-1)."""
+        """Return k_eff = (|F+| + |F-|)/(|d+| + |d-|) [N/mm]: ASCE/SEI 7-16, Eq. (17.8-1)."""
         return effective_stiffness(self.force_at_largest, self.force_at_least, self.largest, self.least)
 
     @property
@@ -137,17 +143,20 @@ def effective_damping(energy: float, stiffness: float, largest: float, least: fl
 
 def cycles_of(history: HeatedHistory) -> tuple[Cycle, ...]:
     """Return the measures of every cycle of a test whose temperature and work are known."""
-    return _measured(history, history.work, history.temperature)
+    return _measured(history, history.work, history.temperature, exact=True)
 
 
 def measured_cycles(history: ForceHistory) -> tuple[Cycle, ...]:
     """Return the measures of every cycle of a measured history; the area is that of the polygon of its samples."""
     steps = 0.5 * (history.force[1:] + history.force[:-1]) * np.diff(history.displacement)
     work = np.concatenate(([0.0], np.cumsum(steps)))
-    return _measured(history, work, np.full(work.size, math.nan))
+    return _measured(history, work, np.full(work.size, math.nan), exact=False)
 
 
-def _measured(history: ForceHistory, work: FloatArray, temperature: FloatArray) -> tuple[Cycle, ...]:
+def _measured(
+    history: ForceHistory, work: FloatArray, temperature: FloatArray, *, exact: bool
+) -> tuple[Cycle, ...]:
+    """Return the measures; where the history is not `exact`, the forces at the ends are fitted to the samples before."""
     time, bounds = history.time, history.cycle_times
     slack = 1e-9 * float(time[-1] - time[0])
     crossings = zero_crossings(history)
@@ -159,15 +168,21 @@ def _measured(history: ForceHistory, work: FloatArray, temperature: FloatArray) 
         virgin = int(part.start == 0)  # the first sample of all has no friction force
         highest = virgin + int(displacement[virgin:].argmax())
         lowest = virgin + int(displacement[virgin:].argmin())
-        inside = (crossings[:, 0] >= first - slack) & (crossings[:, 0] < last - slack)
+        # a passage at the end belongs to the next cycle, also where noise has moved it
+        guard = _AT_END * (last - first)
+        inside = (crossings[:, 0] >= first - guard) & (crossings[:, 0] < last - guard)
         forces, loads = np.abs(crossings[inside, 1]), crossings[inside, 2]
         cycles.append(
             Cycle(
                 number=number,
                 largest=float(displacement[highest]),
                 least=float(displacement[lowest]),
-                force_at_largest=float(force[highest]),
-                force_at_least=float(force[lowest]),
+                force_at_largest=float(force[highest])
+                if exact
+                else _force_at_end(time[part], displacement, force, highest),
+                force_at_least=float(force[lowest])
+                if exact
+                else _force_at_end(time[part], displacement, force, lowest),
                 load=float(history.load[part].mean()),
                 energy=float(np.diff(np.interp(np.array([first, last]), time, work))[0]),
                 crossings=tuple((forces / loads).tolist()),
@@ -179,18 +194,60 @@ def _measured(history: ForceHistory, work: FloatArray, temperature: FloatArray) 
     return tuple(cycles)
 
 
+def _force_at_end(time: FloatArray, displacement: FloatArray, force: FloatArray, end: int) -> float:
+    """Return the force [N] at the turn near the sample `end` of a measured cycle.
+
+    A single sample can lie on either side of the turn, where the force jumps. The turn is that of a parabola through the samples near the
+    end, and the force that of a parabola through those that lead up to it.
+    """
+    cycle = float(time[-1] - time[0])
+    near = np.flatnonzero(
+        (np.abs(time - time[end]) < _NEAR_END * cycle) & (displacement * displacement[end] > 0.0)
+    )
+    if near.size < _FEWEST:
+        return float(force[end])
+    shifted = time[near] - time[end]
+    second, first, _ = _fitted(shifted, displacement[near], 2)
+    turn = -0.5 * first / second if second * displacement[end] < 0.0 else 0.0
+    turn = min(max(turn, float(shifted[0])), float(shifted[-1]))
+    before = (shifted < turn) & (shifted > turn - _LEADING * cycle)
+    if before.sum() < _FEWEST:
+        return float(force[end])
+    # the coefficient falls with the speed, and that bends the force
+    degree = 2 if before.sum() > _FEWEST + 1 else 1
+    return _fitted(shifted[before] - turn, force[near][before], degree)[-1]
+
+
+def _fitted(x: FloatArray, y: FloatArray, degree: int) -> list[float]:
+    """Return the coefficients of the polynomial that fits best, highest first."""
+    return np.asarray(np.polyfit(x, y, degree), dtype=np.float64).tolist()
+
+
 def zero_crossings(history: ForceHistory) -> FloatArray:
     """Return time [s], force [N] and load [N] wherever the displacement passes zero, shape (crossings, 3).
 
-    The first sample of all is left out: a bearing that has not moved yet has no friction force.
+    The start is left out: a bearing that has not moved yet has no friction force.
     """
     y = history.displacement
     # what is a rounding error away from zero is there
     y = np.where(np.abs(y) < 1e-9 * np.abs(y).max(), 0.0, y)
     ends = np.flatnonzero((y[1:] == 0.0) & (y[:-1] != 0.0) | (y[:-1] * y[1:] < 0.0))
+    ends = _passages(y, ends)
     part = y[ends] / (y[ends] - y[ends + 1])
     columns = (history.time, history.force, history.load)
     return np.column_stack([c[ends] + part * (c[ends + 1] - c[ends]) for c in columns])
+
+
+def _passages(displacement: FloatArray, crossings: IntArray) -> IntArray:
+    """Return the crossings before each of which it has been far from zero since the one before: noise around zero makes none."""
+    far = CROSSING * float(np.abs(displacement).max())
+    kept: list[int] = []
+    since = 0
+    for place in crossings.tolist():
+        if np.abs(displacement[since : place + 1]).max() > far:
+            kept.append(place)
+            since = place + 1
+    return np.array(kept, dtype=np.intp)
 
 
 def _post_yield_stiffness(displacement: FloatArray, force: FloatArray, *, virgin: int) -> float:
@@ -206,6 +263,6 @@ def _post_yield_stiffness(displacement: FloatArray, force: FloatArray, *, virgin
     for stroke in np.split(np.arange(displacement.size), turns):
         part = stroke[near[stroke]]
         if part.size >= _FEWEST and np.ptp(displacement[part]) > _LEAST_STROKE * largest:
-            slopes.append(float(np.polyfit(displacement[part], force[part], 1)[0]))
+            slopes.append(_fitted(displacement[part], force[part], 1)[0])
             weights.append(float(np.ptp(displacement[part])))
     return float(np.average(slopes, weights=weights)) if sum(weights) > 0.0 else math.nan

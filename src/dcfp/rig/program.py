@@ -100,7 +100,7 @@ class Program:
         return tuple(tuple(story) for story in stories)
 
     def only(self, names: Sequence[str]) -> "Program":
-        """Return the program with some of its tests, in its own order.
+        """Return the program with some of its tests, in its own order, and with those before them whose heat is still in the plates.
 
         Raises
         ------
@@ -112,7 +112,11 @@ class Program:
             if name not in known:
                 msg = f"{self.name} has no test {name!r}; it has {', '.join(known)}."
                 raise InputError(msg)
-        return replace(self, tests=tuple(test for test in self.tests if test.name in names))
+        kept: list[RigTest] = []
+        for story in self.stories:
+            wanted = [place for place, test in enumerate(story) if test.name in names]
+            kept.extend(story[: max(wanted) + 1] if wanted else ())
+        return replace(self, tests=tuple(kept))
 
 
 def check_stroke(test: RigTest, bearing: Bearing) -> None:

@@ -1,11 +1,14 @@
 """Test programs by name, from TOML files and from measured displacements."""
 
+import difflib
 import math
 import tomllib
 from collections.abc import Mapping
 from importlib.resources import files
 from pathlib import Path
 from typing import Any, cast
+
+import numpy as np
 
 from dcfp.errors import InputError
 from dcfp.rig.codes.choice import prototype_programs
@@ -17,6 +20,8 @@ from dcfp.rig.waveform import Recorded, Sine, Triangle, Waveform
 #: Programs that come with the package.
 NAMED = {"dependency": "li_2020_dependency.toml", "asce": "li_2020_asce.toml"}
 _KILO = 1e3
+#: Part of the samples of a measured displacement that may be turns [-].
+_MOST_TURNS = 0.1
 _PROGRAM_KEYS = ("name", "source", "citation", "code", "test")
 _KEYS = (
     "name", "purpose", "role", "waveform", "amplitude", "peak_velocity", "period", "cycles", "start", "ramp_cycles",
@@ -43,14 +48,21 @@ def load_program(name: str | Path) -> Program:
     if key in NAMED:
         text = files("dcfp.rig").joinpath("programs", NAMED[key]).read_text(encoding="utf-8")
         return parse_program(tomllib.loads(text), key, Path())
-    path = Path(name)
+    path = _path(name)
     if path.suffix.lower() == ".csv":
         measurement = read_measurement(path)
         return Program(
             measurement.name, (measured_test(measurement),), source=f"measured displacement, {path.name}"
         )
     if not path.exists():
-        msg = f"{name}: there is no such test program or file; the programs are {', '.join(NAMED)}, or give a .toml or .csv file."
+        programs = (*NAMED, *prototype_programs())
+        near = difflib.get_close_matches(key, programs, n=1)
+        hint = (
+            f"did you mean {near[0]!r}?"
+            if near
+            else f"the programs are {', '.join(programs)}, or give a .toml or .csv file."
+        )
+        msg = f"{name}: there is no such test program or file; {hint}"
         raise InputError(msg)
     try:
         content = tomllib.loads(path.read_text(encoding="utf-8"))
@@ -63,6 +75,17 @@ def load_program(name: str | Path) -> Program:
     return parse_program(content, str(path), path.parent)
 
 
+def _path(name: str | Path) -> Path:
+    """Return the path of that name, if the system can look for it at all."""
+    path = Path(name)
+    try:
+        path.exists()
+    except (OSError, ValueError) as error:
+        msg = f"{str(name)[:60]!r}: this cannot be the name of a file."
+        raise InputError(msg) from error
+    return path
+
+
 def measured_test(measurement: Measurement) -> RigTest:
     """Return the test that a measurement was: its displacement, and its vertical load where it has one."""
     load = None
@@ -70,6 +93,13 @@ def measured_test(measurement: Measurement) -> RigTest:
         load = VerticalLoad(
             tuple(measurement.optional_load.tolist()), tuple(measurement.time.tolist()), is_pressure=False
         )
+    turns = np.count_nonzero(np.diff(np.sign(np.diff(measurement.displacement))))
+    if turns > _MOST_TURNS * measurement.time.size:
+        msg = (
+            f"{measurement.name}: the displacement changes its direction at {100.0 * turns / measurement.time.size:.0f} % of the samples;"
+            " it is too noisy to be driven, smooth it or take fewer samples."
+        )
+        raise InputError(msg)
     waveform = Recorded(measurement.time, measurement.displacement, measurement.name)
     return RigTest(measurement.name, waveform, load)
 

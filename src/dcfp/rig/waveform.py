@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import ClassVar, Literal, TypeAlias
 
 import numpy as np
@@ -10,11 +11,12 @@ from scipy.interpolate import CubicHermiteSpline, PchipInterpolator
 from dcfp.arrays import FloatArray
 from dcfp.bearing.checks import positive
 from dcfp.errors import InputError
+from dcfp.rig.measures import CROSSING
 
 #: Pieces in a cycle of a generated motion; the cubic is then within 2e-10 of the amplitude of a sine.
 PIECES_PER_CYCLE = 400
-#: Zero crossings of a recorded motion count where it has been so far from zero, relative to its peak [-].
-_CROSSING = 0.1
+#: Range of a cycle over that of the largest from which on it is not one of a ramp [-].
+_FULL_CYCLE = 0.9
 #: Steps of a recorded motion that differ by no more than that are the same, relative to the middle one [-].
 _SAME_STEP = 1e-6
 
@@ -81,7 +83,7 @@ class Sine:
     def __post_init__(self) -> None:
         positive(self.amplitude, "amplitude", "mm")
         positive(self.peak_velocity, "peak velocity", "mm/s")
-        _countable(self.cycles, "number of cycles")
+        _whole(self.cycles)
         if self.start not in STARTS:
             msg = f"A sine can start at {', '.join(STARTS)}, not {self.start!r}."
             raise InputError(msg)
@@ -101,7 +103,6 @@ class Sine:
         if self.start == "peak":
             displacement, slope = np.cos(phase), -np.sin(phase)
         elif ramp > 0.0:
-            # a ramp of a whole number of half cycles keeps the phase of what counts
             displacement, slope = _ramped(phase, 2.0 * math.pi * ramp, float(phase[-1]))
         else:
             displacement, slope = np.sin(phase), np.cos(phase)
@@ -145,7 +146,7 @@ class Triangle:
     def __post_init__(self) -> None:
         positive(self.amplitude, "amplitude", "mm")
         positive(self.speed, "speed", "mm/s")
-        _countable(self.cycles, "number of cycles")
+        _whole(self.cycles)
 
     @property
     def period(self) -> float:
@@ -246,10 +247,10 @@ Waveform: TypeAlias = Sine | Triangle | Recorded
 def cycle_bounds(time: FloatArray, displacement: FloatArray) -> FloatArray:
     """Return the times [s] at which the displacement passes zero upwards, with the start if it begins there.
 
-    Only passages between a tenth of the largest displacement on either side count, so that noise around zero makes no cycle; a
-    motion that has no full cycle is one cycle.
+    Only passages between a tenth of the largest displacement on either side count, so that noise around zero makes no cycle. Smaller
+    cycles before and after others that are alike are left out: they are ramps. A motion that has no full cycle is one cycle.
     """
-    far = _CROSSING * float(np.abs(displacement).max())
+    far = CROSSING * float(np.abs(displacement).max())
     bounds: list[float] = []
     below = abs(displacement[0]) <= far
     last_zero = float(time[0])
@@ -267,12 +268,29 @@ def cycle_bounds(time: FloatArray, displacement: FloatArray) -> FloatArray:
         bounds.append(float(time[-1]))  # the last cycle ends where the motion does
     if len(bounds) < 2:
         bounds = [float(time[0]), float(time[-1])]
-    return np.array(bounds)
+    return _without_ramps(np.array(bounds), time, displacement)
+
+
+def _without_ramps(bounds: FloatArray, time: FloatArray, displacement: FloatArray) -> FloatArray:
+    """Leave out smaller cycles at both ends, if all between them are alike: they are ramps, or the start and stop of the machine."""
+    ranges = np.array(
+        [np.ptp(displacement[(time >= first) & (time <= last)]) for first, last in pairwise(bounds.tolist())]
+    )
+    full = np.flatnonzero(ranges >= _FULL_CYCLE * ranges.max())
+    first, last = int(full[0]), int(full[-1])
+    return bounds[first : last + 2] if full.size == last - first + 1 else bounds
 
 
 def _rows(coefficients: FloatArray) -> FloatArray:
     """Return SciPy's coefficients, highest order first, as rows of pieces, lowest order first."""
     return np.ascontiguousarray(coefficients[::-1].T)
+
+
+def _whole(cycles: float) -> None:
+    _countable(cycles, "number of cycles")
+    if cycles < 1.0:
+        msg = f"A test needs at least one full cycle, not {cycles!r}."
+        raise InputError(msg)
 
 
 def _countable(value: float, name: str) -> None:

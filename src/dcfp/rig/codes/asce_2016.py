@@ -7,6 +7,8 @@ The order, displacements and cycles of the sequence agree with the tests of Li e
 import math
 from collections.abc import Sequence
 
+import numpy as np
+
 from dcfp.rig.codes.criterion import Criterion
 from dcfp.rig.codes.design import PrototypeDesign
 from dcfp.rig.loops import Loops
@@ -90,7 +92,7 @@ def judge(loops: Sequence[Loops]) -> list[Criterion]:
                 test,
                 "(1)",
                 "force grows with displacement: least post-yield stiffness",
-                min(slopes) / 1e3,
+                float(np.min(slopes)) / 1e3,
                 0.0,
                 "kN/mm",
                 at_least=True,
@@ -99,7 +101,7 @@ def judge(loops: Sequence[Loops]) -> list[Criterion]:
         stiffness = [c.effective_stiffness for c in cycles]
         if test.test.role in ("increment", "maximum"):
             mean = sum(stiffness) / len(stiffness)
-            scatter = max(abs(k / mean - 1.0) for k in stiffness)
+            scatter = float(np.max(np.abs(np.array(stiffness) / mean - 1.0)))
             found.append(
                 _criterion(
                     test,
@@ -110,9 +112,9 @@ def judge(loops: Sequence[Loops]) -> list[Criterion]:
                 )
             )
         if test.test.role == "endurance":
-            change = max(abs(k / stiffness[0] - 1.0) for k in stiffness)
+            change = float(np.max(np.abs(np.array(stiffness) / stiffness[0] - 1.0)))
             damping = [c.effective_damping for c in cycles]
-            fall = 1.0 - min(damping) / damping[0]
+            fall = 1.0 - float(np.min(damping)) / damping[0]
             found += [
                 _criterion(
                     test,

@@ -39,7 +39,7 @@ def prototype_program(code: str, design: PrototypeDesign) -> Program:
 
 
 def judge_tests(program: Program, loops: Sequence[Loops]) -> list[Criterion]:
-    """Return what the code of a program wants of its tests, and NTC 2018 of those with a role; nothing for a program of no code."""
+    """Return what the code of a program wants of its tests, and NTC 2018 of those at the maximum displacement and for endurance; nothing for a program of no code."""
     if program.code not in _JUDGES:
         return []
-    return [*_JUDGES[program.code](loops), *ntc_2018.judge([test for test in loops if test.test.role])]
+    return [*_JUDGES[program.code](loops), *ntc_2018.judge(loops)]

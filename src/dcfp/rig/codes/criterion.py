@@ -1,5 +1,6 @@
 """What a code wants of a test, and whether the test gave it."""
 
+import math
 from dataclasses import dataclass
 
 
@@ -38,4 +39,6 @@ class Criterion:
     @property
     def passed(self) -> bool:
         """Whether it holds; what is not a finite number never does."""
-        return self.value >= self.limit if self.at_least else self.value <= self.limit
+        return math.isfinite(self.value) and (
+            self.value >= self.limit if self.at_least else self.value <= self.limit
+        )

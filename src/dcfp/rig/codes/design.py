@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from dcfp.bearing.checks import positive
+from dcfp.errors import InputError
 from dcfp.rig.load import VerticalLoad
 
 #: Minimum of the total maximum displacement over the maximum displacement [-]: ASCE/SEI 7, section 17.5.3.5.
@@ -46,6 +47,9 @@ class PrototypeDesign:
         positive(self.pressure, "pressure on the slider", "N/mm2")
         if self.total_displacement is not None:
             positive(self.total_displacement, "total displacement", "mm")
+            if self.total_displacement < self.displacement:
+                msg = f"The total displacement, {self.total_displacement:g} mm, must not be below the displacement, {self.displacement:g} mm."
+                raise InputError(msg)
         positive(self.least_load, "smallest over the average load", "[-]")
         positive(self.largest_load, "largest over the average load", "[-]")
         positive(self.wind_displacement, "displacement of the wind cycles", "mm")

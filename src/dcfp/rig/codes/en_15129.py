@@ -1,10 +1,12 @@
 """Type tests of curved surface sliders: after EN 15129, section 8.3.4.
 
-*Unconfirmed* as a whole: the standard's text could not be read. Names, speeds and limits are from memory of it, and are arguments where they matter.
+*Unconfirmed* as a whole: the standard's text could not be read. Names, speeds and limits are from memory of it, and stand below as constants.
 """
 
 import math
 from collections.abc import Sequence
+
+import numpy as np
 
 from dcfp.rig.codes.criterion import Criterion
 from dcfp.rig.codes.design import PrototypeDesign
@@ -72,28 +74,27 @@ def judge(loops: Sequence[Loops]) -> list[Criterion]:
     friction = sum(c.loop_friction for c in full[0].cycles) / len(full[0].cycles) if full else math.nan
     found: list[Criterion] = []
     for test in loops:
-        stiffness = max(
-            abs(c.post_yield_stiffness * test.bearing.effective_radius / c.load - 1.0) for c in test.cycles
-        )
+        radius = test.bearing.effective_radius
+        stiffness = [abs(c.post_yield_stiffness * radius / c.load - 1.0) for c in test.cycles]
         found.append(
             Criterion(
                 CODE,
                 "8.3.4",
                 test.test.name,
                 "restoring stiffness of each cycle within 15 % of N / R",
-                stiffness,
+                float(np.max(stiffness)),
                 LARGEST_DEVIATION,
             )
         )
         if full:
-            energy = max(abs(c.loop_friction / friction - 1.0) for c in test.cycles)
+            energy = [abs(c.loop_friction / friction - 1.0) for c in test.cycles]
             found.append(
                 Criterion(
                     CODE,
                     "8.3.4",
                     test.test.name,
                     f"energy of each cycle within 15 % of that of a friction of {friction:.4f}, the mean of {full[0].test.name}",
-                    energy,
+                    float(np.max(energy)),
                     LARGEST_DEVIATION,
                 )
             )
