@@ -15,8 +15,13 @@ LARGEST_YIELD_RADIUS = 1.0
 LARGEST_RATIO = 1.1
 #: Time since the plates were cold up to which a plate is as good as a half-space [s]: where one of 50 mm is 1 % warmer after a constant flux.
 LONGEST_HALF_SPACE = 196.0
+#: How far the temperature at the start may be from that of the tests without a remark [degC].
+LARGEST_AMBIENT_CHANGE = 15.0
 #: How far beyond a law's tested range histories may go without a remark, relative [-].
 _SLACK = 0.01
+
+
+_AT_REST = "{name}: it never slides, so that forces, stiffness and friction are those of spring (b) alone."
 
 
 @dataclass(frozen=True)
@@ -64,7 +69,7 @@ class History:
 def assumption_remarks(history: History) -> list[str]:
     """Return a sentence for each assumption that the histories left."""
     if not history.slides:
-        return []
+        return [_AT_REST.format(name=history.name)] if history.velocity.any() else []
     return [
         sentence
         for find in (_law, _tested, _soft_spring, _unequal_plates, _half_space, _long_memory)
@@ -78,20 +83,23 @@ def _law(history: History) -> str:
 
 
 def _tested(history: History) -> str:
-    tested = history.friction_law.tested
+    tested = history.friction_law.tests()
     if tested is None:
         return ""
     pressure = history.load / history.bearing.slider_area
     beyond: list[str] = []
     for values, (least, largest), unit in (
         (pressure, tested.pressure, "N/mm2"),
-        (np.abs(history.velocity), tested.speed, "mm/s"),
+        (np.abs(history.velocity), (0.0, tested.speed[1]), "mm/s"),  # every motion is slow at its turns
     ):
         lowest, highest = float(values.min()), float(values.max())
         if highest > largest * (1.0 + _SLACK):
             beyond.append(f"{highest:.3g} {unit} above {largest:g}")
         elif least > 0.0 and lowest < least * (1.0 - _SLACK):
             beyond.append(f"{lowest:.3g} {unit} below {least:g}")
+    ambient = history.heating.ambient
+    if tested.ambient is not None and abs(ambient - tested.ambient) > LARGEST_AMBIENT_CHANGE:
+        beyond.append(f"plates of {ambient:g} °C at the start, not {tested.ambient:g} °C")
     if not beyond:
         return ""
     return (

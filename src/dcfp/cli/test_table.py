@@ -114,7 +114,7 @@ def print_checks(
             out.print()
             out.print(_factors_table(factors))
             notes.append(
-                "lambda_test predicted by the heated model: first and last of the first three cycles at the maximum displacement over their mean"
+                "lambda_test as the model predicts it: first and last of the first three cycles at the maximum displacement over their mean"
                 " (nominal); after all: last cycle of the endurance tests over the mean of their first three."
             )
         if any(not item.confirmed for item in criteria):

@@ -13,6 +13,8 @@ from dcfp.arrays import FloatArray, IntArray
 _BRANCH = 0.5
 #: Fewest samples of a branch to fit a line to.
 _FEWEST = 5
+#: Standard deviation of a steady load over its mean [-]; instruments scatter by some percent.
+_STEADY = 0.05
 #: Displacement, relative to the largest, that lies between two passages of zero [-].
 CROSSING = 0.1
 #: Part of a cycle within which a passage of zero is at its end [-].
@@ -88,9 +90,12 @@ class Cycle:
     strength
         Characteristic strength: mean size of the forces there [N]; NaN where it never passes zero.
     post_yield_stiffness
-        Mean slope of the strokes between half of the amplitude to either side [N/mm]; NaN where they are too short.
+        Mean slope of the strokes between half of the amplitude to either side of the loop's middle [N/mm]; NaN where they are too short or
+        the load changes.
     peak_temperature
         Highest temperature of the contact [degC]; NaN for a measured history.
+    steady_load
+        Whether the vertical force hardly changes; if it does, the pendulum takes part in the work and in the slopes.
     """
 
     number: int
@@ -104,6 +109,7 @@ class Cycle:
     strength: float
     post_yield_stiffness: float
     peak_temperature: float
+    steady_load: bool = True
 
     @property
     def friction(self) -> float:
@@ -112,9 +118,12 @@ class Cycle:
 
     @property
     def loop_friction(self) -> float:
-        """Return the mean coefficient over the cycle, E / (2 N (d+ - d-)) [-]: that of the Coulomb loop of the same area."""
+        """Return the mean coefficient over the cycle, E / (2 N (d+ - d-)) [-]: that of the Coulomb loop of the same area.
+
+        NaN under a load that changes, where the area is not that of friction alone.
+        """
         travel = self.largest - self.least
-        return self.energy / (2.0 * self.load * travel) if travel > 0.0 else math.nan
+        return self.energy / (2.0 * self.load * travel) if travel > 0.0 and self.steady_load else math.nan
 
     @property
     def effective_stiffness(self) -> float:
@@ -171,6 +180,8 @@ def _measured(
         # a passage at the end belongs to the next cycle, also where noise has moved it
         guard = _AT_END * (last - first)
         inside = (crossings[:, 0] >= first - guard) & (crossings[:, 0] < last - guard)
+        load = history.load[part]
+        steady = bool(load.std() <= _STEADY * load.mean())
         forces, loads = np.abs(crossings[inside, 1]), crossings[inside, 2]
         cycles.append(
             Cycle(
@@ -183,12 +194,15 @@ def _measured(
                 force_at_least=float(force[lowest])
                 if exact
                 else _force_at_end(time[part], displacement, force, lowest),
-                load=float(history.load[part].mean()),
+                load=float(load.mean()),
                 energy=float(np.diff(np.interp(np.array([first, last]), time, work))[0]),
                 crossings=tuple((forces / loads).tolist()),
                 strength=float(forces.mean()) if forces.size else math.nan,
-                post_yield_stiffness=_post_yield_stiffness(displacement, force, virgin=virgin),
+                post_yield_stiffness=_post_yield_stiffness(displacement, force, virgin=virgin)
+                if steady
+                else math.nan,
                 peak_temperature=float(temperature[part].max()),
+                steady_load=steady,
             )
         )
     return tuple(cycles)
@@ -252,8 +266,9 @@ def _passages(displacement: FloatArray, crossings: IntArray) -> IntArray:
 
 def _post_yield_stiffness(displacement: FloatArray, force: FloatArray, *, virgin: int) -> float:
     """Return the mean slope of the strokes [N/mm], weighted by how far they go; so many `virgin` samples at the start are left out."""
-    largest = float(np.abs(displacement).max())
-    near = np.abs(displacement) <= _BRANCH * largest
+    largest = 0.5 * float(np.ptp(displacement))
+    middle = 0.5 * float(displacement.max() + displacement.min())
+    near = np.abs(displacement - middle) <= _BRANCH * largest
     near[:virgin] = False
     steps = np.sign(np.diff(displacement))
     moving = np.flatnonzero(steps)  # a sample may be there twice

@@ -124,6 +124,8 @@ class _Machine:
     def run(self, test: RigTest) -> Loops:
         """Run the next test of the story."""
         travel = self.travels[test.name]
+        if test.load is not None:
+            travel = travel.cut_at(np.array(test.load.times))
         heat = heat_of(self.plates, self.bearing, self.heating)
         if self.clock > 0.0 and test.pause:
             self._pause(heat, test.pause)

@@ -15,6 +15,8 @@ from dcfp.rig.measures import CROSSING
 
 #: Pieces in a cycle of a generated motion; the cubic is then within 2e-10 of the amplitude of a sine.
 PIECES_PER_CYCLE = 400
+#: Part of a piece that is not cut off [-].
+_SLIVER = 1e-6
 #: Range of a cycle over that of the largest from which on it is not one of a ramp [-].
 _FULL_CYCLE = 0.9
 #: Steps of a recorded motion that differ by no more than that are the same, relative to the middle one [-].
@@ -46,6 +48,29 @@ class Travel:
     def time(self) -> FloatArray:
         """Times at the ends of the pieces [s], shape (n + 1,)."""
         return np.concatenate(([0.0], np.cumsum(self.lengths)))
+
+    def cut_at(self, times: FloatArray) -> "Travel":
+        """Return the same displacement with pieces that also end at `times` [s]."""
+        ends = self.time
+        inside = times[(times > 0.0) & (times < ends[-1])]
+        piece = np.searchsorted(ends, inside, side="right") - 1
+        apart = (inside - ends[piece] > _SLIVER * self.lengths[piece]) & (
+            ends[piece + 1] - inside > _SLIVER * self.lengths[piece]
+        )
+        if not apart.any():
+            return self
+        inside, piece = inside[apart], piece[apart]
+        origin = np.concatenate((np.arange(self.lengths.size), piece))
+        start = np.concatenate((ends[:-1], inside))
+        order = np.argsort(start, kind="stable")
+        origin, start = origin[order], start[order]
+        moved = _moved(self.pieces[origin], start - ends[:-1][origin])
+        lengths = np.diff(np.append(start, ends[-1]))
+        whole = np.isin(np.arange(self.lengths.size), piece, invert=True)[origin]
+        lengths[whole] = self.lengths[
+            origin[whole]
+        ]  # to the last digit, for the kernels prepare a length once
+        return Travel(lengths, moved, self.cycles)
 
     @property
     def largest(self) -> float:
@@ -279,6 +304,20 @@ def _without_ramps(bounds: FloatArray, time: FloatArray, displacement: FloatArra
     full = np.flatnonzero(ranges >= _FULL_CYCLE * ranges.max())
     first, last = int(full[0]), int(full[-1])
     return bounds[first : last + 2] if full.size == last - first + 1 else bounds
+
+
+def _moved(pieces: FloatArray, later: FloatArray) -> FloatArray:
+    """Return cubic pieces that begin `later` [s]."""
+    c0, c1, c2, c3 = pieces.T
+    t = later
+    return np.column_stack(
+        (
+            c0 + t * (c1 + t * (c2 + t * c3)),
+            c1 + t * (2.0 * c2 + t * 3.0 * c3),
+            c2 + 3.0 * t * c3,
+            c3,
+        )
+    )
 
 
 def _rows(coefficients: FloatArray) -> FloatArray:

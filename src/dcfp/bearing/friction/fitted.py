@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import ClassVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from dcfp.arrays import FloatArray
 from dcfp.bearing.checks import finite, fraction, positive
 from dcfp.bearing.friction import li_2020
-from dcfp.bearing.friction.law import FrictionLaw
+from dcfp.bearing.friction.law import FrictionLaw, Tested
 from dcfp.errors import InputError
 from dcfp.kernels.friction import ExponentialLaw
 
@@ -47,6 +47,10 @@ class FittedFriction(FrictionLaw):
         r [1/degC].
     reference_temperature
         T_ref [degC].
+    tested_pressure, tested_speed
+        Smallest and largest pressure [N/mm2] and relative speed [mm/s] of the tests that the constants rest on; None where they are not known.
+    tested_ambient
+        Temperature of the bearing before these tests [degC].
 
     Notes
     -----
@@ -62,6 +66,9 @@ class FittedFriction(FrictionLaw):
     speed_rate: float = 0.019
     temperature_rate: float = 0.007
     reference_temperature: float = REFERENCE_TEMPERATURE
+    tested_pressure: tuple[float, float] | None = None
+    tested_speed: tuple[float, float] | None = None
+    tested_ambient: float | None = None
     name: ClassVar[str] = "fitted"
     citation: ClassVar[str] = "li_2020"
     reference_parameter: ClassVar[str] = "mu_0"
@@ -76,6 +83,18 @@ class FittedFriction(FrictionLaw):
         _between(self.speed_rate, "speed rate [s/mm]", 0.0, _LARGEST_SPEED_RATE)
         _between(self.temperature_rate, "temperature rate [1/degC]", 0.0, _LARGEST_TEMPERATURE_RATE)
         finite(self.reference_temperature, "reference temperature", "degC")
+        for name in ("tested_pressure", "tested_speed"):
+            object.__setattr__(self, name, _range(getattr(self, name), name))
+        if self.tested_ambient is not None:
+            finite(self.tested_ambient, "temperature before the tests", "degC")
+
+    def tests(self) -> Tested | None:
+        """Return the tests that the constants rest on, if the law says which."""
+        if self.tested_pressure is None or self.tested_speed is None:
+            return None
+        return Tested(
+            self.tested_pressure, self.tested_speed, "the tests it was fitted to", self.tested_ambient
+        )
 
     @property
     def reference(self) -> float:
@@ -106,6 +125,20 @@ class FittedFriction(FrictionLaw):
             self.temperature_rate,
             0.0,
         )
+
+
+def _range(values: object, name: str) -> tuple[float, float] | None:
+    """Return a smallest and a largest value; a list of a file becomes a tuple."""
+    if values is None:
+        return None
+    if not isinstance(values, (list, tuple)) or len(cast("list[float]", values)) != 2:
+        msg = f"{name} must be a pair of numbers, the smallest and the largest, not {values!r}."
+        raise InputError(msg)
+    least, most = cast("list[float]", values)
+    if not finite(least, name, "the tests") <= finite(most, name, "the tests"):
+        msg = f"{name} must be the smallest and the largest value in this order, not {values!r}."
+        raise InputError(msg)
+    return float(least), float(most)
 
 
 def _between(value: float, name: str, least: float, most: float) -> None:

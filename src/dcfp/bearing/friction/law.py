@@ -23,11 +23,14 @@ class Tested:
         Smallest and largest relative speed of the plates [mm/s].
     source
         Where they are described.
+    ambient
+        Temperature of the bearing before the tests [degC]; None where it is not known.
     """
 
     pressure: tuple[float, float]
     speed: tuple[float, float]
     source: str
+    ambient: float | None = None
 
 
 class FrictionLaw(ABC):
@@ -56,6 +59,10 @@ class FrictionLaw(ABC):
     reference_parameter: ClassVar[str] = ""
     tested: ClassVar[Tested | None] = None
     caution: ClassVar[str] = ""
+
+    def tests(self) -> Tested | None:
+        """Return the tests that the law rests on, where they are known."""
+        return self.tested
 
     @property
     def reference(self) -> float:

@@ -71,7 +71,9 @@ class Li2020(FrictionLaw):
     name: ClassVar[str] = "li2020"
     citation: ClassVar[str] = "li_2020"
     reference_parameter: ClassVar[str] = "mu_0"
-    tested: ClassVar[Tested | None] = Tested((30.0, 90.0), (0.0, 644.0), "Li et al. 2020, Tables 1 and 2")
+    tested: ClassVar[Tested | None] = Tested(
+        (30.0, 90.0), (0.0, 644.0), "Li et al. 2020, Tables 1 and 2", 20.0
+    )
 
     def __post_init__(self) -> None:
         fraction(self.mu_0, "coefficient of friction mu_0")

@@ -84,7 +84,7 @@ class Lomiento2013(FrictionLaw):
     reference_parameter: ClassVar[str] = "mu_0"
     speed_is_of_surface: ClassVar[bool] = True
     tested: ClassVar[Tested | None] = Tested(
-        (40.0, 80.0), (0.0, 400.0), "the range in which its constants restate Li et al. 2020"
+        (40.0, 80.0), (0.0, 400.0), "the range in which its constants restate Li et al. 2020", 20.0
     )
     caution: ClassVar[str] = (
         "its form is unconfirmed and its constants are this package's own; what has worn off never recovers."

@@ -67,8 +67,8 @@ def prototype_program(design: PrototypeDesign) -> Program:
 def judge(loops: Sequence[Loops]) -> list[Criterion]:
     """Return how far restoring stiffness and energy are from the design values.
 
-    The design stiffness is N / R. The design friction is the mean over the cycles of the test at the full displacement and speed, unless there is none;
-    then the energy is not judged.
+    The design stiffness is N / R. The design friction is the mean over the cycles of the test at the full displacement and speed; with it the energy of
+    the dynamic tests under the same load and speed is judged.
     """
     full = [test for test in loops if test.test.role == "maximum"]
     friction = sum(c.loop_friction for c in full[0].cycles) / len(full[0].cycles) if full else math.nan
@@ -86,7 +86,7 @@ def judge(loops: Sequence[Loops]) -> list[Criterion]:
                 LARGEST_DEVIATION,
             )
         )
-        if full:
+        if full and test.test.name in DYNAMIC:
             energy = [abs(c.loop_friction / friction - 1.0) for c in test.cycles]
             found.append(
                 Criterion(
