@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from dcfp.cli.remarks import motion_remarks
+from dcfp.cli.remarks import grouped, motion_remarks
 from dcfp.cli.tables import add_row, new_table, page, print_labelled, print_remarks
 
 if TYPE_CHECKING:
@@ -60,7 +60,8 @@ def _bearing(bearing: "Bearing") -> str:
 
 def _remarks(responses: "Sequence[Response]") -> list[str]:
     """Return the remarks; the scale of a motion is left out, for it shows in its PGV."""
-    remarks: list[str] = []
-    for response in responses:
-        remarks += [*motion_remarks(response.motion, with_scale=False), *response.remarks]
-    return remarks
+    return grouped(
+        (response.motion.name, remark)
+        for response in responses
+        for remark in (*motion_remarks(response.motion, with_scale=False), *response.remarks)
+    )

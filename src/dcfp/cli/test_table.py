@@ -3,6 +3,7 @@
 import math
 from typing import TYPE_CHECKING
 
+from dcfp.cli.remarks import grouped
 from dcfp.cli.tables import add_row, new_table, page, print_labelled, print_remarks
 
 if TYPE_CHECKING:
@@ -190,14 +191,7 @@ def _nominal(program: "Program", loops: "Sequence[Loops]") -> list[str]:
 
 
 def _remarks(loops: "Sequence[Loops]") -> list[str]:
-    """Return the remarks on all tests; the same remark on several of them once."""
-    tests: dict[str, list[str]] = {}
-    for test in loops:
-        for remark in test.remarks:
-            name = f"{test.test.name}: "
-            told = remark.removeprefix(name)
-            tests.setdefault(told, []).extend([test.test.name] if remark.startswith(name) else [])
-    return [f"{', '.join(dict.fromkeys(names))}: {told}" if names else told for told, names in tests.items()]
+    return grouped((test.test.name, remark) for test in loops for remark in test.remarks)
 
 
 def _shown(value: float, form: str) -> str:
