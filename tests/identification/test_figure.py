@@ -1,5 +1,7 @@
 """The figure of an identification: a panel for each test, the factors with what was fitted, and the residuals."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -33,11 +35,13 @@ def test_every_test_has_its_panel(dependency, noisy, tmp_path, fitted, held) -> 
     assert path.stat().st_size > 10_000
 
 
-def test_the_same_identification_gives_the_same_bytes(dependency, noisy, tmp_path) -> None:
+def test_the_same_identification_gives_the_same_figure(dependency, noisy, tmp_path) -> None:
     # with noise: without it the residuals are the rounding of a fit, which memory's layout can change
     random = np.random.default_rng(2)
     tests = [noisy(dependency[name], random) for name in ("V20", "V400")]
     paths = [tmp_path / f"{n}.svg" for n in range(2)]
     for path in paths:
         save_figure(plot_identification(identify(tests)), path)
-    assert paths[0].read_bytes() == paths[1].read_bytes()
+    # names of clipping paths are hashes of positions, whose last digits the solver of the layout leaves open
+    first, second = (re.sub(r"p[0-9a-f]{10}\b", "p", path.read_text()) for path in paths)
+    assert first == second

@@ -16,7 +16,7 @@ from dcfp.rig.measures import CROSSING
 #: Pieces in a cycle of a generated motion; the cubic is then within 2e-10 of the amplitude of a sine.
 PIECES_PER_CYCLE = 400
 #: Part of a piece that is not cut off [-].
-_SLIVER = 1e-6
+_SLIVER = 0.05
 #: Range of a cycle over that of the largest from which on it is not one of a ramp [-].
 _FULL_CYCLE = 0.9
 #: Steps of a recorded motion that differ by no more than that are the same, relative to the middle one [-].
@@ -258,7 +258,7 @@ class Recorded:
         lengths = np.diff(time)
         middle = float(np.median(lengths))
         if np.abs(lengths - middle).max() < _SAME_STEP * middle:
-            lengths = np.full(lengths.size, middle)
+            lengths = np.full(lengths.size, float(time[-1]) / lengths.size)
         return Travel(
             lengths,
             _rows(PchipInterpolator(time, self.displacement).c),
