@@ -29,6 +29,8 @@ from dcfp.kernels.slab import slab_modes
 
 #: Displacement for which the line of cells has room at first [mm].
 FIRST_REACH = 600.0
+#: Horizons for which heat is remembered [-], and the longest horizon [s]; see `horizon_for`.
+_REMEMBERED, _LONGEST_HORIZON = 3.0, 1200.0
 
 
 @dataclass(frozen=True)
@@ -89,6 +91,15 @@ def cell_width(bearing: Bearing, heating: Heating) -> float:
     """Width of a cell of the plate [mm]."""
     across = heating.cells if isinstance(heating, PreciseHeating) else 1
     return 2.0 * bearing.contact_half_side / across
+
+
+def horizon_for(duration: float) -> float:
+    """Return the horizon [s] of modes that are to remember heat through a `duration` [s].
+
+    Heat is remembered within 1 % of a temperature for three horizons. The longest, of 20 minutes, leaves the fastest mode quick enough for the tests themselves: within
+    0.06 degC; after a day of cooling the plates then are up to 0.8 degC too cold.
+    """
+    return min(max(HORIZON, duration / _REMEMBERED), _LONGEST_HORIZON)
 
 
 def cold_plates(

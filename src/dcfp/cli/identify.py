@@ -75,6 +75,9 @@ def run(chosen: argparse.Namespace) -> int:
     from dcfp.rig import read_measurement
 
     model = inputs.model(chosen)
+    if model.friction.name not in ("fitted", "li2020"):
+        msg = f"{chosen.bearing}: the law that is fitted has the form 'fitted', that of Li et al. (2020) with free constants, and not {model.friction.name!r}; leave [friction] out."
+        raise InputError(msg)
     found = identify(
         [read_measurement(file) for file in files],
         model.bearing,
@@ -97,6 +100,9 @@ def run(chosen: argparse.Namespace) -> int:
 def _refuse_other_laws(chosen: argparse.Namespace) -> None:
     if chosen.friction is not None and chosen.friction.strip().lower() != "fitted":
         msg = f"--friction {chosen.friction}: the law that is fitted has the form 'fitted', that of Li et al. (2020) with free constants; leave the option out."
+        raise InputError(msg)
+    if chosen.pressure is not None:
+        msg = f"--pressure {chosen.pressure:g} has no effect: the measured files hold the load; leave the option out."
         raise InputError(msg)
     if chosen.mu is not None:
         msg = f"--mu {chosen.mu:g}: to keep the reference coefficient at this value, say --fix mu_0={chosen.mu:g}."

@@ -6,14 +6,12 @@ from numpy.typing import NDArray
 from dcfp.arrays import FloatArray
 from dcfp.bearing import Bearing, Heating
 from dcfp.bearing.friction import FittedFriction
-from dcfp.bearing.plates import PlateHeat, cold_plates, heat_of, structure_of
+from dcfp.bearing.plates import PlateHeat, cold_plates, heat_of, horizon_for, structure_of
 from dcfp.errors import AnalysisError
-from dcfp.kernels.heat_state import RATES, WEIGHTS
-from dcfp.kernels.memory import HORIZON
+from dcfp.kernels.heat_state import ODD_LENGTH, STEP_NOTE, STEP_NOTES
+from dcfp.kernels.heating import prepare
 from dcfp.kernels.thermometer import follow_heat
 
-#: The longest mode of the heat fades 3 % in so much of a test; see `fading_modes`.
-_HORIZONS = 3.0
 #: Steps of time that differ by no more than that are the same, relative to the middle one [-].
 _SAME_STEP = 1e-6
 #: Weights of the second and the first neighbours on either side, which give a cubic at the sample between them [-].
@@ -55,7 +53,7 @@ def contact_temperature(
         bearing,
         heating,
         reach=float(np.abs(displacement).max()),
-        horizon=max(HORIZON, float(time[-1]) / _HORIZONS),
+        horizon=horizon_for(float(time[-1])),
     )
     structure = structure_of(bearing, FittedFriction())
     temperatures = np.empty((time.size, structure.plates))
@@ -96,10 +94,15 @@ def _rise_by_own_flux(
     steps: FloatArray, displacement: FloatArray, plates: PlateHeat, bearing: Bearing, heating: Heating
 ) -> FloatArray:
     """Return by how much a flux at a sample alone heats the contact there, over the flux mu p v [degC mm s/N]."""
+    if heating.name == "none":
+        return np.zeros(displacement.size)
     lengths, place = np.unique(steps, return_inverse=True)
-    grown = lengths[:, None] * plates.bank[RATES]
-    closing = lengths[:, None] * plates.bank[WEIGHTS] * (grown + np.expm1(-grown)) / grown**2
-    rise = np.concatenate(([0.0], (closing.sum(axis=1) + plates.instant * heating.rise_factor)[place]))
+    heat = heat_of(plates.copy(), bearing, heating)
+    closing = np.empty(lengths.size)
+    for n, length in enumerate(lengths.tolist()):
+        prepare(heat, ODD_LENGTH, length)
+        closing[n] = heat.notes[STEP_NOTE + STEP_NOTES * ODD_LENGTH + 2] + heat.instant
+    rise = np.concatenate(([0.0], closing[place]))
     felt = np.zeros(displacement.size)
     for share in bearing.shares:
         # of two plates each gets its share of the flux, and has its share in the mean
@@ -107,4 +110,4 @@ def _rise_by_own_flux(
         felt += np.where(
             inside, share * share if len(set(bearing.shares)) > 1 else share / len(bearing.shares), 0.0
         )
-    return np.zeros(displacement.size) if heating.name == "none" else rise * felt
+    return rise * felt

@@ -11,6 +11,7 @@ from dcfp.errors import InputError
 from dcfp.identification.contact_temperature import contact_temperature
 from dcfp.identification.smoothing import Smoothed, find_strokes, smooth
 from dcfp.rig import Measurement
+from dcfp.rig.load import check_load
 
 #: Order of the polynomials that displacement and load are smoothed with.
 _DISPLACEMENT_ORDER, _LOAD_ORDER = 4, 2
@@ -102,6 +103,7 @@ def friction_history(measurement: Measurement, bearing: Bearing, heating: Heatin
     On two plates that differ, both are taken to have the coefficient of the whole bearing, and the temperature is the mean by their share of the travel.
     """
     time, force = measurement.time, measurement.force
+    check_load(measurement.load, bearing)
     strokes = find_strokes(
         measurement.displacement, _LEAST_STROKE * float(np.abs(measurement.displacement).max())
     )
@@ -124,6 +126,9 @@ def friction_history(measurement: Measurement, bearing: Bearing, heating: Heatin
             f"{measurement.name}: only {np.count_nonzero(used)} samples are of steady sliding, and {_FEWEST_SAMPLES} are needed; the stroke must go"
             " beyond the elastic deformation of the bearing (look at its --stiffness), and be sampled finely."
         )
+        raise InputError(msg)
+    if float(coefficient[used].mean()) <= 0.0:
+        msg = f"{measurement.name}: the force helps the sliding instead of opposing it; change the sign of the force or of the displacement."
         raise InputError(msg)
     temperature = contact_temperature(
         time, motion.values, motion.slope, friction_force, used, bearing, heating

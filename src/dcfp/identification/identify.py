@@ -1,6 +1,7 @@
 """From measured tests to a law of friction."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -86,7 +87,7 @@ def identify(
     temperatures = _temperatures(histories, start, constants)
     return Identification(
         bearing=bearing,
-        law=constants.law,
+        law=_with_tests(constants.law, histories, start.heating.ambient),
         heating=constants.heating,
         estimates=_estimates(found),
         held=_held(constants, found.names, given, reasons),
@@ -98,7 +99,28 @@ def identify(
         predictions=tuple(
             predict(history, bearing, constants.law, constants.heating) for history in held_histories
         ),
-        remarks=remarks_on(histories, samples, found),
+        remarks=(_given(start.heating), *remarks_on(histories, samples, found)),
+    )
+
+
+def _given(heating: Heating) -> str:
+    """Return what the intervals take for granted."""
+    plates = f"conductivity {heating.conductivity:g} N/(s degC), diffusivity {heating.diffusivity:g} mm2/s"
+    return (
+        f"The intervals are for noise alone: they take the {heating.name} heating model ({plates}) for right. With another one the temperature rate"
+        " can change by a quarter, and the others with it; fit with each to see."
+    )
+
+
+def _with_tests(law: FittedFriction, histories: Sequence[FrictionHistory], ambient: float) -> FittedFriction:
+    """Return the law with the range of the tests that it rests on."""
+    pressures = [history.pressure[history.used] for history in histories]
+    speeds = [history.speed[history.used] for history in histories]
+    return replace(
+        law,
+        tested_pressure=(min(float(p.min()) for p in pressures), max(float(p.max()) for p in pressures)),
+        tested_speed=(min(float(v.min()) for v in speeds), max(float(v.max()) for v in speeds)),
+        tested_ambient=ambient,
     )
 
 
@@ -157,6 +179,9 @@ def _fit_what_can_be(
             name, why = other, f"with it mu_0 is not determined ({why})"
         names.remove(name)
         reasons[name] = f"{why}; {way_out(name, found, samples)}"
+        if not names:
+            msg = f"The data determine none of the parameters that are left to fit; {name}: {reasons[name]}."
+            raise InputError(msg)
         found = fit_law(samples, constants, in_order(names))
     return found, reasons
 

@@ -1,10 +1,12 @@
 """What friction depends on, after Figures 3, 4 and 7 of Li et al. (2020)."""
 
+from itertools import cycle
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
 
+from dcfp.errors import InputError
 from dcfp.nomenclature import quantity
 from dcfp.plots.loop import draw_cross
 from dcfp.plots.rig_overview import LINES, model_handles
@@ -48,7 +50,9 @@ def plot_dependency(
         Measured tests by the name of the test that they belong to.
     """
     places = dependency_tests(program)
-    assert places is not None
+    if places is None:
+        msg = f"{program.name} has no tests for both 'velocity dependency' and 'pressure dependency'."
+        raise InputError(msg)
     with style():
         figure = Figure(figsize=(PAGE_WIDTH, 5.4), layout="constrained")
         axes: Any = figure.subplots(2, 2)
@@ -69,20 +73,20 @@ def plot_dependency(
     return figure
 
 
-def _friction_in(history: "Loops | Measurement", cycle: int) -> float:
+def _friction_in(history: "Loops | Measurement", number: int) -> float:
     """Return the friction at zero displacement in a cycle, or in the last there is."""
-    return history.cycles[min(cycle, len(history.cycles)) - 1].friction
+    return history.cycles[min(number, len(history.cycles)) - 1].friction
 
 
 def _reduced(
-    histories: "Sequence[Loops | Measurement | None]", reference: int, cycle: int
+    histories: "Sequence[Loops | Measurement | None]", reference: int, number: int
 ) -> list[tuple[int, float]]:
     """Return the place and the friction of each history over that of the reference."""
     base = histories[reference]
     if base is None:
         return []
-    scale = _friction_in(base, cycle)
-    return [(i, _friction_in(h, cycle) / scale) for i, h in enumerate(histories) if h is not None]
+    scale = _friction_in(base, number)
+    return [(i, _friction_in(h, number) / scale) for i, h in enumerate(histories) if h is not None]
 
 
 def _measured_in_order(
@@ -140,7 +144,7 @@ def _draw_velocity(
                 axes.plot(at, ratio, marker="o", markersize=4, color=colour, linestyle="none", alpha=0.85)
     axes.set_xlabel("relative velocity [mm/s]")
     axes.set_ylabel(rf"$\mu\,/\,\mu$ at {fastest:.0f} mm/s")
-    axes.set_title("(b) velocity: first cycle, heat included", loc="left")
+    axes.set_title("(b) velocity: law cold, points with their heat", loc="left")
     axes.set_ylim(0.0, 1.3)
     axes.legend(loc="lower right")
     calm_ticks(axes, 6, 5)
@@ -163,7 +167,7 @@ def _draw_friction(
     )
 
     axes.axhline(NOMINAL_COEFFICIENT, color=RED, linewidth=0.7, linestyle=(0, (5, 3)))
-    axes.text(0.985, NOMINAL_COEFFICIENT, r"$\mu_n = 0.043$, tests of Li et al.", color=RED, ha="right", va="bottom",
+    axes.text(0.985, 1.08 * NOMINAL_COEFFICIENT, r"$\mu_n = 0.043$, tests of Li et al.", color=RED, ha="right", va="bottom",
               transform=axes.get_yaxis_transform())  # fmt: skip
     axes.set_xlim(left=0.0)
     axes.set_ylim(0.0, 1.25 * first[0].friction_law.reference)
@@ -188,7 +192,7 @@ def _draw_loops(
     name = tests[0].test.name
     if name in measured:
         draw_measured(axes, measured[name])
-    for test, (colour, line) in zip(tests, LINES, strict=False):
+    for test, (colour, line) in zip(tests, cycle(LINES), strict=False):
         shown = (test.displacement, test.force)
         axes.plot(
             *(quantity(n).display(v) for n, v in zip(("displacement", "force"), shown, strict=True)),
@@ -230,6 +234,6 @@ def _all(
 ) -> "list[tuple[Sequence[Loops | Measurement | None], str]]":
     """Return the histories of every model and of the measured tests, with their colours."""
     found: list[tuple[Sequence[Loops | Measurement | None], str]] = [
-        (loops, colour) for loops, (colour, _) in zip(runs.values(), LINES, strict=False)
+        (loops, colour) for loops, (colour, _) in zip(runs.values(), cycle(LINES), strict=False)
     ]
     return [*found, (_measured_in_order(first, measured), GREY)] if measured else found

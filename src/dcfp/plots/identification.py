@@ -79,7 +79,13 @@ def _write_head(head: Any, found: "Identification") -> None:
     title = head.text(0.012, 0.7, drawable(words), size=10, weight="bold", va="center")
     title.set_parse_math(False)
     intervals = [_interval(found, one.name) for one in found.estimates]
-    head.text(0.012, 0.28, "95 % intervals:  " + ",  ".join(intervals), va="center", size=6.5)
+    head.text(
+        0.012,
+        0.2,
+        "95 % intervals:  " + ",  ".join(intervals),
+        va="center",
+        size=6.5 if len(intervals) < 5 else 5.8,
+    )
 
 
 def _interval(found: "Identification", name: str) -> str:
@@ -87,7 +93,7 @@ def _interval(found: "Identification", name: str) -> str:
     from dcfp.identification import PARAMETERS  # late: it imports the kernels
 
     symbol = next(parameter.symbol for parameter in PARAMETERS if parameter.name == name)
-    decimals = max(0, 1 - math.floor(math.log10(max(one.upper - one.lower, 1e-12))))
+    decimals = min(5, max(0, 1 - math.floor(math.log10(max(one.upper - one.lower, 1e-12)))))
     unit = {"": "", "1/degC": "/°C", "N/(s degC)": " N/(s °C)"}.get(one.unit, f" {one.unit}")
     return f"${symbol}$ {number(one.lower, decimals)} to {number(one.upper, decimals)}{unit}"
 

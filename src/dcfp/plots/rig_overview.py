@@ -1,6 +1,7 @@
 """The loops of several tests beside each other, after Figures 6 and 8 of Li et al. (2020)."""
 
 import math
+from itertools import cycle
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from dcfp.nomenclature import quantity
-from dcfp.plots.loop import colour_quantity, colour_range, draw_cross, plot_loop
+from dcfp.plots.loop import ColourQuantity, colour_quantity, colour_range, draw_cross, plot_loop
 from dcfp.plots.rig_sheet import draw_measured
 from dcfp.plots.style import (
     BLUE,
@@ -64,24 +65,28 @@ def plot_tests(
         axes: Any = figure.subplots(rows, columns, squeeze=False)
         panels: list[Axes] = list(axes.flat)
         several = len(runs) > 1
-        norm = _shared_range(next(iter(runs.values())))
+        first = next(iter(runs.values()))
+        shows: ColourQuantity = (
+            "temperature" if any(colour_quantity(test) == "temperature" for test in first) else "time"
+        )
+        norm = _shared_range(first, shows)
         for one, test in zip(panels, tests, strict=False):
             if test[0].test.name in measured:
                 draw_measured(one, measured[test[0].test.name])
             if several:
                 draw_first_cycles(one, test)
             else:
-                plot_loop(test[0], one, norm=norm, colour_bar=False, thin=0.7)
+                plot_loop(test[0], one, colour=shows, norm=norm, colour_bar=False, thin=0.7)
             name_panel(one, test[0])
         for one in panels[len(tests) :]:
             one.set_axis_off()
-        _finish(figure, program, runs, measured, axes, norm)
+        _finish(figure, program, runs, measured, axes, norm, shows)
     return figure
 
 
 def draw_first_cycles(axes: "Axes", tests: "Sequence[Loops]") -> None:
     """Draw the first cycle of a test with every model."""
-    for test, (colour, line) in zip(tests, LINES, strict=True):
+    for test, (colour, line) in zip(tests, cycle(LINES), strict=False):
         part = test.time <= test.cycle_times[min(1, test.cycle_times.size - 1)] * (1.0 + 1e-9)
         axes.plot(
             quantity("displacement").display(test.displacement[part]),
@@ -97,7 +102,7 @@ def name_panel(axes: "Axes", test: "Loops") -> None:
     """Write what a panel shows above it."""
     pressure = float(np.mean(test.load)) / test.bearing.slider_area
     words = f"{drawable(test.test.name)}: {pressure:.0f} N/mm², {test.test.waveform.peak_velocity:.0f} mm/s"
-    axes.set_title(words, loc="left", parse_math=False, size=6.5)
+    axes.set_title(words, loc="left", parse_math=False, size=6.2)
     calm_ticks(axes, 3, 5)
     axes.set_xlabel("")
     axes.set_ylabel("")
@@ -107,13 +112,13 @@ def model_handles(names: "Sequence[str]", *, with_measured: bool) -> list[Line2D
     """Return the lines of a legend of models."""
     handles = [
         Line2D([], [], color=colour, linestyle=line, label=name)
-        for name, (colour, line) in zip(names, LINES, strict=False)
+        for name, (colour, line) in zip(names, cycle(LINES), strict=False)
     ]
     return [*handles, Line2D([], [], color=GREY, label="measured")] if with_measured else handles
 
 
-def _shared_range(loops: "Sequence[Loops]") -> Normalize:
-    ranges = [colour_range(test, colour_quantity(test)) for test in loops]
+def _shared_range(loops: "Sequence[Loops]", shows: ColourQuantity) -> Normalize:
+    ranges = [colour_range(test, shows) for test in loops]
     return Normalize(min(float(r.vmin or 0.0) for r in ranges), max(float(r.vmax or 0.0) for r in ranges))
 
 
@@ -124,6 +129,7 @@ def _finish(
     measured: "Mapping[str, Measurement]",
     axes: Any,
     norm: Normalize,
+    shows: ColourQuantity,
 ) -> None:
     figure.supxlabel(quantity("displacement").label, fontsize=8)
     figure.supylabel(quantity("force").label, fontsize=8)
@@ -145,7 +151,6 @@ def _finish(
         ha="left",
         parse_math=False,
     )
-    shows = colour_quantity(first)
     colours = warm_colours() if shows == "temperature" else time_colours()
     bar: Any = figure.colorbar(ScalarMappable(norm, colours), ax=axes, pad=0.015, aspect=40, fraction=0.03)
     finish_colour_bar(bar, quantity(shows).label)

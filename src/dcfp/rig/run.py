@@ -8,7 +8,7 @@ import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.bearing import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating
-from dcfp.bearing.plates import PlateHeat, cold_plates, heat_of, structure_of
+from dcfp.bearing.plates import PlateHeat, cold_plates, heat_of, horizon_for, structure_of
 from dcfp.bearing.profiles import Profiles, profile_now
 from dcfp.errors import AnalysisError, InputError
 from dcfp.kernels import drive as d
@@ -16,7 +16,6 @@ from dcfp.kernels.friction import CyclingLaw, ExponentialLaw, Law
 from dcfp.kernels.grip import Rig, available
 from dcfp.kernels.heat_state import PRESENT, Heat
 from dcfp.kernels.heating import place_slider
-from dcfp.kernels.memory import HORIZON
 from dcfp.kernels.path import Piece
 from dcfp.rig.load import VerticalLoad
 from dcfp.rig.loops import Loops
@@ -25,11 +24,6 @@ from dcfp.rig.waveform import Travel
 
 #: Default of how far the coefficient may be off its chord in a step, relative [-].
 TOLERANCE = 0.02
-#: The longest mode of the heat fades 3 % in so much of the story; see `fading_modes`.
-_HORIZONS = 3.0
-#: Longest time within which the slowest mode hardly fades [s]: a longer one leaves the fastest too slow for the tests themselves. With this
-#: one they are within 0.06 degC; after a day of cooling the plates are 0.8 degC too cold.
-LONGEST_HORIZON = 1200.0
 
 
 def run_program(
@@ -117,7 +111,7 @@ class _Machine:
             bearing,
             heating,
             reach=max(travel.largest for travel in self.travels.values()),
-            horizon=min(max(HORIZON, duration / _HORIZONS), LONGEST_HORIZON),
+            horizon=horizon_for(duration),
         )
         self.clock = 0.0
 
