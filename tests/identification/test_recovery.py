@@ -130,7 +130,10 @@ def test_the_jackknife_is_leaving_blocks_out() -> None:
     block = np.repeat(np.arange(12), 25)
     slopes = random.standard_normal((300, 2)) + np.array([1.0, 0.0])
     measured = slopes @ [2.0, -1.0] + 0.1 * random.standard_normal(300)
-    solve = lambda part: np.linalg.lstsq(slopes[part], measured[part], rcond=None)[0]  # noqa: E731
+
+    def solve(part):
+        return np.linalg.lstsq(slopes[part], measured[part], rcond=None)[0]
+
     whole = solve(block >= 0)
     changes = np.array([whole - solve(block != g) for g in range(12)])
     found = jackknife(slopes, measured - slopes @ whole, block)

@@ -1,6 +1,5 @@
 """A bearing, its friction law and its heating model from a TOML file."""
 
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,6 +9,7 @@ from dcfp.bearing.bearing import LI_2020, Bearing
 from dcfp.bearing.friction import FrictionLaw, friction_law
 from dcfp.bearing.heating import Heating, heating_model
 from dcfp.errors import InputError
+from dcfp.reading import read_toml
 
 #: Kilonewton per millimetre in newton per millimetre.
 _KILO = 1000.0
@@ -41,7 +41,7 @@ def read_bearing(path: str | Path) -> BearingFile:
     InputError
         If the file cannot be read, or has an unknown key or a value out of range.
     """
-    content = _load(Path(path))
+    content = read_toml(path, "a bearing file is TOML with keys such as radius and slider")
     where = str(path)
     friction_table = _table(content, "friction", where)
     heating_table = _table(content, "heating", where)
@@ -54,21 +54,6 @@ def read_bearing(path: str | Path) -> BearingFile:
     except InputError as error:
         text = str(error)
         msg = text if text.startswith(where) else f"{where}: {text}"
-        raise InputError(msg) from error
-
-
-def _load(path: Path) -> dict[str, Any]:
-    try:
-        with path.open("rb") as stream:
-            return tomllib.load(stream)
-    except FileNotFoundError as error:
-        msg = f"{path}: there is no such file; a bearing file is TOML with keys such as radius and slider."
-        raise InputError(msg) from error
-    except OSError as error:
-        msg = f"{path}: the file cannot be read ({error.strerror})."
-        raise InputError(msg) from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        msg = f"{path}: this is not TOML ({error})."
         raise InputError(msg) from error
 
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
+from dcfp.reading import read_bytes
 from dcfp.rig.measures import Cycle, measured_cycles, zero_crossings
 from dcfp.rig.waveform import cycle_bounds
 
@@ -119,17 +120,11 @@ def read_measurement(path: str | Path) -> Measurement:
         a quantity is so large or small that its unit must be wrong.
     """
     place = Path(path)
+    content = read_bytes(place, "a measured test is a CSV file")
     try:
-        content = place.read_bytes()
         text = content.decode("utf-8-sig")
-    except FileNotFoundError as error:
-        msg = f"{path}: there is no such file."
-        raise InputError(msg) from error
-    except (OSError, ValueError) as error:
-        if isinstance(error, UnicodeDecodeError):
-            msg = f"{path}: this is not a text file; a measured test is a CSV file with a head such as 'time [s],displacement [mm]'."
-            raise InputError(msg) from error
-        msg = f"{path}: the file cannot be read ({getattr(error, 'strerror', None) or error})."
+    except UnicodeDecodeError as error:
+        msg = f"{path}: this is not a text file; a measured test is a CSV file with a head such as 'time [s],displacement [mm]'."
         raise InputError(msg) from error
     columns, lines = _columns(text, str(path))
     measurement = Measurement(

@@ -11,6 +11,7 @@ from typing import Any, cast
 import numpy as np
 
 from dcfp.errors import InputError
+from dcfp.reading import read_toml
 from dcfp.rig.codes.choice import prototype_programs
 from dcfp.rig.load import VerticalLoad
 from dcfp.rig.measurement import Measurement, read_measurement
@@ -64,14 +65,7 @@ def load_program(name: str | Path) -> Program:
         )
         msg = f"{name}: there is no such test program or file; {hint}"
         raise InputError(msg)
-    try:
-        content = tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        msg = f"{path}: the file cannot be read ({error.strerror})."
-        raise InputError(msg) from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        msg = f"{path}: this is not TOML ({error})."
-        raise InputError(msg) from error
+    content = read_toml(path, "a test program is TOML with [[test]] tables")
     return parse_program(content, str(path), path.parent)
 
 

@@ -1,0 +1,42 @@
+"""Text and TOML from files, with one sentence for whatever may be wrong with them."""
+
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from dcfp.errors import InputError
+
+
+def read_bytes(path: str | Path, what: str) -> bytes:
+    """Return the content of a file.
+
+    Parameters
+    ----------
+    path
+        Its name.
+    what
+        What it should be, as the end of a sentence on a file that is not there.
+
+    Raises
+    ------
+    InputError
+        If it cannot be read.
+    """
+    try:
+        return Path(path).read_bytes()
+    except FileNotFoundError as error:
+        msg = f"{path}: there is no such file; {what}."
+        raise InputError(msg) from error
+    except (OSError, ValueError) as error:  # ValueError: a name that no file can have
+        msg = f"{str(path)[:200]!r}: the file cannot be read ({getattr(error, 'strerror', None) or error})."
+        raise InputError(msg) from error
+
+
+def read_toml(path: str | Path, what: str) -> dict[str, Any]:
+    """Return the content of a TOML file; arguments and errors as for `read_bytes`."""
+    content = read_bytes(path, what)
+    try:
+        return tomllib.loads(content.decode("utf-8"))
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        msg = f"{path}: this is not TOML ({error})."
+        raise InputError(msg) from error
