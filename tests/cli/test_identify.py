@@ -118,6 +118,7 @@ def test_csv_json_and_figure_are_written(run, tests, tmp_path: Path) -> None:
         (("{slow}", "--fix", "speed=3"), "no parameter 'speed'"),
         (("{slow}", "--mu", "0.07"), "--fix mu_0=0.07"),
         (("{slow}", "--friction", "kumar2015"), "leave the option out"),
+        (("{slow}", "--pressure", "60"), "--pressure 60 has no effect"),
         (("{slow}", "--hold-out", "{slow}"), "Two tests have the name"),
         (("{slow}", "--out", "result.nc"), "can be written as .toml, .json, .csv"),
         (("{slow}", "--out", "{slow}", "--overwrite"), "this file is an input"),
@@ -155,3 +156,16 @@ def test_the_conductivity_is_written_where_the_heating_is(run, tests) -> None:
     one = next(one for one in found["estimates"] if one["name"] == "conductivity")
     assert abs(one["value"] - 16.0) < 4.0 * one["standard_error"]
     assert found["heating"]["conductivity"] == one["value"]
+
+
+def test_a_file_with_another_law_is_refused(run, tests, tmp_path: Path) -> None:
+    path = tmp_path / "other.toml"
+    path.write_text('[friction]\nlaw = "kumar2015"\n')
+    status, out, err = run("identify", tests["slow"], "--bearing", path)
+    assert (status, out) == (2, "")
+    assert "and not 'kumar2015'; leave [friction] out" in err
+
+
+def test_plates_of_finite_thickness_are_no_trouble(run, tests) -> None:
+    found = document(run("identify", *tests.values(), "--thickness", "30", "--json"))
+    assert found["heating"]["thickness"] == 30.0

@@ -10,7 +10,7 @@ from dcfp.bearing import LI_2020, Bearing, FittedFriction, NoHeating, PreciseHea
 from dcfp.errors import InputError
 from dcfp.identification import friction_history
 from dcfp.identification.contact_temperature import contact_temperature
-from dcfp.rig import Measurement, Program, RigTest, Sine, Triangle, VerticalLoad, run_program
+from dcfp.rig import Measurement, Program, Recorded, RigTest, Sine, Triangle, VerticalLoad, run_program
 
 TWO = Bearing((2000.0, 3000.0), 300.0, 60.0, 1.0e6)
 
@@ -66,6 +66,19 @@ def test_samples_near_reversals_are_left_out_by_the_reach_of_spring_b() -> None:
     few = friction_history(measurement, soft, SimplifiedHeating()).used
     many = friction_history(measurement, LI_2020, SimplifiedHeating()).used
     assert few.sum() < many.sum()
+
+
+@pytest.mark.parametrize("samples", [2000, 200_000])
+@pytest.mark.parametrize("stiffness", [2e5, LI_2020.elastic_stiffness])
+def test_what_loads_the_spring_at_the_start_neither_slides_nor_heats(samples, stiffness) -> None:
+    bearing = replace(LI_2020, elastic_stiffness=stiffness)
+    time = np.linspace(0.0, 2.0 * np.pi, samples)
+    loops, measurement = machine(Recorded(time, 200.0 * np.sin(time), "sine"), bearing)
+    history = friction_history(measurement, bearing, SimplifiedHeating())
+    assert history.coefficient[history.used] == pytest.approx(loops.friction[history.used], rel=1e-8)
+    early = history.used & (history.time < 0.2)
+    rise = loops.temperature[early] - 20.0
+    assert history.temperature[early] - 20.0 == pytest.approx(rise, rel=0.025)
 
 
 @pytest.mark.parametrize("heating", [SimplifiedHeating(), PreciseHeating()])

@@ -2,7 +2,15 @@
 
 import pytest
 
-from dcfp.bearing import LI_2020, FittedFriction, NoHeating, PreciseHeating, SimplifiedHeating, read_bearing
+from dcfp.bearing import (
+    LI_2020,
+    FittedFriction,
+    NoHeating,
+    PreciseHeating,
+    SimplifiedHeating,
+    UserFriction,
+    read_bearing,
+)
 from dcfp.errors import InputError
 from dcfp.identification import bearing_file, identify
 
@@ -44,3 +52,9 @@ def test_nothing_left_to_fit_is_said_in_one_sentence(dependency) -> None:
     fixed = {"mu_0": 0.075, "temperature_rate": 0.007, "speed_rate": 0.019, "speed_drop": 0.55}
     with pytest.raises(InputError):
         identify([dependency["V20"]], fixed=fixed)
+
+
+def test_a_law_that_is_a_function_does_not_go_into_a_file() -> None:
+    law = UserFriction(lambda pressure, speed, temperature: 0.05, "flat")
+    with pytest.raises(InputError, match="'flat' is a function"):
+        bearing_file(LI_2020, law, SimplifiedHeating())

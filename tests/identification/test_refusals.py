@@ -1,8 +1,11 @@
 """What the data cannot determine is refused with its reason and the ways out, or held where it was not asked for."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from dcfp.arrays import freeze
 from dcfp.bearing import LI_2020, FittedFriction, NoHeating, SimplifiedHeating
 from dcfp.errors import InputError
 from dcfp.identification import identify
@@ -107,3 +110,36 @@ def test_a_test_that_does_not_belong_is_remarked_on(tests, measure) -> None:
     (stranger,) = measure(("stranger", 50.0, 60.0), law=FittedFriction(mu_0=0.1))
     found = identify([*tests.values(), stranger])
     assert any(remark.startswith("stranger: the law misses") for remark in found.remarks)
+
+
+def with_force(test, factor: float, noise: float = 0.0):
+    """Multiply the force, and add noise of a size relative to its peak."""
+    random = np.random.default_rng(3)
+    scatter = noise * np.abs(test.force).max() * random.standard_normal(test.time.size)
+    return replace(test, optional_force=freeze(factor * (test.force + scatter)))
+
+
+@pytest.mark.parametrize(
+    ("factor", "noise", "words"),
+    [
+        (-1.0, 0.0, "helps the sliding instead of opposing it"),
+        (1e-3, 0.0, "is 3.*e-05, and from 0.001 to 1 is possible; look at the units"),
+        (1e3, 0.0, "look at its --stiffness and at the unit of the force"),
+        (10.0, 0.0, "cannot determine mu_0, the only parameter that is left to fit"),
+        (0.1, 0.0, "cannot determine mu_0, the only parameter that is left to fit"),
+        (1.0, 5.0, "look at the sign and the unit of the force and at its noise"),
+    ],
+)
+def test_a_force_of_the_wrong_sign_or_unit_or_of_noise_alone_is_refused(
+    dependency, factor, noise, words
+) -> None:
+    wrong = [with_force(dependency[name], factor, noise) for name in ("V20", "V400")]
+    with pytest.raises(InputError, match=words) as refused:
+        identify(wrong)
+    assert ". " not in str(refused.value)
+
+
+def test_poor_data_beside_a_fixed_coefficient_are_refused(dependency) -> None:
+    with pytest.raises(InputError, match="determine none of the parameters that are left to fit") as refused:
+        identify([with_force(dependency["V20"], 1.0, 10.0)], fixed={"mu_0": 0.075})
+    assert ". " not in str(refused.value)

@@ -3,11 +3,14 @@
 import json
 from dataclasses import asdict
 
-from dcfp.bearing import Bearing, FrictionLaw, Heating
+from dcfp.bearing import Bearing, FrictionLaw, Heating, UserFriction
+from dcfp.errors import InputError
 
 
 def bearing_file(bearing: Bearing, law: FrictionLaw, heating: Heating, notes: tuple[str, ...] = ()) -> str:
-    """Return the text of a bearing file that `read_bearing` reads back to the same numbers.
+    """Return the text of a bearing file that `read_bearing` reads back.
+
+    The numbers are the same, but for the elastic stiffness, whose last digit may change: the file has it in kN/mm.
 
     Parameters
     ----------
@@ -15,7 +18,15 @@ def bearing_file(bearing: Bearing, law: FrictionLaw, heating: Heating, notes: tu
         What it holds; the law is one that has a name.
     notes
         Lines of comment at its head.
+
+    Raises
+    ------
+    InputError
+        If the law is a function of its own, which a file cannot hold.
     """
+    if isinstance(law, UserFriction):
+        msg = f"The law {law.label!r} is a function, which a bearing file cannot hold; give one of the laws that have a name."
+        raise InputError(msg)
     top: dict[str, object] = {
         "name": bearing.name,
         "radii": list(bearing.radii),

@@ -14,6 +14,8 @@ from dcfp.kernels.thermometer import follow_heat
 
 #: Steps of time that differ by no more than that are the same, relative to the middle one [-].
 _SAME_STEP = 1e-6
+#: Samples from the first that is used on, whose middle tells the force at which sliding begins.
+_AT_YIELD = 9
 #: Weights of the second and the first neighbours on either side, which give a cubic at the sample between them [-].
 _SECOND, _FIRST = -1.0 / 6.0, 4.0 / 6.0
 
@@ -47,8 +49,12 @@ def contact_temperature(
     is therefore replaced by what its neighbours say of it.
     """
     flux = friction_force * velocity / bearing.slider_area
-    if abs(flux[0]) < 0.5 * abs(flux[1]):
-        flux[0] = _flux_from_rest(flux, displacement, friction_force / bearing.elastic_stiffness)
+    _leave_out_loading(
+        flux,
+        displacement,
+        friction_force / bearing.elastic_stiffness,
+        int(np.argmax(used)) if used.any() else 1,
+    )
     plates = cold_plates(
         bearing,
         heating,
@@ -71,14 +77,26 @@ def contact_temperature(
     return mean - own * _noise(friction_force, used) * velocity / bearing.slider_area
 
 
-def _flux_from_rest(flux: FloatArray, displacement: FloatArray, elongation: FloatArray) -> float:
-    """Return the flux at the first sample that makes the first step's mean right, where the force rises from nothing within it.
+def _leave_out_loading(
+    flux: FloatArray, displacement: FloatArray, elongation: FloatArray, first: int
+) -> None:
+    """Take out of the flux what only loads spring (b) at the start, where the force rises from nothing, before the `first` sample that is used.
 
-    Spring (b), of the `elongation` [mm], takes the first of the travel; the rest of it is sliding under the force of the second sample.
+    The travel until the spring has the `elongation` [mm] of sliding gives no heat. In the step in which the slider yields, the rest of the travel is
+    sliding under the force at its end; the flux at its beginning becomes what makes the heat of the steps on either side right.
     """
-    travel = abs(float(displacement[1] - displacement[0]))
-    part = max(0.0, 1.0 - abs(float(elongation[1])) / travel) if travel > 0.0 else 0.0
-    return float(flux[1]) * (2.0 * part - 1.0)
+    if first == 0:
+        return
+    yielding = float(np.median(np.abs(elongation[first : first + _AT_YIELD])))
+    if abs(elongation[0]) > 0.5 * yielding:
+        return  # it slid before the file begins
+    travel = np.abs(displacement[: first + 1] - displacement[0])
+    last = max(int(np.argmax(travel >= yielding)) - 1, 0) if travel[-1] >= yielding else first - 1
+    flux[:last] = 0.0
+    step = float(travel[last + 1] - travel[last])
+    sliding = float(travel[last + 1]) - abs(float(elongation[last + 1]))
+    part = min(max(sliding / step, 0.0), 1.0) if step > 0.0 else 0.0
+    flux[last] = float(flux[last + 1]) * (2.0 * part - 1.0 if last == 0 else part - 0.5)
 
 
 def _noise(values: FloatArray, used: NDArray[np.bool_]) -> FloatArray:

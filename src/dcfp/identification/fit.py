@@ -109,9 +109,11 @@ def _solve(
     def slopes(parameters: Any) -> FloatArray:
         return law.derivatives(parameters.valuesdict(), names)[1] * weight[:, None]
 
-    solved: Any = lmfit.Minimizer(residual, free).least_squares(
-        jac=slopes, x_scale="jac", ftol=1e-12, xtol=1e-10, gtol=1e-12
-    )
+    # lmfit takes roots of a covariance that may be singular, and would warn; `jackknife` says how sure the estimates are
+    with np.errstate(invalid="ignore", divide="ignore"):
+        solved: Any = lmfit.Minimizer(residual, free).least_squares(
+            jac=slopes, x_scale="jac", ftol=1e-12, xtol=1e-10, gtol=1e-12
+        )
     if not solved.success:
         msg = f"The fit of {', '.join(names)} does not end ({solved.message}); fix one of them."
         raise AnalysisError(msg)

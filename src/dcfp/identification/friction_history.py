@@ -24,6 +24,8 @@ _LEAST_SPEED = 0.05
 #: Distance from a reversal from which on samples are used, over the one in which spring (b) goes from one yield force to the other [-].
 _CLEAR = 2.0
 _FEWEST_SAMPLES = 20
+#: Mean coefficients while sliding that a wrong unit of the force would leave [-].
+_COEFFICIENTS = (1e-3, 1.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,7 +93,7 @@ def friction_history(measurement: Measurement, bearing: Bearing, heating: Heatin
     Raises
     ------
     InputError
-        If the measurement has no force or no load, or nothing slides.
+        If the measurement has no force or no load, nothing slides, or the force has the wrong sign or unit.
 
     Notes
     -----
@@ -124,12 +126,10 @@ def friction_history(measurement: Measurement, bearing: Bearing, heating: Heatin
     if np.count_nonzero(used) < _FEWEST_SAMPLES:
         msg = (
             f"{measurement.name}: only {np.count_nonzero(used)} samples are of steady sliding, and {_FEWEST_SAMPLES} are needed; the stroke must go"
-            " beyond the elastic deformation of the bearing (look at its --stiffness), and be sampled finely."
+            " beyond the elastic deformation of the bearing (look at its --stiffness and at the unit of the force), and be sampled finely."
         )
         raise InputError(msg)
-    if float(coefficient[used].mean()) <= 0.0:
-        msg = f"{measurement.name}: the force helps the sliding instead of opposing it; change the sign of the force or of the displacement."
-        raise InputError(msg)
+    _check_size(coefficient[used], (coefficient * load.values * side * motion.slope)[used], measurement.name)
     temperature = contact_temperature(
         time, motion.values, motion.slope, friction_force, used, bearing, heating
     )
@@ -146,6 +146,20 @@ def friction_history(measurement: Measurement, bearing: Bearing, heating: Heatin
         speed_window=motion.window,
         load_window=load.window,
     )
+
+
+def _check_size(coefficient: FloatArray, power: FloatArray, name: str) -> None:
+    """Refuse a force that helps the sliding [power in N mm/s], or whose coefficient is none of a bearing."""
+    mean = float(coefficient.mean())
+    if mean <= 0.0 or float(power.mean()) <= 0.0:
+        msg = f"{name}: the force helps the sliding instead of opposing it; change the sign of the force or of the displacement."
+        raise InputError(msg)
+    if not _COEFFICIENTS[0] <= mean <= _COEFFICIENTS[1]:
+        msg = (
+            f"{name}: the mean coefficient of friction while sliding is {mean:.3g}, and from {_COEFFICIENTS[0]:g} to {_COEFFICIENTS[1]:g} is possible;"
+            " look at the units of force and load."
+        )
+        raise InputError(msg)
 
 
 def _sliding(

@@ -175,7 +175,8 @@ def _fit_what_can_be(
         if name == "mu_0":  # that is what a fit is for: hold what makes it uncertain
             other = companion(name, found)
             if other is None:
-                break
+                msg = f"The data cannot determine mu_0, the only parameter that is left to fit: {why}; look at the sign and the unit of the force and at its noise."
+                raise InputError(msg)
             name, why = other, f"with it mu_0 is not determined ({why})"
         names.remove(name)
         reasons[name] = f"{why}; {way_out(name, found, samples)}"

@@ -23,6 +23,8 @@ _COLUMNS = 3
 #: Tests that are drawn over time; of more, the first.
 _MOST_TESTS = 12
 _LONGEST_NAME = 16
+#: Intervals that are written in one line; more take two.
+_IN_ONE_LINE = 2
 #: Dots in one panel, and groups of them whose mean is drawn.
 _MOST_DOTS, _GROUPS = 4000, 15
 _SPEED, _PRESSURE = "relative speed of the plates $|v|$ [mm/s]", "pressure $p$ [N/mm²]"
@@ -36,7 +38,7 @@ def plot_identification(found: "Identification") -> Figure:
     drawn = _drawn(found)
     columns = min(len(drawn), _COLUMNS)
     rows = math.ceil(len(drawn) / columns)
-    heights = [0.52, 1.25 * rows + 0.1, 1.95, 1.6]
+    heights = [0.64, 1.25 * rows + 0.1, 1.95, 1.6]
     with style():
         figure = Figure(figsize=(PAGE_WIDTH, sum(heights)), layout="constrained")
         parts: Any = figure.subfigures(4, 1, height_ratios=heights, hspace=0.0)
@@ -79,23 +81,21 @@ def _write_head(head: Any, found: "Identification") -> None:
     title = head.text(0.012, 0.7, drawable(words), size=10, weight="bold", va="center")
     title.set_parse_math(False)
     intervals = [_interval(found, one.name) for one in found.estimates]
-    head.text(
-        0.012,
-        0.2,
-        "95 % intervals:  " + ",  ".join(intervals),
-        va="center",
-        size=6.5 if len(intervals) < 5 else 5.8,
-    )
+    first = math.ceil(len(intervals) / 2) if len(intervals) > _IN_ONE_LINE else len(intervals)
+    lines = [",  ".join(part) for part in (intervals[:first], intervals[first:]) if part]
+    head.text(0.012, 0.24, "95 % intervals:  " + ",\n".join(lines), va="center", size=6.5)
 
 
 def _interval(found: "Identification", name: str) -> str:
+    """Return the words, the symbol and the interval of a parameter."""
     one = found.estimate(name)
     from dcfp.identification import PARAMETERS  # late: it imports the kernels
 
     symbol = next(parameter.symbol for parameter in PARAMETERS if parameter.name == name)
+    named = "" if name == "mu_0" else f"{name.replace('_', ' ')} "
     decimals = min(5, max(0, 1 - math.floor(math.log10(max(one.upper - one.lower, 1e-12)))))
     unit = {"": "", "1/degC": "/°C", "N/(s degC)": " N/(s °C)"}.get(one.unit, f" {one.unit}")
-    return f"${symbol}$ {number(one.lower, decimals)} to {number(one.upper, decimals)}{unit}"
+    return f"{named}${symbol}$ {number(one.lower, decimals)} to {number(one.upper, decimals)}{unit}"
 
 
 def _draw_histories(drawn: list[_Drawn], panels: "Sequence[Axes]", columns: int) -> None:
@@ -112,8 +112,9 @@ def _draw_histories(drawn: list[_Drawn], panels: "Sequence[Axes]", columns: int)
         colour = RED if test.held_out else BLUE
         axes.plot(test.history.time, line, color=colour, linewidth=0.7, label="law")
         low, high = np.quantile(test.history.coefficient[used], (0.005, 0.995))
-        lows.append(float(low))
-        highs.append(float(high))
+        # the first peak is narrow, but the law must not leave the panel there
+        lows.append(min(float(low), float(test.law[used].min())))
+        highs.append(max(float(high), float(test.law[used].max())))
         _title_of(test, axes)
         calm_ticks(axes)
         if i % columns == 0:

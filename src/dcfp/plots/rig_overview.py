@@ -35,6 +35,8 @@ if TYPE_CHECKING:
     from dcfp.rig import Loops, Measurement, Program
 
 _MOST_COLUMNS = 4
+#: Names beyond the first go above pressure and speed, so that they stay clear of the next panel; beyond the second they are cut.
+_SHORT_NAME, _LONGEST_NAME = 6, 24
 #: Colour and line of each model, in their order.
 LINES: "tuple[tuple[str, Any], ...]" = ((BLUE, "-"), (OCHRE, (0, (4, 1.5))), (RED, (0, (1.2, 1.2))))
 
@@ -101,7 +103,10 @@ def draw_first_cycles(axes: "Axes", tests: "Sequence[Loops]") -> None:
 def name_panel(axes: "Axes", test: "Loops") -> None:
     """Write what a panel shows above it."""
     pressure = float(np.mean(test.load)) / test.bearing.slider_area
-    words = f"{drawable(test.test.name)}: {pressure:.0f} N/mm², {test.test.waveform.peak_velocity:.0f} mm/s"
+    name = drawable(test.test.name)
+    name = name if len(name) <= _LONGEST_NAME else f"{name[: _LONGEST_NAME - 1]}…"
+    gap = " " if len(name) <= _SHORT_NAME else "\n"
+    words = f"{name}:{gap}{pressure:.0f} N/mm², {test.test.waveform.peak_velocity:.0f} mm/s"
     axes.set_title(words, loc="left", parse_math=False, size=6.2)
     calm_ticks(axes, 3, 5)
     axes.set_xlabel("")
