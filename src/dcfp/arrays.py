@@ -9,6 +9,17 @@ FloatArray: TypeAlias = NDArray[np.float64]
 IntArray: TypeAlias = NDArray[np.intp]
 
 
+#: Steps that differ by no more than that from the middle one are equal [-].
+_SAME_STEP = 1e-6
+
+
+def equally_spaced(time: FloatArray) -> bool:
+    """Return whether times are the same step apart, but for the digits that a file leaves out."""
+    steps = np.diff(time)
+    middle = float(np.median(steps))
+    return bool(np.abs(steps - middle).max() < _SAME_STEP * middle)
+
+
 def freeze(array: NDArray[np.floating[Any]]) -> FloatArray:
     """Return a contiguous read-only float copy, so that a result cannot be changed by accident."""
     copy = np.array(array, dtype=np.float64, order="C")

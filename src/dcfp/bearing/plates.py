@@ -87,6 +87,19 @@ def structure_of(bearing: Bearing, friction: FrictionLaw) -> Structure:
     )
 
 
+def memory_of(duration: float) -> float:
+    """Return for how long [s] the modes chosen for a `duration` [s] remember heat within 1 % of a temperature."""
+    return _REMEMBERED * horizon_for(duration)
+
+
+def mean_temperature(bearing: Bearing, temperatures: FloatArray) -> FloatArray:
+    """Return the mean temperature of the contacts [degC], by the plates' share of the travel, shape (n,).
+
+    `temperatures` [degC] are those of each plate that differs, shape (n, plates).
+    """
+    return temperatures[:, 0] if temperatures.shape[1] == 1 else temperatures @ np.array(bearing.shares)
+
+
 def cell_width(bearing: Bearing, heating: Heating) -> float:
     """Width of a cell of the plate [mm]."""
     across = heating.cells if isinstance(heating, PreciseHeating) else 1

@@ -3,17 +3,15 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from dcfp.arrays import FloatArray
+from dcfp.arrays import FloatArray, equally_spaced
 from dcfp.bearing import Bearing, Heating
 from dcfp.bearing.friction import FittedFriction
-from dcfp.bearing.plates import PlateHeat, cold_plates, heat_of, horizon_for, structure_of
+from dcfp.bearing.plates import PlateHeat, cold_plates, heat_of, horizon_for, mean_temperature, structure_of
 from dcfp.errors import AnalysisError
 from dcfp.kernels.heat_state import ODD_LENGTH, STEP_NOTE, STEP_NOTES
 from dcfp.kernels.heating import prepare
 from dcfp.kernels.thermometer import follow_heat
 
-#: Steps of time that differ by no more than that are the same, relative to the middle one [-].
-_SAME_STEP = 1e-6
 #: Samples from the first that is used on, whose middle tells the force at which sliding begins.
 _AT_YIELD = 9
 #: Weights of the second and the first neighbours on either side, which give a cubic at the sample between them [-].
@@ -64,16 +62,15 @@ def contact_temperature(
     structure = structure_of(bearing, FittedFriction())
     temperatures = np.empty((time.size, structure.plates))
     steps = np.diff(time)
-    middle = float(np.median(steps))
-    if np.abs(steps - middle).max() < _SAME_STEP * middle:
-        steps = np.full(steps.size, middle)  # equal steps are prepared once
+    if equally_spaced(time):
+        steps = np.full(steps.size, float(np.median(steps)))  # equal steps are prepared once
     own = _rise_by_own_flux(steps, displacement, plates, bearing, heating)
     if not follow_heat(structure, heat_of(plates, bearing, heating), steps, displacement, flux, temperatures):
         msg = (
             "The slider leaves the cells of the precise heating model; look at the unit of the displacement."
         )
         raise AnalysisError(msg)
-    mean = temperatures[:, 0] if structure.plates == 1 else temperatures @ np.array(bearing.shares)
+    mean = mean_temperature(bearing, temperatures)
     return mean - own * _noise(friction_force, used) * velocity / bearing.slider_area
 
 

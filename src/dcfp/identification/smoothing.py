@@ -8,12 +8,10 @@ import numpy as np
 from numpy.polynomial.legendre import legder, legval, legvander
 from scipy.interpolate import PchipInterpolator
 
-from dcfp.arrays import FloatArray
+from dcfp.arrays import FloatArray, equally_spaced
 
 #: Windows of the filter that are tried [samples].
 _WINDOWS = (5, 7, 9, 13, 17, 23, 31, 41, 55, 73, 97, 129, 173, 231, 309, 411, 549, 731, 975, 1301, 1735)
-#: Steps of time that differ by no more than that are the same, relative to the middle one [-].
-_SAME_STEP = 1e-6
 
 
 @dataclass(frozen=True)
@@ -75,9 +73,7 @@ def smooth(
     slope = np.gradient(values, time)
     if not long_parts:
         return Smoothed(smoothed, slope, 0)
-    steps = np.diff(time)
-    middle = float(np.median(steps))
-    uniform = float(np.abs(steps - middle).max()) < _SAME_STEP * middle
+    uniform = equally_spaced(time)
     even = values.copy()
     grids: dict[int, FloatArray] = {}
     if not uniform:  # they are read off a curve through them at as many times that are evenly spaced

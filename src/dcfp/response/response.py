@@ -5,10 +5,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from dcfp.arrays import FloatArray
 from dcfp.bearing import Bearing, FrictionLaw, Heating
+from dcfp.bearing.plates import mean_temperature
 from dcfp.bearing.profiles import Profiles
 from dcfp.kernels import march as m
 from dcfp.record.ground_motion import GroundMotion
@@ -106,10 +105,7 @@ class Response:
     @property
     def temperature(self) -> FloatArray:
         """Temperature of the contact [degC]; of two different plates the mean by their share of the travel."""
-        values = self.histories.lines[:, m.TEMPERATURE :]
-        if values.shape[1] == 1:
-            return values[:, 0]
-        return values @ np.array(self.bearing.shares)
+        return mean_temperature(self.bearing, self.histories.lines[:, m.TEMPERATURE :])
 
     @property
     def force(self) -> FloatArray:

@@ -8,6 +8,7 @@ import numpy as np
 
 from dcfp.arrays import FloatArray
 from dcfp.bearing import Bearing, FrictionLaw, Heating
+from dcfp.bearing.plates import mean_temperature
 from dcfp.bearing.profiles import Profiles
 from dcfp.kernels import drive as d
 from dcfp.rig.measures import Cycle, cycles_of, zero_crossings
@@ -86,8 +87,7 @@ class Loops:
     @property
     def temperature(self) -> FloatArray:
         """Temperature of the contact [degC]; of two different plates the mean by their share of the travel."""
-        values = self.lines[:, d.TEMPERATURE :]
-        return values[:, 0] if values.shape[1] == 1 else values @ np.array(self.bearing.shares)
+        return mean_temperature(self.bearing, self.lines[:, d.TEMPERATURE :])
 
     @property
     def friction_force(self) -> FloatArray:

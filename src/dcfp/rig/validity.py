@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING
 
+from dcfp.bearing.plates import memory_of
 from dcfp.bearing.validity import History, assumption_remarks
 from dcfp.kernels.drive import TEMPERATURE
 
@@ -11,6 +12,7 @@ if TYPE_CHECKING:
 
 def validity_remarks(loops: "Loops") -> list[str]:
     """Return a sentence for each assumption that a test left."""
+    duration = loops.begins + float(loops.time[-1])
     return assumption_remarks(
         History(
             name=loops.test.name,
@@ -22,8 +24,8 @@ def validity_remarks(loops: "Loops") -> list[str]:
             temperatures=loops.lines[:, TEMPERATURE:],
             slides=bool(loops.sliding.any()),
             load=loops.load,
-            duration=loops.begins + float(loops.time[-1]),
-            memory=float("inf"),  # the modes are chosen for the whole story
+            duration=duration,
+            memory=memory_of(duration) * (1.0 + 1e-9),  # chosen for the whole story, up to a longest
             rests=loops.begins > 0.0,
         )
     )

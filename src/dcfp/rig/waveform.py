@@ -8,7 +8,7 @@ from typing import ClassVar, Literal, TypeAlias
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline, PchipInterpolator
 
-from dcfp.arrays import FloatArray
+from dcfp.arrays import FloatArray, equally_spaced
 from dcfp.bearing.checks import positive
 from dcfp.errors import InputError
 from dcfp.rig.measures import CROSSING
@@ -19,8 +19,6 @@ PIECES_PER_CYCLE = 400
 _SLIVER = 0.05
 #: Range of a cycle over that of the largest from which on it is not one of a ramp [-].
 _FULL_CYCLE = 0.9
-#: Steps of a recorded motion that differ by no more than that are the same, relative to the middle one [-].
-_SAME_STEP = 1e-6
 
 Start: TypeAlias = Literal["speed", "peak", "ramp"]
 STARTS: tuple[Start, ...] = ("speed", "peak", "ramp")
@@ -256,8 +254,7 @@ class Recorded:
         """Return the displacement."""
         time = self.time - self.time[0]
         lengths = np.diff(time)
-        middle = float(np.median(lengths))
-        if np.abs(lengths - middle).max() < _SAME_STEP * middle:
+        if equally_spaced(time):
             lengths = np.full(lengths.size, float(time[-1]) / lengths.size)
         return Travel(
             lengths,
