@@ -1,6 +1,6 @@
 """Double concave friction pendulum bearings under recorded earthquakes.
 
-The names below are in the order in which data flow: a record, a bearing, its response; a test program, its loops. Each is imported when it is
+The names below are in the order in which data flow: a record, a bearing, its response; a test program, its loops; pulses, a prediction, a comparison. Each is imported when it is
 first used, so that ``dcfp --help`` does not wait for the compiler of the kernels.
 """
 
@@ -26,7 +26,10 @@ if TYPE_CHECKING:
     from dcfp.bearing import SimplifiedHeating as SimplifiedHeating
     from dcfp.bearing import UserFriction as UserFriction
     from dcfp.bearing import read_bearing as read_bearing
+    from dcfp.comparison import compare as compare
     from dcfp.identification import identify as identify
+    from dcfp.prediction import find_pulses as find_pulses
+    from dcfp.prediction import march_through_pulses as march_through_pulses
     from dcfp.record.ground_motion import GroundMotion as GroundMotion
     from dcfp.record.load import load_motion as load_motion
     from dcfp.response import Response as Response
@@ -61,6 +64,9 @@ _HOMES = {
     "Loops": "dcfp.rig",
     "read_measurement": "dcfp.rig",
     "identify": "dcfp.identification",
+    "find_pulses": "dcfp.prediction",
+    "march_through_pulses": "dcfp.prediction",
+    "compare": "dcfp.comparison",
 }
 
 

@@ -33,15 +33,17 @@ def input_files(options: argparse.Namespace) -> list[Path]:
 
 
 def load_motions(options: argparse.Namespace) -> "list[GroundMotion]":
-    """Return every record as it will be used but for the scale."""
+    """Return every record as it will be used but for the scale; the name of a set stands for all records in it."""
     from dcfp.record.load import load_motion
+    from dcfp.record.named import record_set
 
-    return [
-        _treated(
-            load_motion(name, options.component, units=options.units, time_step=options.time_step), options
-        )
-        for name in record_names(options)
-    ]
+    motions: list[GroundMotion] = []
+    for name in record_names(options):
+        of_set = record_set(name)
+        if of_set is None:
+            of_set = [load_motion(name, options.component, units=options.units, time_step=options.time_step)]
+        motions += of_set
+    return [_treated(motion, options) for motion in motions]
 
 
 def scaled(motions: "list[GroundMotion]", pgvs: list[float] | None) -> "list[GroundMotion]":

@@ -11,8 +11,11 @@ from dcfp.errors import DcfpError, InputError
 
 #: Each sub-command, the module of this package that it is in, and what it does.
 COMMANDS = {
+    "compare": "predictions against response history analysis: ratios, scatter, refitted constants",
     "identify": "friction law from measured tests",
+    "predict": "displacement and energy from velocity pulses, or from the PGV alone",
     "records": "named records, or what is in a record file",
+    "reproduce": "the findings and figures of Li et al. (2020), section 6, beside our own",
     "respond": "response history analysis",
     "test": "virtual test machine: test programs, measures per cycle, checks of codes",
     "verify": "what is checked against what, and by how much it differs",

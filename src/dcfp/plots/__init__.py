@@ -4,6 +4,7 @@ Matplotlib's objects are used without its state, so there is no window, no backe
 """
 
 from dcfp.plots.checks import plot_checks as plot_checks
+from dcfp.plots.comparison import plot_comparison as plot_comparison
 from dcfp.plots.energies import plot_energies as plot_energies
 from dcfp.plots.histories import plot_displacement as plot_displacement
 from dcfp.plots.histories import plot_friction as plot_friction
@@ -15,5 +16,6 @@ from dcfp.plots.motions import plot_motions as plot_motions
 from dcfp.plots.overview import plot_overview as plot_overview
 from dcfp.plots.profile import plot_profile as plot_profile
 from dcfp.plots.program import plot_program as plot_program
+from dcfp.plots.pulses import plot_pulses as plot_pulses
 from dcfp.plots.sheet import plot_response as plot_response
 from dcfp.plots.style import save_figure as save_figure

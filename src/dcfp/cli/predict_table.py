@@ -1,0 +1,168 @@
+"""The tables of `dcfp predict`."""
+
+from typing import TYPE_CHECKING
+
+from dcfp.cli.remarks import grouped, motion_remarks
+from dcfp.cli.tables import add_row, new_table, page, print_labelled, print_remarks
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from rich.console import Console
+
+    from dcfp.comparison import Setting
+    from dcfp.comparison.case import View
+    from dcfp.comparison.forecast import Forecast
+    from dcfp.comparison.nominal import Nominal
+
+_NUMBERS = ("dy\n[mm]", "y_max\n[mm]", "V_dE\n[mm/s]", "V_dEhr\n[mm/s]", "V_E\n[mm/s]")
+_KILO = 1e3
+
+
+def print_forecasts(forecasts: "Sequence[Forecast]", setting: "Setting", nominal: "Nominal") -> None:
+    """Print what was predicted, one row for each method, and the remarks."""
+    with page() as out:
+        print_labelled(out, labels(setting, nominal))
+        out.print()
+        if forecasts[0].motion is None:
+            _print_from_pgv(out, forecasts)
+        else:
+            _print_records(out, forecasts)
+        _print_intervals(out, forecasts)
+        print_remarks(out, [*_remarks(forecasts), *notes(forecasts)])
+
+
+def labels(setting: "Setting", nominal: "Nominal") -> list[tuple[str, str]]:
+    """Return what stands above the tables: the bearing, its law, and the constants of the methods."""
+    constants, bearing = setting.constants, setting.bearing
+    radii = " + ".join(f"{radius:g}" for radius in bearing.radii)
+    return [
+        (
+            "Bearing",
+            f"{bearing.name}: radius {radii} mm, slider {bearing.slider_diameter:g} mm, {bearing.pressure:g} N/mm²",
+        ),
+        (
+            "Friction",
+            f"{setting.friction.name}, heating {setting.heating.name} from {setting.heating.ambient:g} °C;"
+            f" nominal coefficient mu_n {nominal.value:.4g} ({nominal.source})",
+        ),
+        (
+            "Constants",
+            f"eps {constants.fall_ratio:g}, zeta {constants.change_ratio:g}, kg_ave {constants.average_slope:g} mm/s²;"
+            f" pulses where the ground velocity turns back by {setting.threshold:g} PGV,"
+            f" for the march by {setting.march_threshold:g} PGV",
+        ),
+    ]
+
+
+def _print_from_pgv(out: "Console", forecasts: "Sequence[Forecast]") -> None:
+    table = new_table([], ["PGV\n[m/s]", *(_NUMBERS[i] for i in (0, 2, 3))], ["Method"])
+    for one in forecasts:
+        for (method, _), said in one.predicted.items():
+            add_row(
+                table,
+                [
+                    f"{one.pgv / _KILO:g}",
+                    f"{said.displacement_change:.1f}",
+                    f"{said.input_velocity:.1f}",
+                    f"{said.hysteretic_velocity:.1f}",
+                    method.value,
+                ],
+            )
+    out.print(table)
+
+
+def _print_records(out: "Console", forecasts: "Sequence[Forecast]") -> None:
+    table = new_table(["Record"], ["PGV\n[m/s]"], ["Method", "Knows"])
+    for head in _NUMBERS:
+        table.add_column(head, justify="right", no_wrap=True)
+    table.add_column("Pulse\n[s]", justify="right", no_wrap=True)
+    for one in forecasts:
+        name = "" if one.motion is None else one.motion.name
+        for row, (view, said) in enumerate(one.predicted.items()):
+            method, basis = view
+            found = (
+                said.displacement_change,
+                said.displacement,
+                said.input_velocity,
+                said.hysteretic_velocity,
+                said.total_velocity,
+            )
+            head = [name, f"{one.pgv / _KILO:.3f}"] if row == 0 else ["", ""]
+            add_row(
+                table,
+                [
+                    *head,
+                    method.value,
+                    _KNOWS[basis.value],
+                    *(_number(value) for value in found),
+                    _pulse(one, view),
+                ],
+            )
+    out.print(table)
+
+
+_KNOWS = {"blind": "record", "PGV only": "PGV", "informed": "analysis"}
+
+
+def _number(value: float | None) -> str:
+    return "–" if value is None else f"{value:.1f}"
+
+
+def _pulse(one: "Forecast", view: "View") -> str:
+    """Return from when to when the governing pulse rises."""
+    place = one.governing.get(view)
+    if place is None or one.pulses is None:
+        return "–"
+    return f"{one.pulses.starts[place]:.2f}–{one.pulses.peaks[place]:.2f}"
+
+
+def _print_intervals(out: "Console", forecasts: "Sequence[Forecast]") -> None:
+    if not any(one.intervals for one in forecasts):
+        return
+    heads = ["dy\n5 %", "dy\nmedian", "dy\n95 %", "y_max\n5 %", "y_max\nmedian", "y_max\n95 %"]
+    heads += ["V_E\n5 %", "V_E\nmedian", "V_E\n95 %"]
+    table = new_table(["Record"], ["PGV\n[m/s]"], ["Knowing"])
+    for head in heads:
+        table.add_column(head, justify="right", no_wrap=True)
+    for one in forecasts:
+        for row, (view, intervals) in enumerate(one.intervals.items()):
+            known = {quantity.name: interval for quantity, interval in intervals.items()}
+            cells: list[str] = []
+            for name in ("dy", "y", "V_E"):
+                interval = known.get(name)
+                cells += (
+                    ["–"] * 3
+                    if interval is None
+                    else [f"{value:.0f}" for value in (interval.low, interval.median, interval.high)]
+                )
+            name = "" if one.motion is None else one.motion.name
+            head = [name, f"{one.pgv / _KILO:.3f}"] if row == 0 else ["", ""]
+            add_row(table, [*head, "the PGV" if view is None else view[0].value, *cells])
+    out.print()
+    out.print(table)
+
+
+def _remarks(forecasts: "Sequence[Forecast]") -> list[str]:
+    return grouped(
+        (one.motion.name if one.motion else "", remark)
+        for one in forecasts
+        for remark in (*(motion_remarks(one.motion, with_scale=False) if one.motion else ()), *one.remarks)
+    )
+
+
+def notes(forecasts: "Sequence[Forecast]") -> list[str]:
+    """Return what the columns mean."""
+    found: list[str] = []
+    if any(one.motion is not None for one in forecasts):
+        found.append(
+            "A method without a y_max of its own offers dy for it, which is conservative as a rule; Pulse: from peak to peak."
+        )
+    if any(one.intervals for one in forecasts):
+        from dcfp.comparison.calibration import SET
+
+        found.append(
+            f"Intervals [mm, mm/s] hold 90 % of response history analyses of this bearing: from {SET} at the same PGV, those of the"
+            " record's own earthquake left out."
+        )
+    return found

@@ -1,0 +1,126 @@
+"""Which friction and which radius hold a displacement at a PGV: analyses of a record set over a grid of bearings."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from dcfp.arrays import FloatArray
+from dcfp.comparison.case import Setting
+from dcfp.comparison.intervals import quantile
+from dcfp.errors import InputError
+from dcfp.record.ground_motion import GroundMotion
+from dcfp.response import respond
+
+#: Grid that is looked at unless another is given: radius of each plate [mm] and reference coefficient [-].
+RADII = np.array([1500.0, 2250.0, 3000.0, 4500.0, 6000.0])
+COEFFICIENTS = np.array([0.02, 0.03, 0.045, 0.06, 0.08, 0.1, 0.125, 0.15])
+
+
+@dataclass(frozen=True, eq=False)
+class DesignSpace:
+    """Displacement and force of every record over a grid of bearings, at one PGV.
+
+    Attributes
+    ----------
+    pgv
+        [mm/s].
+    radii
+        Effective radius of each plate [mm], shape (r,).
+    coefficients
+        Reference coefficient of the friction law [-], shape (c,).
+    displacement
+        y_max of every record [mm], shape (r, c, records).
+    force
+        Largest force over the weight [-], shape (r, c, records).
+    """
+
+    pgv: float
+    radii: FloatArray
+    coefficients: FloatArray
+    displacement: FloatArray
+    force: FloatArray
+
+    @property
+    def records(self) -> int:
+        """Number of records analysed for each bearing."""
+        return self.displacement.shape[2]
+
+    def displacement_at(self, part: float) -> FloatArray:
+        """Return the y_max [mm] that another earthquake of this PGV does not exceed with a probability of `part` [-], shape (r, c)."""
+        return np.apply_along_axis(quantile, 2, self.displacement, part)
+
+    def force_at(self, part: float) -> FloatArray:
+        """Return the force over the weight [-] in the same sense, shape (r, c)."""
+        return np.apply_along_axis(quantile, 2, self.force, part)
+
+    def least_coefficient(self, allowed: float, part: float) -> FloatArray:
+        """Return for each radius the least coefficient from which on `allowed` [mm] holds with a probability of `part` [-], shape (r,).
+
+        Between the bearings of the grid the displacement is taken as a straight line. It is the first of the grid where that is
+        enough, and not a number where the last is not.
+        """
+        lines = self.displacement_at(part)
+        return np.array([_crossing(self.coefficients, line, allowed) for line in lines])
+
+
+def survey(
+    motions: Sequence[GroundMotion],
+    pgv: float,
+    setting: Setting,
+    radii: FloatArray = RADII,
+    coefficients: FloatArray = COEFFICIENTS,
+    report: Callable[[], None] | None = None,
+) -> DesignSpace:
+    """Analyse every motion at a PGV [mm/s] on every bearing of a grid.
+
+    Parameters
+    ----------
+    motions
+        The record set.
+    pgv
+        [mm/s].
+    setting
+        The bearing whose radii are varied, equal on all plates, and the law whose reference coefficient is.
+    radii, coefficients
+        As in `DesignSpace`, increasing.
+    report
+        Called after each bearing.
+
+    Raises
+    ------
+    InputError
+        If the friction law has no reference coefficient to vary.
+    """
+    name = setting.friction.reference_parameter
+    if not name:
+        msg = f"The friction law {setting.friction.name} has no reference coefficient that could be varied."
+        raise InputError(msg)
+    scaled = [motion.scaled_to_pgv(pgv) for motion in motions]
+    displacement = np.empty((radii.size, coefficients.size, len(scaled)))
+    force = np.empty_like(displacement)
+    law: Any = setting.friction
+    for i, radius in enumerate(radii.tolist()):
+        plates = (radius,) * len(setting.bearing.radii)
+        bearing = replace(setting.bearing, radii=plates, displacement_capacity=None, capacity_note="")
+        for j, coefficient in enumerate(coefficients.tolist()):
+            friction = replace(law, **{name: coefficient})
+            found = [respond(motion, bearing, friction, setting.heating) for motion in scaled]
+            displacement[i, j] = [one.peak_displacement for one in found]
+            force[i, j] = [one.peak_force / bearing.vertical_force for one in found]
+            if report is not None:
+                report()
+    return DesignSpace(pgv, radii, coefficients, displacement, force)
+
+
+def _crossing(coefficients: FloatArray, displacement: FloatArray, allowed: float) -> float:
+    """Return where the displacement falls to what is allowed for good [-]."""
+    above = np.flatnonzero(displacement > allowed)
+    if above.size == 0:
+        return float(coefficients[0])
+    last = int(above[-1])
+    if last + 1 == coefficients.size:
+        return float("nan")
+    share = (displacement[last] - allowed) / (displacement[last] - displacement[last + 1])
+    return float(coefficients[last] + share * (coefficients[last + 1] - coefficients[last]))

@@ -1,0 +1,200 @@
+"""Predicted against analysed, for every blind method."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from dcfp.errors import InputError
+from dcfp.nomenclature import quantity
+from dcfp.plots.logarithmic import plain_numbers
+from dcfp.plots.style import BLUE, GREY, INK, OCHRE, PAGE_WIDTH, PALE, RED, calm_ticks, style
+from dcfp.plots.words import number
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.axes import Axes
+
+    from dcfp.arrays import FloatArray
+    from dcfp.comparison import Case
+    from dcfp.comparison.case import View
+    from dcfp.comparison.quantities import Quantity
+    from dcfp.comparison.statistics import Scatter
+
+#: What is drawn: name in tables, and in the nomenclature.
+_NAMES = {
+    "dy": "displacement_change",
+    "y": "peak_displacement",
+    "V_dE": "swing_input_velocity",
+    "V_dEhr": "swing_hysteretic_velocity",
+}
+#: Limits of the axes beyond the data [-].
+_ROOM = 1.35
+#: Numbers of cases up to which marks are large, and from which on they are small.
+_FEW, _MANY = 20, 200
+
+
+@dataclass(frozen=True)
+class _Look:
+    """How the predictions of one method are drawn; its name is the value of `dcfp.comparison.case.Method`."""
+
+    method: str
+    marker: str
+    colour: str
+    order: int
+    scale: float = 1.0
+
+    def mark(self, size: float) -> dict[str, Any]:
+        return {"marker": self.marker, "markersize": self.scale * size, "linestyle": "none"}
+
+
+_LOOKS = (
+    _Look("pulse", "o", BLUE, 4),
+    _Look("simplified", "^", OCHRE, 3, 1.25),
+    _Look("design", "s", GREY, 2, 0.9),
+    _Look("pulse march", "D", RED, 5, 0.9),
+)
+
+
+def plot_comparison(cases: "Sequence[Case]") -> Figure:
+    """Draw what every blind method predicts against what the analysis gives, on a new figure.
+
+    A legend names the methods with their bias, the geometric mean of prediction over analysis, and their dispersion, the
+    standard deviation of its natural logarithm; cases in which a method predicts nothing lie as hollow marks on the lower
+    edge, and are counted.
+
+    Parameters
+    ----------
+    cases
+        What was analysed and predicted.
+
+    Raises
+    ------
+    InputError
+        If there is no case.
+    """
+    from dcfp.comparison.quantities import QUANTITIES  # late: the package imports the kernels
+
+    if not cases:
+        msg = "There is nothing to compare; give at least one case."
+        raise InputError(msg)
+    drawn = [which for which in QUANTITIES if which.name in _NAMES]
+    with style():
+        figure = Figure(figsize=(PAGE_WIDTH, 7.9), layout="constrained")
+        panels: Any = figure.subplots(2, 2)
+        for axes, which in zip(panels.flat, drawn, strict=True):
+            _draw_panel(axes, cases, which)
+    return figure
+
+
+def _draw_panel(axes: "Axes", cases: "Sequence[Case]", which: "Quantity") -> None:
+    entry = quantity(_NAMES[which.name])
+    analysed, predicted = _values(cases, which, entry.factor)
+    low, high = _limits(analysed, predicted)
+    _draw_lines(axes, low, high)
+    size = 4.5 if len(cases) <= _FEW else 3.0 if len(cases) <= _MANY else 2.2
+    for look, values in zip(_LOOKS, predicted, strict=True):
+        _draw_method(axes, look, analysed, values, low, size)
+    calm_ticks(axes)
+    axes.set(xscale="log", yscale="log", xlim=(low, high), ylim=(low, high))
+    axes.set_box_aspect(1.0)
+    axes.set_xlabel(f"${entry.symbol}$ analysed [{entry.shown}]")
+    axes.set_ylabel(f"${entry.symbol}$ predicted [{entry.shown}]")
+    plain_numbers(axes)
+    _add_legend(axes, cases, which)
+
+
+def _values(
+    cases: "Sequence[Case]", which: "Quantity", factor: float
+) -> "tuple[FloatArray, list[FloatArray]]":
+    """Return what was analysed, and what each method predicts, as shown; not a number where there is nothing."""
+    from dcfp.comparison.statistics import value_of
+    from dcfp.prediction import NOTHING
+
+    analysed = np.array([value_of(case.analysed.whole, which) for case in cases])
+    predicted = [
+        np.array([value_of(case.predicted.get(view, NOTHING), which) for case in cases]) for view in _views()
+    ]
+    return factor * analysed, [factor * values for values in predicted]
+
+
+def _views() -> "list[View]":
+    """Return the blind view of each method, in the order of their looks."""
+    from dcfp.comparison.case import VIEWS, Basis
+
+    blind = {str(method): (method, basis) for method, basis in VIEWS if basis is not Basis.INFORMED}
+    return [blind[look.method] for look in _LOOKS]
+
+
+def _limits(analysed: "FloatArray", predicted: "Sequence[FloatArray]") -> tuple[float, float]:
+    """Return the limits that both axes share, round the values above zero."""
+    values = np.concatenate((analysed, *predicted))
+    good = values[np.isfinite(values) & (values > 0.0)]
+    if good.size == 0:
+        return 0.1, 10.0
+    return float(good.min()) / _ROOM, float(good.max()) * _ROOM
+
+
+def _draw_lines(axes: "Axes", low: float, high: float) -> None:
+    ends = np.array([low, high])
+    axes.fill_between(ends, 0.5 * ends, 2.0 * ends, color=PALE, linewidth=0.0, zorder=0)
+    axes.plot(ends, ends, color=INK, linewidth=0.7, zorder=1)
+
+
+def _draw_method(
+    axes: "Axes", look: _Look, analysed: "FloatArray", predicted: "FloatArray", low: float, size: float
+) -> None:
+    shown = analysed > 0.0
+    there = shown & (predicted > 0.0)
+    axes.plot(
+        analysed[there],
+        predicted[there],
+        **look.mark(size),
+        color=look.colour,
+        alpha=0.9 if analysed.size <= _FEW else 0.6,
+        markeredgewidth=0.0,
+        zorder=look.order,
+    )
+    nothing = shown & (predicted == 0.0)
+    if nothing.any():
+        axes.plot(
+            analysed[nothing],
+            np.full(int(nothing.sum()), low),
+            **look.mark(size + 1.5),
+            markerfacecolor="white",
+            markeredgecolor=look.colour,
+            markeredgewidth=0.8,
+            clip_on=False,
+            zorder=look.order,
+        )
+
+
+def _add_legend(axes: "Axes", cases: "Sequence[Case]", which: "Quantity") -> None:
+    from dcfp.comparison.statistics import ratios, scatter
+
+    handles: list[Line2D] = []
+    for look, view in zip(_LOOKS, _views(), strict=True):
+        if any(view in case.predicted for case in cases):
+            label = f"{look.method}: {_words(scatter(ratios(cases, view, which)))}"
+            handles.append(Line2D([], [], **look.mark(4.0), color=look.colour, label=label))
+    axes.legend(
+        handles=handles,
+        title="bias, dispersion" if len(cases) > 1 else "predicted / analysed",
+        title_fontsize=7.0,
+        alignment="left",
+        loc="lower left",
+        bbox_to_anchor=(0.0, 1.01),
+        ncols=2,
+        handlelength=0.8,
+    )
+
+
+def _words(measures: "Scatter") -> str:
+    if not measures.number:
+        return "none"
+    dispersion = f", {number(measures.dispersion, 2)}" if measures.number > 1 else ""
+    without = f" ({measures.without} none)" if measures.without else ""
+    return f"{number(measures.bias, 2)}{dispersion}{without}"

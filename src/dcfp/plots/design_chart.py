@@ -1,0 +1,61 @@
+"""Which friction and which radius hold a displacement: a chart."""
+
+from typing import TYPE_CHECKING, Any
+
+from matplotlib.figure import Figure
+
+from dcfp.plots.style import BLUE, GREY, INK, PAGE_WIDTH, RED, style
+from dcfp.plots.words import metres_per_second, millimetres
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.axes import Axes
+
+    from dcfp.comparison.design_space import DesignSpace
+
+#: Probabilities of the two panels, and how to call them.
+_PARTS = ((0.5, "half of the earthquakes"), (0.95, "95 % of the earthquakes"))
+#: Displacements [mm] and forces over weight [-] at which lines are drawn.
+_DISPLACEMENTS = (25, 50, 75, 100, 150, 200, 300, 400, 500, 600, 800, 1000, 1500, 2000)
+_FORCES = (0.04, 0.06, 0.08, 0.1, 0.125, 0.15, 0.2, 0.25, 0.3, 0.4)
+
+
+def plot_design_chart(spaces: "Sequence[DesignSpace]", allowed: float) -> Figure:
+    """Draw lines of equal displacement and of equal force over friction and radius, on a new figure.
+
+    A row for each PGV; left the median of the records, right what 95 % of earthquakes do not exceed. What holds `allowed` [mm] is shaded.
+    """
+    with style():
+        figure = Figure(figsize=(PAGE_WIDTH, 0.7 + 2.6 * len(spaces)), layout="constrained")
+        axes = figure.subplots(len(spaces), len(_PARTS), squeeze=False, sharex=True, sharey=True)
+        for row, space in zip(axes, spaces, strict=True):
+            for one, (part, words) in zip(row, _PARTS, strict=True):
+                _draw(one, space, allowed, part)
+                one.set_title(f"PGV {metres_per_second(space.pgv)}, {words}")
+            row[0].set_ylabel("radius of each plate [m]")
+        for one in axes[-1]:
+            one.set_xlabel("reference coefficient of friction")
+        figure.suptitle(
+            f"Shaded: {millimetres(allowed)} holds.  Blue: $y_{{max}}$ [mm].  Dashed: force over weight.  {spaces[0].records} records",
+            fontsize=8,
+            color=INK,
+        )
+    return figure
+
+
+def _draw(axes: "Axes", space: "DesignSpace", allowed: float, part: float) -> None:
+    mu, radius = space.coefficients, space.radii / 1e3
+    displacement, force = space.displacement_at(part), space.force_at(part)
+    drawing: Any = axes
+    drawing.contourf(mu, radius, displacement, levels=[0.0, allowed], colors=[BLUE], alpha=0.12)
+    lines = drawing.contour(mu, radius, displacement, levels=_DISPLACEMENTS, colors=BLUE, linewidths=0.8)
+    drawing.clabel(lines, fmt="%g", fontsize=6.5)
+    if displacement.min() < allowed < displacement.max():
+        drawing.contour(mu, radius, displacement, levels=[allowed], colors=RED, linewidths=1.4)
+    loads = drawing.contour(
+        mu, radius, force, levels=_FORCES, colors=GREY, linewidths=0.7, linestyles="dashed"
+    )
+    drawing.clabel(loads, fmt="%g", fontsize=6.0)
+    axes.set_xlim(float(mu[0]), float(mu[-1]))
+    axes.set_ylim(float(radius[0]), float(radius[-1]))

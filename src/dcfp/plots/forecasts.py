@@ -1,0 +1,77 @@
+"""Predictions of several records beside each other."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from dcfp.nomenclature import quantity
+from dcfp.plots.style import BLUE, GREY, OCHRE, PAGE_WIDTH, RED, drawable, legend_above, style
+from dcfp.plots.words import metres_per_second
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.axes import Axes
+
+    from dcfp.comparison.forecast import Forecast
+
+#: Mark and colour of each method, in the order of the legend.
+_MARKS = {
+    "pulse": ("o", BLUE),
+    "simplified": ("s", OCHRE),
+    "design": ("|", GREY),
+    "pulse march": ("D", RED),
+}
+#: Rows up to which each has a height of its own, and the largest height of a figure [in].
+_ROW, _TALLEST = 0.21, 11.0
+
+
+def plot_forecasts(forecasts: "Sequence[Forecast]") -> Figure:
+    """Draw dy of every method, and y_max of the march, a line for each record and PGV, on a new figure; intervals where there are any."""
+    height = min(1.1 + _ROW * len(forecasts), _TALLEST)
+    with style():
+        figure = Figure(figsize=(PAGE_WIDTH, height), layout="constrained")
+        change, displacement = figure.subplots(1, 2, sharey=True)
+        _draw(change, forecasts, "dy")
+        _draw(displacement, forecasts, "y")
+        change.set_xlabel(f"{quantity('displacement_change').label}, largest")
+        displacement.set_xlabel(f"{quantity('displacement').label}, largest")
+        few = len(forecasts) * _ROW + 1.1 <= _TALLEST
+        names = [f"{drawable(_name(one))}  {metres_per_second(one.pgv)}" for one in forecasts]
+        change.set_yticks(np.arange(len(forecasts)) if few else [], names if few else [], parse_math=False)
+        change.invert_yaxis()
+        legend_above(change)
+    return figure
+
+
+def _name(one: "Forecast") -> str:
+    return "" if one.motion is None else one.motion.name
+
+
+def _draw(axes: "Axes", forecasts: "Sequence[Forecast]", shown: str) -> None:
+    for method, (mark, colour) in _MARKS.items():
+        places: list[int] = []
+        values: list[float] = []
+        for place, one in enumerate(forecasts):
+            for view, said in one.predicted.items():
+                value = said.displacement_change if shown == "dy" else said.displacement
+                if view[0].value == method and value is not None and value > 0.0:
+                    places.append(place)
+                    values.append(value)
+        if values:
+            axes.plot(values, places, mark, color=colour, markersize=3.5, markeredgewidth=1.2, label=method)
+    _draw_intervals(axes, forecasts, shown)
+    axes.set_xscale("log")
+    axes.grid(visible=True, axis="y", linewidth=0.3, color="#DDDDDD")
+
+
+def _draw_intervals(axes: "Axes", forecasts: "Sequence[Forecast]", shown: str) -> None:
+    for place, one in enumerate(forecasts):
+        for view, intervals in one.intervals.items():
+            colour, shift = (GREY, -0.3) if view is None else (_MARKS[view[0].value][1], 0.3)
+            if view is not None and view[0].value != "pulse march":
+                continue
+            for kind, interval in intervals.items():
+                if kind.name == shown:
+                    axes.plot([interval.low, interval.high], [place + shift] * 2, color=colour, linewidth=1.0)

@@ -1,0 +1,24 @@
+"""Numbers that Li et al. (2020), section 6, print."""
+
+from dcfp.comparison.case import Basis, Method, View
+from dcfp.comparison.quantities import CHANGE, HYSTERETIC, INPUT, Quantity
+
+#: Ranges of prediction over analysis [-], and where they are printed. The pulse method: sections 6.1.2 and 6.1.3, Figure 18; the simplified
+#: method: section 6.2.3, Figures 22 to 24.
+RANGES: dict[tuple[View, Quantity], tuple[float, float, str]] = {
+    ((Method.PULSE, Basis.BLIND), CHANGE): (1.0, 2.1, "Figure 18"),
+    ((Method.PULSE, Basis.BLIND), INPUT): (0.8, 1.9, "section 6.1.3"),
+    ((Method.PULSE, Basis.BLIND), HYSTERETIC): (0.8, 1.6, "section 6.1.3"),
+    ((Method.SIMPLIFIED, Basis.BLIND), INPUT): (0.8, 1.5, "Figure 22"),
+    ((Method.SIMPLIFIED, Basis.BLIND), HYSTERETIC): (0.7, 1.6, "Figure 23"),
+    ((Method.SIMPLIFIED, Basis.BLIND), CHANGE): (0.7, 1.8, "Figure 24"),
+}
+
+#: kg_ave [mm/s2], section 6.2.2; eps [-], Figure 19; zeta [-], Figure 25.
+AVERAGE_SLOPE, FALL_RATIO, CHANGE_RATIO = 930.0, 0.25, 1.5
+
+#: The design method at PGV [mm/s]: V_dE, V_dEhr [mm/s] and dy [mm], from Eqs (31)-(33) with mu_n g = 421.8 mm/s2.
+DESIGN = {250.0: (277.2, 248.8, 73.4), 1000.0: (1108.8, 692.5, 568.0)}
+
+#: Half of the last printed digit of a range [-].
+ROUNDING = 0.05

@@ -1,0 +1,173 @@
+"""What each part of the march through the pulses contributes, and what its peaks, steps and time do."""
+
+import timeit
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+import own_march
+from cases import PGVS
+from numpy.typing import NDArray
+
+from dcfp import ConstantFriction, Li2020, NoHeating, SimplifiedHeating, respond
+from dcfp.bearing import LI_2020 as BEARING
+from dcfp.bearing.plates import structure_of
+from dcfp.comparison.statistics import Scatter, scatter
+from dcfp.prediction import Prediction, Pulses, find_pulses, march_through_pulses
+from dcfp.prediction.li_2020 import LI_2020, predict_from_pulses
+from dcfp.prediction.pulse_march import MARCH_THRESHOLD
+from dcfp.response import Response
+
+THRESHOLDS = (0.005, 0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.3)
+PARTS = (6, 12, 24, 48)
+CONSTANT = ConstantFriction(LI_2020.nominal_friction)
+#: No pull: plates of ten kilometres.
+FLAT = replace(BEARING, radii=(1e7, 1e7))
+
+Model = Callable[[Pulses], Prediction]
+
+
+def own(cosine: bool, spring: bool) -> Model:
+    """Return the study's own march with constant friction."""
+    structure = structure_of(BEARING, CONSTANT)
+    friction = LI_2020.nominal_friction * structure.gravity
+    choice = own_march.Choice(cosine, friction, structure.restoring if spring else 0.0)
+    return lambda pulses: own_march.march(pulses, choice)
+
+
+#: From the pulse method to the march, a step at a time, and the march without one of its parts.
+LADDER: dict[str, Model] = {
+    "pulse method, each pulse by itself": lambda pulses: predict_from_pulses(pulses).largest,
+    "straight legs, one after the other, mu_n, no spring": own(cosine=False, spring=False),
+    "half cosines": own(cosine=True, spring=False),
+    "half cosines, spring (a)": own(cosine=True, spring=True),
+    "half cosines, spring (a), speed": lambda pulses: (
+        march_through_pulses(pulses, friction=Li2020(), heating=NoHeating()).prediction
+    ),
+    "half cosines, spring (a), speed and heat: the march": lambda pulses: (
+        march_through_pulses(pulses).prediction
+    ),
+    "straight legs, spring (a)": own(cosine=False, spring=True),
+    "the march without spring (a)": lambda pulses: march_through_pulses(pulses, FLAT).prediction,
+}
+LAWS = {
+    "the record itself, mu_n": (CONSTANT, NoHeating()),
+    "the record itself, speed": (Li2020(), NoHeating()),
+}
+
+
+@dataclass(frozen=True)
+class Row:
+    """Ratios to the full analysis.
+
+    Attributes
+    ----------
+    change, displacement, energy
+        Of dy, y and V_dE, all cases.
+    by_pgv
+        Dispersion of dy at each PGV.
+    without
+        Cases in which nothing was predicted to move.
+    """
+
+    change: Scatter
+    displacement: Scatter
+    energy: Scatter
+    by_pgv: tuple[float, ...]
+    without: int
+
+
+def row(
+    said: Sequence[Prediction],
+    responses: Sequence[Response],
+    inputs: Sequence[float],
+    counted: NDArray[np.bool_] | None = None,
+) -> Row:
+    """Return the ratios of predictions to analyses, of which `inputs` are V_dE [mm/s], of the cases that are `counted`."""
+    counted = np.ones(len(said), dtype=np.bool_) if counted is None else counted
+    changes = np.array([one.displacement_change for one in said])
+    ratios = changes / [r.peak_change for r in responses]
+    places = np.array([one.bound for one in said]) / [r.peak_displacement for r in responses]
+    energies = np.array([one.input_velocity for one in said]) / np.array(inputs)
+    groups = zip(np.split(ratios, len(PGVS)), np.split(counted, len(PGVS)), strict=True)
+    return Row(
+        scatter(ratios[counted]),
+        scatter(places[counted]),
+        scatter(energies[counted]),
+        tuple(scatter(group[there]).dispersion for group, there in groups),
+        int((changes == 0.0).sum()),
+    )
+
+
+def ladder(
+    pulses: Sequence[Pulses], responses: Sequence[Response], inputs: Sequence[float]
+) -> dict[str, Row]:
+    """Return the table of contributions for pulses of one threshold, of the cases that every row moves."""
+    said = {name: [model(one) for one in pulses] for name, model in LADDER.items()}
+    changes = np.array([[one.displacement_change for one in some] for some in said.values()])
+    counted = (changes > 0.0).all(axis=0)
+    return {name: row(some, responses, inputs, counted) for name, some in said.items()}
+
+
+def records_themselves(responses: Sequence[Response], inputs: Sequence[float]) -> dict[str, Row]:
+    """Return rows of analyses of the whole record with simpler friction."""
+    found: dict[str, Row] = {}
+    for name, (friction, heating) in LAWS.items():
+        simpler = [respond(one.motion, friction=friction, heating=heating) for one in responses]
+        said = [Prediction(one.peak_change, 1.0, 1.0, one.peak_displacement) for one in simpler]
+        found[name] = row(said, responses, inputs)
+    return found
+
+
+def own_against_package(pulses: Sequence[Pulses], parts: int) -> tuple[float, float]:
+    """Return mean and largest |ln| of the study's march over the package's, dy, constant friction."""
+    model = own(cosine=True, spring=True)
+    found = np.log(
+        [
+            model(one).displacement_change
+            / march_through_pulses(
+                one, friction=CONSTANT, heating=NoHeating(), parts=parts
+            ).prediction.displacement_change
+            for one in pulses
+        ]
+    )
+    return float(found.mean()), float(np.abs(found).max())
+
+
+@dataclass(frozen=True)
+class Fineness:
+    """The march with one threshold and number of steps in a leg; mean number of pulses, median time [us]."""
+
+    row: Row
+    pulses: float
+    microseconds: float
+
+
+def fineness(
+    threshold: float, parts: int, responses: Sequence[Response], inputs: Sequence[float]
+) -> Fineness:
+    """March with a threshold and a number of steps in a leg, the best of three times."""
+    pulses = [find_pulses(one.motion, threshold) for one in responses]
+    runs = [
+        [march_through_pulses(one, heating=SimplifiedHeating(), parts=parts) for one in pulses]
+        for _ in range(3)
+    ]
+    times = np.min([[one.elapsed for one in run] for run in runs], axis=0)
+    said = [one.prediction for one in runs[0]]
+    return Fineness(
+        row(said, responses, inputs),
+        float(np.mean([one.count for one in pulses])),
+        1e6 * float(times.mean()),
+    )
+
+
+def call_times(responses: Sequence[Response]) -> dict[str, float]:
+    """Return mean times [s] of whole calls from Python: analysis, pulses, march; the best of three rounds."""
+    motions = [one.motion for one in responses]
+    pulses = [find_pulses(motion, MARCH_THRESHOLD) for motion in motions]
+    calls = {
+        "analysis": lambda: [respond(motion) for motion in motions],
+        "pulses": lambda: [find_pulses(motion, MARCH_THRESHOLD) for motion in motions],
+        "march": lambda: [march_through_pulses(one) for one in pulses],
+    }
+    return {name: min(timeit.repeat(call, number=1, repeat=3)) / len(motions) for name, call in calls.items()}

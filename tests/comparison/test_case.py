@@ -1,0 +1,160 @@
+"""One record beside its analysis, and the ratios of many."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from dcfp.bearing import Li2020
+from dcfp.comparison import Case, Setting, compare
+from dcfp.comparison.case import VIEWS, Basis, Method, event_of
+from dcfp.comparison.quantities import CHANGE, DISPLACEMENT, HYSTERETIC, INPUT, QUANTITIES, TOTAL
+from dcfp.comparison.statistics import displacement_over_change, ratios, scatter, scatters, value_of
+from dcfp.prediction import Prediction, find_pulses
+from dcfp.prediction.li_2020 import LI_2020, predict_from_pgv, predict_from_pulses, predict_simplified
+from dcfp.record.ground_motion import GroundMotion, Origin
+from dcfp.record.load import load_motion
+from dcfp.record.p695 import all_keys, read_stored
+from dcfp.response import respond
+from dcfp.response.swings import swings_of
+
+
+@pytest.fixture(scope="module")
+def motion() -> GroundMotion:
+    return load_motion("NCC")
+
+
+@pytest.fixture(scope="module")
+def case(motion: GroundMotion) -> Case:
+    return compare(motion, keep_response=True)
+
+
+def test_every_method_has_its_say(motion: GroundMotion, case: Case) -> None:
+    assert set(case.predicted) == set(VIEWS)
+    assert (case.record, case.event, case.pgv) == ("NCC", "Northridge 1994", motion.peak_velocity)
+    assert compare(motion).response is None
+
+
+def test_the_analysed_are_those_of_the_analysis(motion: GroundMotion, case: Case) -> None:
+    response, whole = respond(motion), case.analysed.whole
+    swings = swings_of(response)
+    assert whole.displacement_change == response.peak_change
+    assert whole.displacement == response.peak_displacement
+    assert whole.total_velocity == response.input_velocity
+    assert whole.input_velocity == swings.input_velocity
+    assert whole.hysteretic_velocity == swings.hysteretic_velocity
+    assert case.response is not None
+    np.testing.assert_array_equal(case.response.displacement, response.displacement)
+
+
+def test_blind_is_of_all_pulses_and_informed_of_the_one_that_governs(
+    motion: GroundMotion, case: Case
+) -> None:
+    pulse = case.analysed.pulse
+    assert pulse is not None
+    swing = case.analysed.swing
+    assert swing is not None
+    assert swing.start <= case.pulses.peaks[pulse] <= swing.end
+    by_pulse, simplified = predict_from_pulses(case.pulses), predict_simplified(case.pulses)
+    for method, made in ((Method.PULSE, by_pulse), (Method.SIMPLIFIED, simplified)):
+        blind, informed = case.predicted[method, Basis.BLIND], case.predicted[method, Basis.INFORMED]
+        assert blind == made.largest
+        assert informed == made.of(pulse)
+        for quantity in (CHANGE, INPUT, HYSTERETIC):
+            assert value_of(informed, quantity) <= value_of(blind, quantity)
+        # in this record the pulse with the largest input is another
+        assert informed.input_velocity < blind.input_velocity
+    assert case.analysed.governing.input_velocity == swing.input_velocity < case.analysed.whole.input_velocity
+    assert case.predicted[Method.DESIGN, Basis.PGV] == predict_from_pgv(motion.peak_velocity)
+
+
+def test_each_basis_is_compared_with_its_own(case: Case) -> None:
+    assert case.analysed.beside(Basis.INFORMED) is case.analysed.governing
+    for basis in (Basis.BLIND, Basis.PGV):
+        assert case.analysed.beside(basis) is case.analysed.whole
+
+
+def test_a_mirrored_record_is_predicted_the_same(motion: GroundMotion, case: Case) -> None:
+    back = compare(motion.scaled(-1.0))
+    assert back.analysed.pulse == case.analysed.pulse
+    for view in VIEWS:
+        for quantity in (CHANGE, INPUT, HYSTERETIC):
+            there, here = value_of(case.predicted[view], quantity), value_of(back.predicted[view], quantity)
+            assert here == pytest.approx(there, rel=1e-9)
+
+
+def test_friction_above_the_average_slope_leaves_out_what_cannot_be_used(motion: GroundMotion) -> None:
+    """mu_n g of 1177 mm/s2 is more than kg_ave of 930: Eq. (28) would need the root of a negative number."""
+    setting = Setting(friction=Li2020(0.2), constants=replace(LI_2020, nominal_friction=0.12))
+    rough = compare(motion.scaled_to_pgv(1000.0), setting)
+    methods = {method for method, _ in rough.predicted}
+    assert methods == {Method.PULSE, Method.MARCH}
+    assert rough.predicted[Method.PULSE, Basis.BLIND].displacement_change > 0.0
+    assert rough.predicted[Method.MARCH, Basis.BLIND].displacement_change > 0.0
+    assert np.isnan(ratios([rough], (Method.DESIGN, Basis.PGV), CHANGE)).all()
+    assert (Method.DESIGN, Basis.PGV) not in {view for view, _ in scatters([rough])}
+
+
+def test_a_record_that_moves_nothing_has_no_governing_pulse(motion: GroundMotion) -> None:
+    quiet = compare(motion.scaled(1e-3))
+    assert quiet.analysed.whole.hysteretic_velocity == 0.0
+    assert quiet.predicted[Method.PULSE, Basis.BLIND].displacement_change == 0.0
+    assert quiet.predicted[Method.MARCH, Basis.BLIND].displacement_change == 0.0
+    assert scatter(ratios([quiet], (Method.MARCH, Basis.BLIND), CHANGE)).without == 1
+
+
+def test_the_threshold_of_a_setting_is_that_of_its_pulses(motion: GroundMotion) -> None:
+    coarse = compare(motion, Setting(threshold=0.5))
+    np.testing.assert_array_equal(coarse.pulses.times, find_pulses(motion, 0.5).times)
+    assert coarse.pulses.count < find_pulses(motion).count
+
+
+# ----- events -----
+
+
+def test_one_earthquake_has_one_name_in_both_sets_of_records() -> None:
+    """Of 22 earthquakes in FEMA P-695, table A-4 and A-6, three are in both sets under two names."""
+    stored = [record.motion for record in read_stored(all_keys())]
+    events = {event_of(motion) for motion in stored}
+    assert {"Northridge 1994", "Imperial Valley 1979", "Superstition Hills 1987"} <= events
+    assert not any("-0" in event for event in events)
+    assert len({motion.origin.event for motion in stored}) == len(events) + 3
+
+
+@pytest.mark.parametrize(
+    ("event", "found"),
+    [
+        ("Irpinia, Italy-01 1980", "Irpinia, Italy 1980"),
+        ("Chi-Chi, Taiwan 1999", "Chi-Chi, Taiwan 1999"),
+        ("", "own"),
+    ],
+)
+def test_names_of_events(event: str, found: str) -> None:
+    assert event_of(GroundMotion(np.zeros(2), 1.0, "own", Origin(event=event))) == found
+
+
+# ----- ratios -----
+
+
+def test_measures_of_ratios() -> None:
+    measures = scatter(np.array([0.5, 2.0, 1.0, 0.0, np.nan]))
+    assert (measures.number, measures.without) == (3, 2)
+    assert (measures.least, measures.largest, measures.median) == (0.5, 2.0, 1.0)
+    assert measures.bias == pytest.approx(1.0)
+    assert measures.dispersion == pytest.approx(np.log(2.0))
+    nothing = scatter(np.array([np.nan, 0.0]))
+    assert (nothing.number, nothing.without) == (0, 2)
+    assert np.isnan(nothing.bias)
+    assert scatter(np.array([3.0])).dispersion == 0.0
+
+
+def test_ratios_are_prediction_over_analysis(case: Case, make_case) -> None:
+    for view in VIEWS:
+        for quantity in QUANTITIES:
+            says_total = view[0] is Method.MARCH or quantity is not TOTAL
+            assert np.isfinite(ratios([case], view, quantity)).all() == says_total
+    blind = (Method.PULSE, Basis.BLIND)
+    made = make_case(Prediction(10.0, 20.0, 40.0, 8.0), Prediction(20.0, 20.0, 20.0))
+    found = [ratios([made], blind, quantity)[0] for quantity in (CHANGE, INPUT, HYSTERETIC, DISPLACEMENT)]
+    assert found == [2.0, 1.0, 0.5, 2.5]
+    assert displacement_over_change([made]).tolist() == [0.8]

@@ -1,0 +1,44 @@
+"""Pulses to predict from, and the ground motion whose peaks they are."""
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from dcfp.prediction import Pulses
+from dcfp.record.ground_motion import GroundMotion
+
+Made = Callable[..., Pulses]
+
+
+@pytest.fixture(scope="session")
+def one_pulse() -> Made:
+    """Make the pulse with a velocity change [mm/s], a slope before the peak and one after it [mm/s2]; both slopes as amounts."""
+
+    def make(change: float, slope: float, next_slope: float, start: float = 0.0) -> Pulses:
+        times = np.cumsum([0.0, abs(change) / slope, abs(change) / next_slope])
+        return Pulses(times, np.array([start, start + change, start]))
+
+    return make
+
+
+@pytest.fixture(scope="session")
+def six_legs() -> Pulses:
+    """Five pulses, all of which move a bearing of the usual friction."""
+    times = np.array([0.0, 0.6, 1.2, 2.0, 2.5, 3.5, 4.5])
+    return Pulses(times, np.array([0.0, 400.0, -500.0, 300.0, -200.0, 450.0, 0.0]))
+
+
+@pytest.fixture(scope="session")
+def half_cosines() -> Callable[..., GroundMotion]:
+    """Sample the motion whose velocity between the peaks of pulses is half a cosine."""
+
+    def make(pulses: Pulses, step: float) -> GroundMotion:
+        time = np.arange(round((pulses.times[-1] - pulses.times[0]) / step) + 1) * step + pulses.times[0]
+        leg = np.clip(np.searchsorted(pulses.times, time, side="right") - 1, 0, pulses.times.size - 2)
+        length = np.diff(pulses.times)[leg]
+        largest = 0.5 * np.pi * np.diff(pulses.velocities)[leg] / length
+        values = largest * np.sin(np.pi * (time - pulses.times[leg]) / length)
+        return GroundMotion(values, step, "half cosines")
+
+    return make
