@@ -76,6 +76,7 @@ def ladder(found: dict[str, Row]) -> str:
 def fineness(found: dict[tuple[float, int], Fineness]) -> str:
     """Return the table of thresholds and steps of the march."""
     head = ["threshold", "steps", "pulses", "us", "bias dy", "disp. dy", "bias y", "disp. y", "disp. V_dE"]
+    head += ["disp. dy at 0.25", "0.5", "0.75", "1.0 m/s"]
     rows = [
         [
             f"{threshold:g}",
@@ -85,6 +86,7 @@ def fineness(found: dict[tuple[float, int], Fineness]) -> str:
             *_scatter(one.row.change),
             *_scatter(one.row.displacement),
             f"{one.row.energy.dispersion:.3f}",
+            *[f"{value:.2f}" for value in one.row.by_pgv],
         ]
         for (threshold, parts), one in found.items()
     ]

@@ -22,6 +22,7 @@ from dcfp.bearing import (
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.prediction import Pulses, march_through_pulses
 from dcfp.response import respond
+from dcfp.response.swings import swings_of
 
 MU_G = ConstantFriction().mu * STANDARD_GRAVITY
 #: Plates so flat that spring (a) gives 1e-9 of the friction force in a metre.
@@ -115,6 +116,15 @@ def test_twice_the_steps_give_a_quarter_of_the_error(slides) -> None:
     assert errors[0] < 0.02
 
 
+@pytest.mark.parametrize("parts", [10, 12, 37])
+def test_however_few_the_steps_the_ground_reaches_its_peaks(one_pulse, parts: int) -> None:
+    """Without friction all of the ground's velocity is relative velocity, so that V_dE is the change itself."""
+    march = march_through_pulses(
+        one_pulse(300.0, 600.0, 700.0), FLAT, ConstantFriction(1e-9), NoHeating(), parts=parts
+    )
+    assert march.prediction.input_velocity == pytest.approx(300.0, rel=1e-6)
+
+
 # ----- against the response history analysis -----
 
 
@@ -130,6 +140,9 @@ def test_the_analysis_of_the_same_motion_agrees(
     assert found.displacement_change == pytest.approx(analysis.peak_change, rel=2e-4)
     assert found.displacement == pytest.approx(analysis.peak_displacement, rel=2e-4)
     assert found.total_velocity == pytest.approx(analysis.input_velocity, rel=2e-4)
+    swings = swings_of(analysis)
+    assert found.input_velocity == pytest.approx(swings.input_velocity, rel=2e-4)
+    assert found.hysteretic_velocity == pytest.approx(swings.hysteretic_velocity, rel=2e-4)
     assert march.residual_displacement == pytest.approx(analysis.residual_displacement, abs=0.1)
     assert march.peak_temperature == pytest.approx(analysis.peak_temperature, abs=0.05)
 

@@ -4,6 +4,7 @@ import math
 from typing import TYPE_CHECKING
 
 from dcfp.cli.predict_table import labels
+from dcfp.cli.remarks import grouped
 from dcfp.cli.tables import add_row, new_table, page, print_labelled, print_remarks
 
 if TYPE_CHECKING:
@@ -38,7 +39,7 @@ def print_cases(
         print_scatter(out, scatters)
         if held_out is not None:
             _print_held_out(out, held_out)
-        print_remarks(out, _notes(cases, scatters))
+        print_remarks(out, [*remarks_of(cases, setting), *_notes(cases)])
 
 
 def _print_ratios(out: "Console", cases: "Sequence[Case]") -> None:
@@ -121,7 +122,20 @@ def _print_held_out(out: "Console", held_out: "HeldOut") -> None:
     out.print(table)
 
 
-def _notes(cases: "Sequence[Case]", scatters: "dict[tuple[View, Quantity], Scatter]") -> list[str]:
+def remarks_of(cases: "Sequence[Case]", setting: "Setting") -> list[str]:
+    """Return what must be known of the analyses, if they are few, and of the methods."""
+    from dcfp.comparison.forecast import setting_remarks
+
+    of_methods = [remark for case in cases for remark in setting_remarks(case.pgv, setting)]
+    of_analyses = (
+        [(case.record, remark) for case in cases for remark in case.remarks]
+        if len(cases) <= MOST_ROWS
+        else []
+    )
+    return list(dict.fromkeys([*grouped(of_analyses), *of_methods]))
+
+
+def _notes(cases: "Sequence[Case]") -> list[str]:
     from dcfp.comparison.statistics import displacement_over_change
 
     notes = [
@@ -135,10 +149,6 @@ def _notes(cases: "Sequence[Case]", scatters: "dict[tuple[View, Quantity], Scatt
         notes.append(
             f"y_max over dy_max of the analyses: {over.min():.2f} to {over.max():.2f}, median {sorted(over)[over.size // 2]:.2f};"
             f" above 1 in {100.0 * float((over > 1.0).mean()):.0f} % of the cases."
-        )
-    if not any(view[0].value == "simplified" for view, _ in scatters):
-        notes.append(
-            "The simplified and the design method are left out: mu_n g is not below their average slope."
         )
     return notes
 

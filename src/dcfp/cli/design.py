@@ -2,6 +2,7 @@
 
 import argparse
 import json
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -73,40 +74,27 @@ def _survey(pgvs: list[float], setting: "Setting") -> "list[DesignSpace]":
 
 
 def _rows(space: "DesignSpace", allowed: float, setting: "Setting") -> list[dict[str, Any]]:
-    import numpy as np
-
     from dcfp.prediction.li_2020 import friction_that_holds
 
-    found = {part: space.least_coefficient(allowed, part) for part in _PARTS}
+    found = {part: [values.tolist() for values in space.holding(allowed, part)] for part in _PARTS}
     nominal = friction_that_holds(allowed, space.pgv, setting.constants)
-    return [
-        {
+    rows: list[dict[str, Any]] = []
+    for i, radius in enumerate(space.radii.tolist()):
+        row: dict[str, Any] = {
             "pgv_m_s": space.pgv / _KILO,
             "allowed_mm": allowed,
-            "radius_mm": float(radius),
+            "radius_mm": radius,
             "nominal_friction_design_method": nominal,
-            **{
-                f"least_reference_coefficient_{100 * part:g}_percent": None
-                if np.isnan(values[i])
-                else float(values[i])
-                for part, values in found.items()
-            },
-            **{
-                f"force_over_weight_{100 * part:g}_percent": _force(space, part, i, float(found[part][i]))
-                for part in _PARTS
-            },
-            "at_the_edge": bool(any(values[i] == space.coefficients[0] for values in found.values())),
         }
-        for i, radius in enumerate(space.radii)
-    ]
+        for part, (coefficients, forces) in found.items():
+            row[f"least_coefficient_{100 * part:g}_percent"] = _known(coefficients[i])
+            row[f"force_over_weight_{100 * part:g}_percent"] = _known(forces[i])
+        rows.append(row)
+    return rows
 
 
-def _force(space: "DesignSpace", part: float, row: int, coefficient: float) -> float | None:
-    import numpy as np
-
-    if np.isnan(coefficient):
-        return None
-    return float(np.interp(coefficient, space.coefficients, space.force_at(part)[row]))
+def _known(value: float) -> float | None:
+    return value if math.isfinite(value) else None
 
 
 def _print(rows: list[dict[str, Any]], allowed: float, setting: "Setting") -> None:
@@ -123,7 +111,7 @@ def _print(rows: list[dict[str, Any]], allowed: float, setting: "Setting") -> No
         ],
     )
     for row in rows:
-        cells = [_shown(row[f"least_reference_coefficient_{part}_percent"]) for part in ("50", "95")]
+        cells = [_shown(row[f"least_coefficient_{part}_percent"]) for part in ("50", "95")]
         forces = [_shown(row[f"force_over_weight_{part}_percent"]) for part in ("50", "95")]
         add_row(
             table,

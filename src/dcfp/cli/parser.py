@@ -96,6 +96,11 @@ def any_number(unit: str, least: float, most: float) -> Callable[[str], float]:
     )
 
 
+def number_from(least: float, most: float) -> Callable[[str], float]:
+    """Return a type for a number without a unit between limits."""
+    return _number(f"must be a number from {least:g} to {most:g}", lambda value: least <= value <= most)
+
+
 def fraction() -> Callable[[str], float]:
     """Return a type for a number above 0 and below 1."""
     return _number("must lie between 0 and 1", lambda value: 0.0 < value < 1.0)

@@ -120,27 +120,32 @@ def _pulse(one: "Forecast", view: "View") -> str:
 def _print_intervals(out: "Console", forecasts: "Sequence[Forecast]") -> None:
     if not any(one.intervals for one in forecasts):
         return
-    heads = ["dy\n5 %", "dy\nmedian", "dy\n95 %", "y_max\n5 %", "y_max\nmedian", "y_max\n95 %"]
-    heads += ["V_E\n5 %", "V_E\nmedian", "V_E\n95 %"]
-    table = new_table(["Record"], ["PGV\n[m/s]"], ["Knowing"])
-    for head in heads:
-        table.add_column(head, justify="right", no_wrap=True)
+    of_records = forecasts[0].motion is not None
+    table = new_table(["Record"] if of_records else [], ["PGV\n[m/s]"], ["Knowing"])
+    for symbol, unit in _WITH_INTERVAL.values():
+        for end in ("5 %", "median", "95 %"):
+            table.add_column(f"{symbol}\n{end}\n[{unit}]", justify="right", no_wrap=True)
     for one in forecasts:
         for row, (view, intervals) in enumerate(one.intervals.items()):
             known = {quantity.name: interval for quantity, interval in intervals.items()}
             cells: list[str] = []
-            for name in ("dy", "y", "V_E"):
+            for name in _WITH_INTERVAL:
                 interval = known.get(name)
-                cells += (
-                    ["–"] * 3
-                    if interval is None
-                    else [f"{value:.0f}" for value in (interval.low, interval.median, interval.high)]
-                )
-            name = "" if one.motion is None else one.motion.name
-            head = [name, f"{one.pgv / _KILO:.3f}"] if row == 0 else ["", ""]
-            add_row(table, [*head, "the PGV" if view is None else view[0].value, *cells])
+                ends = () if interval is None else (interval.low, interval.median, interval.high)
+                cells += [_short(value) for value in ends] or ["–"] * 3
+            names = [one.motion.name if one.motion and row == 0 else ""] if of_records else []
+            pgv = f"{one.pgv / _KILO:.3f}" if row == 0 else ""
+            add_row(table, [*names, pgv, "the PGV" if view is None else view[0].value, *cells])
     out.print()
     out.print(table)
+
+
+#: Quantities whose intervals are printed, with symbol and unit.
+_WITH_INTERVAL = {"dy": ("dy", "mm"), "y": ("y_max", "mm"), "V_E": ("V_E", "mm/s")}
+
+
+def _short(value: float) -> str:
+    return f"{value:.0f}" if value >= 10.0 else f"{value:.1f}"
 
 
 def _remarks(forecasts: "Sequence[Forecast]") -> list[str]:
@@ -162,7 +167,7 @@ def notes(forecasts: "Sequence[Forecast]") -> list[str]:
         from dcfp.comparison.calibration import SET
 
         found.append(
-            f"Intervals [mm, mm/s] hold 90 % of response history analyses of this bearing: from {SET} at the same PGV, those of the"
+            f"Intervals hold 90 % of response history analyses of this bearing: from {SET} at the same PGV, those of the"
             " record's own earthquake left out."
         )
     return found

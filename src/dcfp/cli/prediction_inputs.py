@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from dcfp.cli import inputs
-from dcfp.cli.parser import Parser, fraction, positive
+from dcfp.cli.parser import Parser, fraction, number_from, positive
 
 if TYPE_CHECKING:
     from dcfp.comparison import Setting
@@ -24,10 +24,10 @@ def add_method(parser: Parser) -> None:
         help="constant coefficient mu_n that stands for the law [-]; default 0.043 for the paper's law, else what the virtual test T01 gives",
     )
     group.add_argument(
-        "--eps", type=positive("1", 1e-3, 10.0), metavar="VALUE", help="eps of Eq. (26) [-]; default 0.25"
+        "--eps", type=number_from(1e-3, 10.0), metavar="VALUE", help="eps of Eq. (26) [-]; default 0.25"
     )
     group.add_argument(
-        "--zeta", type=positive("1", 0.1, 10.0), metavar="VALUE", help="zeta of Eq. (29) [-]; default 1.5"
+        "--zeta", type=number_from(0.1, 10.0), metavar="VALUE", help="zeta of Eq. (29) [-]; default 1.5"
     )
     group.add_argument(
         "--average-slope",

@@ -113,11 +113,12 @@ def _write(
         from dcfp.plots.li_2020 import paper_figures  # late: Matplotlib takes long to import
 
         if not drawn:
-            pairs = zip(analyses.cases, analyses.precise, strict=True)
+            # Figure 10 is of JKB, and of the other record of that earthquake where JKB is not at hand
+            shown = "JKB" if "JKB" in records else "KNA"
             loops = {
                 (case.record, case.pgv): (case.response, precise)
-                for case, precise in pairs
-                if case.response is not None
+                for case, precise in zip(analyses.cases, analyses.precise, strict=True)
+                if case.response is not None and case.record == shown
             }
             drawn.extend(paper_figures(analyses.cases, loops))
         return drawn
@@ -132,7 +133,11 @@ def _write(
         from dcfp.plots import save_figure
         from dcfp.plots.contact_sheet import contact_sheet
 
-        save_figure(contact_sheet([one.figure for one in figures()]), part, form)
+        save_figure(
+            contact_sheet([(f"Figure {one.number}. {one.title}", one.figure) for one in figures()]),
+            part,
+            form,
+        )
 
     outputs.write_with(data, figure)
 

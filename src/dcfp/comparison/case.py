@@ -86,6 +86,8 @@ class Case:
         What the analysis gives.
     predicted
         What each method says, by method and basis; a method that cannot be used is not there.
+    remarks
+        Sentences that a reader of the analysis must know.
     response
         The analysis itself, where it was to be kept.
     """
@@ -96,6 +98,7 @@ class Case:
     pulses: Pulses
     analysed: Analysed
     predicted: dict[View, Prediction]
+    remarks: tuple[str, ...] = ()
     response: Response | None = None
 
 
@@ -144,6 +147,7 @@ def compare(motion: GroundMotion, setting: Setting | None = None, *, keep_respon
         pulses=pulses,
         analysed=analysed,
         predicted=predictions(motion, setting, pulses, analysed.pulse),
+        remarks=response.remarks,
         response=response if keep_response else None,
     )
 
@@ -166,7 +170,8 @@ def predictions(
         simplified = paper.predict_simplified(pulses, constants)
         found[Method.SIMPLIFIED, Basis.BLIND] = simplified.largest
         found[Method.SIMPLIFIED, Basis.INFORMED] = simplified.of(pulse)
-        found[Method.DESIGN, Basis.PGV] = paper.predict_from_pgv(motion.peak_velocity, constants)
+        if motion.peak_velocity > 0.0:
+            found[Method.DESIGN, Basis.PGV] = paper.predict_from_pgv(motion.peak_velocity, constants)
     found[Method.MARCH, Basis.BLIND] = march_through_pulses(
         find_pulses(motion, setting.march_threshold), setting.bearing, setting.friction, setting.heating
     ).prediction

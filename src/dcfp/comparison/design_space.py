@@ -1,5 +1,6 @@
 """Which friction and which radius hold a displacement at a PGV: analyses of a record set over a grid of bearings."""
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -55,14 +56,18 @@ class DesignSpace:
         """Return the force over the weight [-] in the same sense, shape (r, c)."""
         return np.apply_along_axis(quantile, 2, self.force, part)
 
-    def least_coefficient(self, allowed: float, part: float) -> FloatArray:
-        """Return for each radius the least coefficient from which on `allowed` [mm] holds with a probability of `part` [-], shape (r,).
+    def holding(self, allowed: float, part: float) -> tuple[FloatArray, FloatArray]:
+        """Return for each radius the least coefficient from which on `allowed` [mm] holds with a probability of `part` [-], and the force over the weight that goes with it, shape (r,).
 
-        Between the bearings of the grid the displacement is taken as a straight line. It is the first of the grid where that is
-        enough, and not a number where the last is not.
+        Between the bearings of the grid both are taken as straight lines. The coefficient is the first of the grid where that is enough, and
+        both are not a number where the last is not.
         """
-        lines = self.displacement_at(part)
-        return np.array([_crossing(self.coefficients, line, allowed) for line in lines])
+        least = np.array([_crossing(self.coefficients, line, allowed) for line in self.displacement_at(part)])
+        lines = self.force_at(part)
+        force = np.array(
+            [np.interp(x, self.coefficients, line) for x, line in zip(least, lines, strict=True)]
+        )
+        return least, np.where(np.isnan(least), np.nan, force)
 
 
 def survey(
@@ -121,6 +126,6 @@ def _crossing(coefficients: FloatArray, displacement: FloatArray, allowed: float
         return float(coefficients[0])
     last = int(above[-1])
     if last + 1 == coefficients.size:
-        return float("nan")
+        return math.nan
     share = (displacement[last] - allowed) / (displacement[last] - displacement[last + 1])
     return float(coefficients[last] + share * (coefficients[last + 1] - coefficients[last]))

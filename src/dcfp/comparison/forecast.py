@@ -10,6 +10,9 @@ from dcfp.prediction import Prediction, PulseMarch, Pulses, find_pulses, march_t
 from dcfp.prediction import li_2020 as paper
 from dcfp.record.ground_motion import GroundMotion
 
+#: Part by which a PGV that was scaled to may be off [-].
+_ROUNDING = 1e-6
+
 
 @dataclass(frozen=True, eq=False)
 class Forecast:
@@ -39,9 +42,9 @@ class Forecast:
     predicted: dict[View, Prediction]
     motion: GroundMotion | None = None
     pulses: Pulses | None = None
-    governing: dict[View, int] = field(default_factory=dict)
+    governing: dict[View, int] = field(default_factory=dict[View, int])
     march: PulseMarch | None = None
-    intervals: dict[View | None, Intervals] = field(default_factory=dict)
+    intervals: dict[View | None, Intervals] = field(default_factory=dict[View | None, Intervals])
     remarks: tuple[str, ...] = ()
 
 
@@ -62,19 +65,16 @@ def forecast(motion: GroundMotion, setting: Setting, calibration: Sequence[Case]
         find_pulses(motion, setting.march_threshold), setting.bearing, setting.friction, setting.heating
     )
     by_pulse = {(Method.PULSE, Basis.BLIND): paper.predict_from_pulses(pulses, setting.constants)}
-    remarks = (
-        []
-        if pulses.count
-        else [f"{motion.name}: the ground velocity has no pulse, so nothing is predicted to move."]
-    )
     predicted: dict[View, Prediction] = {}
     if setting.constants.slides_on_average:
         by_pulse[Method.SIMPLIFIED, Basis.BLIND] = paper.predict_simplified(pulses, setting.constants)
-        predicted[Method.DESIGN, Basis.PGV] = paper.predict_from_pgv(motion.peak_velocity, setting.constants)
-    else:
-        remarks.append(_without_slope(setting.constants))
+        if motion.peak_velocity > 0.0:
+            predicted[Method.DESIGN, Basis.PGV] = paper.predict_from_pgv(
+                motion.peak_velocity, setting.constants
+            )
     predicted |= {view: found.largest for view, found in by_pulse.items()}
     predicted[Method.MARCH, Basis.BLIND] = march.prediction
+    remarks = [*_remarks(motion, pulses, march, setting), *setting_remarks(motion.peak_velocity, setting)]
     intervals: dict[View | None, Intervals] = {}
     if calibration is not None:
         found = _intervals_or_none(calibration)
@@ -105,12 +105,45 @@ def forecast_from_pgv(pgv: float, setting: Setting, calibration: Sequence[Case] 
     predicted: dict[View, Prediction] = {
         (Method.DESIGN, Basis.PGV): paper.predict_from_pgv(pgv, setting.constants)
     }
+    remarks = setting_remarks(pgv, setting)
     if calibration is None:
-        return Forecast(pgv, predicted)
+        return Forecast(pgv, predicted, remarks=remarks)
     found = _intervals_or_none(calibration)
     if found is None:
-        return Forecast(pgv, predicted, remarks=(_without_interval(pgv),))
-    return Forecast(pgv, predicted, intervals={None: found})
+        return Forecast(pgv, predicted, remarks=(*remarks, _without_interval(pgv)))
+    return Forecast(pgv, predicted, intervals={None: found}, remarks=remarks)
+
+
+def setting_remarks(pgv: float, setting: Setting) -> tuple[str, ...]:
+    """Return what must be known of the methods at a PGV [mm/s], whatever the record."""
+    constants = setting.constants
+    remarks: list[str] = []
+    if not constants.slides_on_average:
+        remarks.append(
+            f"The simplified and the design method are left out: mu_n g, {constants.friction_deceleration:.0f} mm/s2, is not below"
+            f" their average slope of {constants.average_slope:.0f} mm/s2."
+        )
+    elif 0.0 < pgv < constants.reference_pgv * (1.0 - _ROUNDING):
+        remarks.append(
+            "Li et al. (2020), section 6.2.2, give the average slope of the simplified and the design method for PGVs from"
+            f" {constants.reference_pgv / 1e3:g} m/s on."
+        )
+    if setting.friction.caution:
+        remarks.append(setting.friction.caution)
+    return tuple(remarks)
+
+
+def _remarks(motion: GroundMotion, pulses: Pulses, march: PulseMarch, setting: Setting) -> list[str]:
+    remarks: list[str] = []
+    if not pulses.count:
+        remarks.append(f"{motion.name}: the ground velocity has no pulse, so nothing is predicted to move.")
+    capacity, bound = setting.bearing.displacement_capacity, march.prediction.bound
+    if capacity is not None and bound > capacity:
+        note = f" ({setting.bearing.capacity_note})" if setting.bearing.capacity_note else ""
+        remarks.append(
+            f"{motion.name}: the march predicts {bound:.0f} mm, beyond the capacity of {capacity:.0f} mm{note}."
+        )
+    return remarks
 
 
 def _intervals_or_none(calibration: Sequence[Case]) -> Intervals | None:
@@ -118,13 +151,6 @@ def _intervals_or_none(calibration: Sequence[Case]) -> Intervals | None:
         return intervals_from_pgv(calibration)
     except InputError:
         return None
-
-
-def _without_slope(constants: paper.Constants) -> str:
-    return (
-        f"The simplified and the design method are left out: mu_n g, {constants.friction_deceleration:.0f} mm/s2, is not below"
-        f" their average slope of {constants.average_slope:.0f} mm/s2."
-    )
 
 
 def _without_interval(pgv: float) -> str:

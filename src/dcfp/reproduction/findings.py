@@ -5,8 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from dcfp.arrays import FloatArray
 from dcfp.comparison import Case
-from dcfp.comparison.case import View
+from dcfp.comparison.case import Basis, View
 from dcfp.comparison.quantities import Quantity
 from dcfp.comparison.refit import average_slope, change_ratio, fall_ratio
 from dcfp.comparison.statistics import displacement_over_change, ratios, scatter
@@ -99,13 +100,18 @@ def _range(view: View, quantity: Quantity, analyses: Analyses) -> Finding:
         name=f"{quantity.name}, {view[0].value} method over analysis",
         place=place,
         paper=f"{low:.1f} to {high:.1f}",
-        ours=f"{np.nanmin(values):.2f} to {np.nanmax(values):.2f}",
+        ours=_span(values),
         hundred=f"{measures.least:.2f} to {measures.largest:.2f}, {100.0 * inside.mean():.0f} % inside"
         + (f", {measures.without} without a prediction" if measures.without else ""),
         agrees=not outside,
-        words=f"{len(values) - len(outside)} of {len(values)} cases inside, half of the last printed digit allowed.",
+        words=f"{len(values) - len(outside)} of {len(values)} cases inside, half of the last printed digit allowed; by the pulse behind the"
+        f" largest swing (informed) {_span(ratios(analyses.cases, (view[0], Basis.INFORMED), quantity))}.",
         outside=outside,
     )
+
+
+def _span(values: FloatArray) -> str:
+    return f"{np.nanmin(values):.2f} to {np.nanmax(values):.2f}"
 
 
 def _average_slope(analyses: Analyses) -> Finding:

@@ -23,6 +23,8 @@ _UNITS = {"dy_mm": "mm", "y_mm": "mm", "V_dE_mm_s": "mm s-1", "V_dEhr_mm_s": "mm
 
 def case_objects(cases: "Sequence[Case]", setting: "Setting") -> list[dict[str, Any]]:
     """Return an object for each record and PGV, ready for JSON; what is not known is None."""
+    from dcfp.comparison.forecast import setting_remarks  # late: it imports the kernels
+
     return [
         {
             "record": case.record,
@@ -44,6 +46,7 @@ def case_objects(cases: "Sequence[Case]", setting: "Setting") -> list[dict[str, 
                 }
                 for view, said in case.predicted.items()
             ],
+            "remarks": [*case.remarks, *setting_remarks(case.pgv, setting)],
         }
         for case in cases
     ]
