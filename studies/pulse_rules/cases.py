@@ -162,3 +162,24 @@ def against_net_input(cases: Sequence[Case], responses: Sequence[Response]) -> A
         said = case.predicted[Method.PULSE, Basis.BLIND].input_velocity
         found.append(said / float(np.sqrt(2.0 * net / response.bearing.mass)))
     return np.array(found)
+
+
+def with_peak_within(cases: Sequence[Case]) -> list[Case]:
+    """Return the cases with the pulse behind the largest swing only where its peak is within the swing."""
+    found = []
+    for case in cases:
+        swing, pulses = case.analysed.swing, case.pulses
+        assert swing is not None
+        fits = (swing.start <= pulses.peaks) & (pulses.peaks <= swing.end)
+        fits &= np.sign(pulses.changes) == -np.sign(swing.change)
+        pulse = int(np.argmax(np.where(fits, np.abs(pulses.changes), 0.0))) if fits.any() else None
+        found.append(replace(case, analysed=replace(case.analysed, pulse=pulse)))
+    return found
+
+
+def friction_ratios(case: Case) -> tuple[float, float]:
+    """Return ku/kg of the pulse that governs by the pulse method, and of that behind the largest swing."""
+    slopes = np.abs(case.pulses.mean_accelerations)
+    governing = predict_from_pulses(case.pulses).governing
+    found = [np.nan if i is None else float(slopes[i]) for i in (governing, case.analysed.pulse)]
+    return LI_2020.friction_deceleration / found[0], LI_2020.friction_deceleration / found[1]

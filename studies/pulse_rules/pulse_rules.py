@@ -6,7 +6,6 @@ Writes the tables (``pulse_rules.md``) and a figure into the folder, and prints 
 import sys
 import time
 from collections.abc import Sequence
-from functools import partial
 from pathlib import Path
 
 import ablation
@@ -17,9 +16,10 @@ import numpy as np
 import one_pulse
 import rules
 import tables
+from reports import Report, amplifications, energies, named, plateau
 
 import dcfp
-from dcfp.comparison.case import Case, Method
+from dcfp.comparison.case import Case
 from dcfp.comparison.refit import (
     average_slope,
     change_ratio,
@@ -28,88 +28,11 @@ from dcfp.comparison.refit import (
     refit_design,
     refit_simplified,
 )
-from dcfp.comparison.statistics import displacement_over_change, scatter
+from dcfp.comparison.statistics import displacement_over_change
 from dcfp.prediction import find_pulses
 from dcfp.prediction.pulse_march import PARTS
 from dcfp.prediction.pulses import THRESHOLD
 from dcfp.response import Response
-
-
-class Report:
-    """Prints, and keeps what it printed."""
-
-    def __init__(self) -> None:
-        self.parts: list[str] = []
-
-    def __call__(self, heading: str, *paragraphs: str) -> None:
-        """Report paragraphs under a heading."""
-        text = "\n\n".join((f"## {heading}", *paragraphs))
-        self.parts.append(text)
-        print(text + "\n", flush=True)
-
-
-def plateau(report: Report, few: Sequence[Response], many: Sequence[Response]) -> None:
-    """Report the number of ratios within the paper's ranges for thresholds close together, and where prominence differs."""
-    rows = []
-    for percent in range(8, 34, 2):
-        one = cases.marks(partial(find_pulses, threshold=percent / 100.0), few, many)
-        rows.append([f"{percent / 100.0:.2f}", *map(str, one.inside.values()), f"{one.slope_of_all:.0f}"])
-        rows[-1] += [f"{one.change.dispersion:.3f}", f"{one.change_simplified.dispersion:.3f}"]
-    head = ["threshold", *(f"{m}, {b}" for m in cases.RANGES for b in cases.BASES)]
-    head += ["kg, 100", "disp. dy", "disp. simpl."]
-    differ = sum(
-        not np.array_equal(find_pulses(one.motion, part).times, rules.by_prominence(one.motion, part).times)
-        for one in many
-        for part in (0.1, 0.2, 0.3)
-    )
-    words = f"Prominence gives other peaks than turning back in {differ} of {3 * len(many)} cases."
-    report("Thresholds close together", tables.table(head, rows), words)
-
-
-def energies(report: Report, groups: dict[str, list[Case]], few: Sequence[Response]) -> None:
-    """Report the ranges with the factor of 1.5 in all equations and in Eq. (20) only."""
-    rows = []
-    for words, group in groups.items():
-        for kind, some in (("all", group), ("Eq. (20)", cases.without_amplified_energies(group))):
-            for basis in cases.BASES:
-                found = cases.view_ratios(some, (Method.PULSE, basis))
-                texts = []
-                for values in found[1:]:
-                    one = scatter(values)
-                    texts += [
-                        f"{one.least:.2f}–{one.largest:.2f}",
-                        f"{one.bias:.2f}",
-                        f"{one.dispersion:.3f}",
-                    ]
-                number = cases.inside(some, (Method.PULSE, basis), cases.ROUNDED)
-                rows.append([f"{words}, {kind}, {basis}", *texts, f"{number} of {found.size}"])
-    head = ["factor in", "V_dE", "bias", "disp.", "V_dEhr", "bias", "disp.", "within, rounded"]
-    net = scatter(cases.against_net_input(groups["four records"], few))
-    words = f"{net.least:.2f}–{net.largest:.2f}, bias {net.bias:.2f}, dispersion {net.dispersion:.3f}"
-    words = f"V_dE of the four records, blind, over the input of whole swings, Eq. (15): {words}"
-    report("Factor of 1.5: all equations or Eq. (20) only", tables.table(head, rows), words)
-
-
-def amplifications(report: Report, group: Sequence[Case]) -> None:
-    """Report other factors than 1.5 and other limits than 0.8."""
-    rows = []
-    for factor, limit in ((1.0, 0.8), (1.1, 0.8), (1.2, 0.8), (1.3, 0.8), (1.5, 0.8), (1.5, 0.9), (1.2, 0.6)):
-        change, energy = cases.with_amplification(group, factor, limit)
-        texts = [f"{value:.3f}" for one in (change, energy) for value in (one.bias, one.dispersion)]
-        rows.append([f"{factor:g} from {limit:g}", *texts])
-    head = ["factor", "bias dy", "disp. dy", "bias V_dE", "disp. V_dE"]
-    report("Other factors, 400 cases, blind", tables.table(head, rows))
-
-
-def named(report: Report, group: Sequence[Case]) -> None:
-    """Report the ratios of the paper's records one by one."""
-    rows = []
-    for method in cases.RANGES:
-        found = cases.view_ratios(group, (method, cases.BASES[0]))
-        for case, values in zip(group, found.T, strict=True):
-            texts = [f"{value:.2f}" for value in values]
-            rows.append([f"{case.record} at {case.pgv / 1e3:.2f} m/s, {method}", *texts])
-    report("The four records, blind", tables.table(["", "dy", "V_dE", "V_dEhr"], rows))
 
 
 def march(report: Report, many: Sequence[Response], group: Sequence[Case]) -> dict:
@@ -155,8 +78,13 @@ def constants(report: Report, group: Sequence[Case]) -> None:
                 f"{100 * (ratio > 1).mean():.0f} %",
             ]
         )
+    stricter = cases.with_peak_within(group)
+    unmatched = sum(case.analysed.pulse is None for case in stricter)
+    words = f"All, as the paper: {refit_as_paper(group)}"
+    least = f"With the peak within the swing: kg_ave {average_slope(stricter):.0f}, {unmatched} unmatched"
+    events = f"{len({case.event for case in group})} earthquakes"
     head = ["PGV", "kg_ave", "zeta", "eps", "kg_ave, least squares", "eps", "zeta, least squares", "eps"]
-    report("Refitted constants", tables.table(head, rows), f"All, as the paper: {refit_as_paper(group)}")
+    report("Refitted constants", tables.table(head, rows), words, least, events)
     report("y_max over dy_max", tables.table(["PGV", "5 %", "median", "95 %", "largest", "above 1"], places))
 
 

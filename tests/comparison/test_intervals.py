@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from dcfp.comparison.case import Basis, Method
 from dcfp.comparison.halves import SPLITS, halves
-from dcfp.comparison.intervals import FEWEST, coverage, errors, interval, quantile
+from dcfp.comparison.intervals import coverage, errors, fewest, interval, quantile
 from dcfp.comparison.quantities import CHANGE, DISPLACEMENT, TOTAL
 from dcfp.errors import InputError
 from dcfp.prediction import Prediction
@@ -88,11 +88,11 @@ def test_quantiles_are_within_the_sample_and_in_order(
 
 
 def test_an_interval_is_a_factor_about_the_prediction() -> None:
-    off = np.log(np.geomspace(0.5, 2.0, FEWEST))
+    off = np.log(np.geomspace(0.5, 2.0, fewest()))
     one, other = interval(off), interval(off, 80.0)
     assert (one.low, one.median, one.high) == pytest.approx((0.5, 1.0, 2.0))
     assert (other.low, other.median, other.high) == pytest.approx((40.0, 80.0, 160.0))
-    assert one.cases == FEWEST
+    assert one.cases == fewest()
 
 
 def test_a_smaller_part_needs_a_narrower_interval() -> None:
@@ -102,10 +102,12 @@ def test_a_smaller_part_needs_a_narrower_interval() -> None:
 
 
 def test_what_is_no_number_does_not_count_and_too_few_are_refused() -> None:
-    off = np.concatenate((np.linspace(-1.0, 1.0, FEWEST), [np.nan, np.inf, -np.inf]))
-    assert interval(off).cases == FEWEST
+    off = np.concatenate((np.linspace(-1.0, 1.0, fewest()), [np.nan, np.inf, -np.inf]))
+    assert interval(off).cases == fewest()
     with pytest.raises(InputError, match=r"^An interval needs at least 19 cases to rest on, not 18\.$"):
         interval(off[1:])
+    with pytest.raises(InputError, match="199 cases"):
+        interval(off, covered=0.99)
 
 
 def test_errors_are_logarithms_of_analysis_over_prediction(make_case) -> None:
@@ -164,3 +166,12 @@ def test_the_training_half_must_be_enough(lognormal) -> None:
     with pytest.raises(InputError, match="at least 19 cases"):
         coverage([lognormal(30, 1)], VIEW, CHANGE)
     assert next(islice(halves([str(i) for i in range(30)]), 1)).sum() == 15
+
+
+def test_a_coverage_needs_several_earthquakes(lognormal) -> None:
+    cases = lognormal(60, 5)
+    with pytest.raises(InputError, match="group"):
+        coverage([], VIEW, CHANGE)
+    one = [replace(case, event="one") for case in cases]
+    with pytest.raises(InputError, match="several earthquakes"):
+        coverage([one], VIEW, CHANGE)

@@ -29,7 +29,10 @@ def swing(start: float, end: float, change: float) -> Swing:
         (1.0, 1.2, -50.0, 0),  # a peak at the very start
         (0.8, 1.0, -50.0, 0),  # or end
         (0.5, 1.4, 50.0, None),  # wrong sign
-        (1.1, 1.9, -50.0, None),  # no peak within
+        (0.2, 0.9, -50.0, 0),  # caught up before the peak, all of it in the rise
+        (-0.3, 0.5, -50.0, 0),  # most of it in the rise
+        (-0.6, 0.5, -50.0, None),  # the smaller part in the rise, and no peak within
+        (1.1, 1.9, -50.0, None),  # all of it in the fall
         (5.5, 6.0, -50.0, None),  # after all of them
         (4.9, 5.1, -50.0, None),  # where the ground comes to rest is no pulse's own peak
         (0.5, 1.4, 0.0, None),  # no swing at all

@@ -102,3 +102,9 @@ def test_the_average_slope_stays_above_friction(a_pulse, make_case) -> None:
 def test_cases_at_other_pgvs_are_refused(design_cases: Sequence[Case]) -> None:
     with pytest.raises(InputError, match=r"^kg_ave needs analyses at a PGV of 0\.25 m/s; .*\.$"):
         refit.refit_as_paper(design_cases[1:])
+
+
+@pytest.mark.parametrize("fit", [refit.refit_as_paper, refit.refit_simplified, refit.refit_design])
+def test_nothing_to_fit_to_is_refused(fit) -> None:
+    with pytest.raises(InputError):
+        fit([])

@@ -45,7 +45,7 @@ def silent() -> Case:
     """The response never turns, and no method could be used."""
     response = respond(GroundMotion(np.zeros(200), 0.01, name="silent"))
     pulses = find_pulses(response.motion)
-    return Case("silent", "none", 1.0, pulses, analysed_of(response, pulses), {}, response)
+    return Case("silent", "none", 1.0, pulses, analysed_of(response, pulses), {}, response=response)
 
 
 @pytest.fixture(scope="module")

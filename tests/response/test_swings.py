@@ -5,6 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from dcfp.bearing import LI_2020, ConstantFriction, NoHeating
 from dcfp.constants import STANDARD_GRAVITY
@@ -12,7 +14,7 @@ from dcfp.record.ground_motion import GroundMotion
 from dcfp.record.load import load_motion
 from dcfp.record.p695 import all_keys, read_stored
 from dcfp.response import Response, respond
-from dcfp.response.swings import Swings, swings_of
+from dcfp.response.swings import Swings, _zero_of_parabola, swings_of
 
 NAMES = ["KNA", "NCC", "LPG", "IVD"]
 
@@ -162,3 +164,18 @@ def test_a_swing_still_going_on_is_not_one() -> None:
     response = respond(GroundMotion(np.full(20, 1000.0), 0.01), tail=0.0)
     assert response.displacement[-1] < -1.0
     assert nothing_in(swings_of(response))
+
+
+@given(
+    first=st.floats(0.01, 1.0),
+    last=st.floats(0.01, 1.0),
+    mean=st.floats(-1.0, 1.0),
+    side=st.sampled_from([1.0, -1.0]),
+)
+def test_where_the_parabola_passes_zero(first: float, last: float, mean: float, side: float) -> None:
+    ends = [np.array([side * value]) for value in (first, -last, mean)]
+    share = _zero_of_parabola(*ends)[0]
+    assert 0.0 <= share <= 1.0
+    bulge = 6.0 * mean - 3.0 * (first - last)
+    value = first * (1.0 - share) - last * share + bulge * share * (1.0 - share)
+    assert abs(value) < 1e-9

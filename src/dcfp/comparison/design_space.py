@@ -63,11 +63,11 @@ class DesignSpace:
         both are not a number where the last is not.
         """
         least = np.array([_crossing(self.coefficients, line, allowed) for line in self.displacement_at(part)])
-        lines = self.force_at(part)
-        force = np.array(
-            [np.interp(x, self.coefficients, line) for x, line in zip(least, lines, strict=True)]
-        )
-        return least, np.where(np.isnan(least), np.nan, force)
+        force = np.full(least.size, np.nan)
+        for i, line in enumerate(self.force_at(part)):
+            if not np.isnan(least[i]):
+                force[i] = np.interp(least[i], self.coefficients, line)
+        return least, force
 
 
 def survey(

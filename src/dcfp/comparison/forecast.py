@@ -143,6 +143,10 @@ def _remarks(motion: GroundMotion, pulses: Pulses, march: PulseMarch, setting: S
         remarks.append(
             f"{motion.name}: the march predicts {bound:.0f} mm, beyond the capacity of {capacity:.0f} mm{note}."
         )
+    if not march.rests:
+        remarks.append(
+            f"{motion.name}: the march still slides two minutes after the last peak; its dy does not count that slide."
+        )
     return remarks
 
 

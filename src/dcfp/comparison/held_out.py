@@ -8,7 +8,7 @@ import numpy as np
 from dcfp.comparison.calibration import BLIND_VIEWS
 from dcfp.comparison.case import Case, Method, View
 from dcfp.comparison.halves import halves
-from dcfp.comparison.intervals import FEWEST, Coverage, coverage, errors
+from dcfp.comparison.intervals import Coverage, coverage, errors, fewest
 from dcfp.comparison.quantities import CHANGE, QUANTITIES, Quantity
 from dcfp.comparison.refit import refit_as_paper, refit_design, refit_simplified
 from dcfp.comparison.statistics import scatter, value_of
@@ -54,11 +54,11 @@ def check_enough(groups: Sequence[Sequence[Case]]) -> None:
         If the earthquakes or the records of a PGV are too few.
     """
     events = {case.event for case in groups[0]}
-    fewest = min(len(cases) for cases in groups)
-    if len(events) < FEWEST_EVENTS or fewest < 2 * FEWEST:
+    smallest = min(len(cases) for cases in groups)
+    if len(events) < FEWEST_EVENTS or smallest < 2 * fewest():
         msg = (
-            f"Held-out halves need at least {FEWEST_EVENTS} earthquakes and {2 * FEWEST} records at each PGV, not"
-            f" {len(events)} and {fewest}; P695 names a hundred components."
+            f"Held-out halves need at least {FEWEST_EVENTS} earthquakes and {2 * fewest()} records at each PGV, not"
+            f" {len(events)} and {smallest}; P695 names a hundred components."
         )
         raise InputError(msg)
 
@@ -69,7 +69,7 @@ def coverages(groups: Sequence[Sequence[Case]]) -> dict[tuple[View | None, Quant
     for view in (None, *BLIND_VIEWS):
         for quantity in QUANTITIES:
             known = [np.isfinite(errors(cases, view, quantity)).sum() for cases in groups]
-            if min(known) >= 2 * FEWEST:
+            if min(known) >= 2 * fewest():
                 found[view, quantity] = coverage(groups, view, quantity)
     return found
 

@@ -15,8 +15,14 @@ from dcfp.errors import InputError
 
 #: Part of the cases that an interval is to cover [-].
 COVERED = 0.9
-#: Cases without which there is no interval: 2 / (1 - 0.9) - 1, so that the outermost two can be its ends.
-FEWEST = 19
+
+
+def fewest(covered: float = COVERED) -> int:
+    """Return how many cases an interval needs to rest on: as many that the outermost two can be its ends.
+
+    `covered` is the part of the cases that it is to cover [-].
+    """
+    return math.ceil(2.0 / (1.0 - covered) - 1e-9) - 1
 
 
 @dataclass(frozen=True)
@@ -26,7 +32,7 @@ class Interval:
     Attributes
     ----------
     low, median, high
-        In the unit of the quantity; `low` and `high` leave 5 % below and above.
+        In the unit of the quantity; `low` and `high` leave as many cases below as above, 5 % by default.
     cases
         How many cases it rests on.
     """
@@ -100,8 +106,8 @@ def interval(errors: FloatArray, predicted: float = 1.0, covered: float = COVERE
         If there are too few of them.
     """
     known = errors[np.isfinite(errors)]
-    if known.size < FEWEST:
-        msg = f"An interval needs at least {FEWEST} cases to rest on, not {known.size}."
+    if known.size < fewest(covered):
+        msg = f"An interval needs at least {fewest(covered)} cases to rest on, not {known.size}."
         raise InputError(msg)
     low, median, high = (
         predicted * math.exp(quantile(known, part))
@@ -119,8 +125,16 @@ def coverage(groups: Iterable[Sequence[Case]], view: View | None, quantity: Quan
         The same records at one PGV after the other.
     view, quantity
         As in `errors`.
+
+    Raises
+    ------
+    InputError
+        If there is no case, a half has too few, or nothing is left for the other half.
     """
     known = [(errors(cases, view, quantity), [case.event for case in cases]) for cases in groups]
+    if not known:
+        msg = "A coverage needs at least one group of cases."
+        raise InputError(msg)
     inside: list[float] = []
     widths: list[float] = []
     for training in halves(known[0][1]):
@@ -132,6 +146,9 @@ def coverage(groups: Iterable[Sequence[Case]], view: View | None, quantity: Quan
             hits += int(((math.log(part.low) <= logarithms) & (logarithms <= math.log(part.high))).sum())
             held_out += logarithms.size
             widths.append(math.log(part.high / part.low))
+        if held_out == 0:
+            msg = "A coverage needs cases of several earthquakes, none of them more than half of the cases."
+            raise InputError(msg)
         inside.append(hits / held_out)
     covered = np.array(inside)
     low, high = np.quantile(covered, [0.05, 0.95])

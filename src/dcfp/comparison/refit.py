@@ -34,6 +34,21 @@ def governing(cases: Sequence[Case]) -> tuple[FloatArray, FloatArray]:
     return changes, slopes
 
 
+def _with_pulse(cases: Sequence[Case]) -> list[Case]:
+    """Return the cases with a governing pulse.
+
+    Raises
+    ------
+    InputError
+        If there is none.
+    """
+    known = [case for case in cases if case.analysed.pulse is not None]
+    if not known:
+        msg = "No pulse is behind any of the displacements, so there is nothing to fit the constants to."
+        raise InputError(msg)
+    return known
+
+
 def average_slope(cases: Sequence[Case], reference_pgv: float = LI_2020.reference_pgv) -> float:
     """Return kg_ave [mm/s2] as Li et al. (2020), section 6.2.2, found it: the mean slope of the governing pulses at one PGV.
 
@@ -55,14 +70,14 @@ def average_slope(cases: Sequence[Case], reference_pgv: float = LI_2020.referenc
 
 def change_ratio(cases: Sequence[Case]) -> float:
     """Return zeta [-], the mean of |dvg| / PGV of the governing pulses: Li et al. (2020), Figure 25."""
-    known = [case for case in cases if case.analysed.pulse is not None]
+    known = _with_pulse(cases)
     changes, _ = governing(known)
     return float(np.mean(changes / np.array([case.pgv for case in known])))
 
 
 def fall_ratio(cases: Sequence[Case], constants: Constants = LI_2020) -> float:
     """Return the eps [-] whose curve, Eq. (27), is closest to the analyses: Li et al. (2020), Figure 19."""
-    known = [case for case in cases if case.analysed.pulse is not None]
+    known = [case for case in _with_pulse(cases) if case.analysed.governing.input_velocity > 0.0]
     _, slopes = governing(known)
     absorbed = np.array(
         [
@@ -131,11 +146,14 @@ def _fitted(
 ) -> Constants:
     """Return the constants with the least squares of ln (prediction / analysis) of V_dE and V_dEhr."""
     known = [case for case in cases if case.analysed.whole.hysteretic_velocity > 0.0 and case.pulses.count]
+    if not known:
+        msg = "Nothing moves in any of the cases, so there is nothing to fit the constants to."
+        raise InputError(msg)
     whole = [case.analysed.whole for case in known]
     analysed = np.log([[one.input_velocity, one.hysteretic_velocity] for one in whole])
 
     def misfit(logarithms: FloatArray) -> FloatArray:
-        trial = made(*np.exp(logarithms))
+        trial = made(*np.exp(logarithms).tolist())
         said = [predict(case, trial) for case in known]
         found = np.log([[one.input_velocity, one.hysteretic_velocity] for one in said])
         return (found - analysed).ravel()
@@ -144,4 +162,4 @@ def _fitted(
     solution = _optimize.least_squares(
         misfit, first, bounds=(first + np.log(_LEAST), first + np.log(_MOST)), diff_step=1e-3, xtol=1e-6
     )
-    return made(*np.exp(solution.x))
+    return made(*np.exp(solution.x).tolist())

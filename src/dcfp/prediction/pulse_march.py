@@ -36,7 +36,10 @@ class PulseMarch:
     prediction
         Peaks and energies.
     pulse
-        Number of the pulse, counted from zero, on whose rise the largest change of displacement began; None where nothing slides.
+        Number of the pulse, counted from zero, on whose rise the largest change of displacement began; None where nothing slides, or where it began
+        after the last peak that has a pulse.
+    rests
+        Whether it has come to rest within two minutes after the last peak; if not, the slide still going on is not in the changes of displacement.
     peak_temperature
         Highest temperature of the contact [degC].
     residual_displacement
@@ -49,6 +52,7 @@ class PulseMarch:
 
     prediction: Prediction
     pulse: int | None
+    rests: bool
     peak_temperature: float
     residual_displacement: float
     time: FloatArray
@@ -122,6 +126,7 @@ def march_through_pulses(
             total_velocity=math.sqrt(2.0 * max(float(state[k.INPUT]), 0.0)),
         ),
         pulse=_pulse_of(float(state[k.PEAK_LEG]), pulses),
+        rests=bool(state[k.SIDE] == 0.0),
         peak_temperature=float(state[k.PEAK_TEMPERATURE]),
         residual_displacement=float(state[k.DISPLACEMENT]),
         time=freeze(path[:written, k.PATH_TIME].copy()),

@@ -88,7 +88,16 @@ class Pulses:
         return mean_acceleration(after, self.ends - self.peaks)
 
     def scaled(self, factor: float) -> "Pulses":
-        """Return the pulses of the same motion multiplied by `factor` [-]."""
+        """Return the pulses of the same motion multiplied by `factor` [-].
+
+        Raises
+        ------
+        InputError
+            If the factor is zero or not a finite number.
+        """
+        if not (math.isfinite(factor) and factor != 0.0):
+            msg = f"Pulses can be scaled by a finite number other than zero, not by {factor!r}."
+            raise InputError(msg)
         return replace(self, velocities=self.velocities * factor)
 
 

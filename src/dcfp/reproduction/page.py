@@ -22,6 +22,9 @@ td.sign { font-weight: bold; white-space: nowrap; } .yes { color: #00664a; } .no
 figure img { max-width: 100%; height: auto; } .scroll { overflow-x: auto; }
 """
 
+#: Of an inch of a figure on a screen.
+_PIXELS = 120
+
 
 def reproduction_page(
     findings: Sequence[Finding],
@@ -95,7 +98,7 @@ def _row(finding: Finding) -> str:
 def _figure(figure: "PaperFigure") -> str:
     title = f"Figure {figure.number}. {figure.title}"
     return (
-        f'<figure><img alt="{escape(title)}" src="data:image/png;base64,{_image(figure)}">'
+        f'<figure><img alt="{escape(title)}" width="{_PIXELS * figure.figure.get_figwidth():.0f}" src="data:image/png;base64,{_image(figure)}">'
         f"<figcaption><strong>{escape(title)}</strong> {escape(figure.words)}</figcaption></figure>"
     )
 

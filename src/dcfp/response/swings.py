@@ -129,16 +129,14 @@ def swings_of(response: Response) -> Swings:
 
 
 def _zero_of_parabola(first: FloatArray, last: FloatArray, mean: FloatArray) -> FloatArray:
-    """Return where in 0 to 1 a parabola with these ends and this mean passes zero."""
+    """Return where in 0 to 1 a parabola with these ends, of opposite sign, and this mean passes zero."""
     bulge = 6.0 * mean - 3.0 * (first + last)  # v = first (1 - s) + last s + bulge s (1 - s)
-    share = first / (first - last)
-    for _ in range(3):
-        value = first + (last - first + bulge * (1.0 - share)) * share
-        slope = last - first + bulge * (1.0 - 2.0 * share)
-        share = np.clip(
-            share - np.divide(value, slope, out=np.zeros_like(value), where=slope != 0.0), 0.0, 1.0
-        )
-    return share
+    linear = last - first + bulge
+    root = np.sqrt(np.maximum(linear**2 + 4.0 * bulge * first, 0.0))
+    # of the two forms of the solution the one that does not cancel, and holds for a straight line too
+    below = np.sign(first) * root - linear
+    share = np.divide(2.0 * first, below, out=np.ones_like(first), where=below != 0.0)
+    return np.clip(share, 0.0, 1.0)
 
 
 def _travel(first: FloatArray, last: FloatArray, mean: FloatArray, share: FloatArray) -> FloatArray:

@@ -91,8 +91,8 @@ def _draw_accuracy(
 
     draw_points(axes, cases, marks, point)
     points = [place for place in map(point, cases) if place is not None]
-    across = 1.08 * max((x for x, _ in points), default=1.0)
-    up = 1.08 * max((y for _, y in points), default=1.0)
+    across = 1.08 * (max((x for x, _ in points), default=0.0) or 1.0)
+    up = 1.08 * (max((y for _, y in points), default=0.0) or 1.0)
     _draw_range(axes, known, across)
     calm_ticks(axes, 6, 5)
     axes.set_xlim(0.0, across)

@@ -68,7 +68,7 @@ def draw_input_over_change(
 
     draw_points(axes, cases, marks, point)
     points = [place for place in map(point, cases) if place is not None]
-    across = 1.06 * max((x for x, _ in points), default=1.0)
+    across = 1.06 * (max((x for x, _ in points), default=0.0) or 1.0)
     if constants.slides_on_average:
         slope = math.sqrt(1.0 - constants.friction_deceleration / constants.average_slope)
         label = rf"Eq. (28), $k_{{g,\mathrm{{ave}}}}={constants.average_slope:.0f}$ mm/s²"
