@@ -233,7 +233,8 @@ def test_one_case_no_pulse_and_many_records(cases: list[Case], still: Case, sile
         assert len(found) == 13
         for one in found:
             assert_all_is_inside(one.figure)
-    assert "2 have no pulse" in paper_figures([cases[0], still, silent], {})[4].words
+    words = {one.number: one.words for one in paper_figures([cases[0], still, silent], {})}
+    assert "of 3 analyses: 1 without" in words["19"]
     with pytest.raises(InputError, match="at least one case"):
         paper_figures([], {})
 

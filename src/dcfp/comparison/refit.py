@@ -20,6 +20,8 @@ _LEAST, _MOST = 0.05, 20.0
 #: The slope that Eq. (28) divides by must stay above mu_n g by this factor [-].
 _ABOVE_FRICTION = 1.02
 
+#: How close to such a limit a fit counts as there [-].
+_AT_LIMIT = 0.01
 #: How far a PGV may be from the one that is meant [-].
 _SAME_PGV = 1e-3
 
@@ -136,6 +138,20 @@ def refit_design(cases: Sequence[Case], constants: Constants = LI_2020) -> Const
         lambda case, trial: predict_from_pgv(case.pgv, trial),
         cases,
     )
+
+
+def at_limit(fitted: Constants, given: Constants = LI_2020) -> bool:
+    """Return whether a fit from the constants `given` ended where the search ends, so that the data do not determine it."""
+    pairs = [
+        (fitted.average_slope, given.average_slope),
+        (fitted.fall_ratio, given.fall_ratio),
+        (fitted.change_ratio, given.change_ratio),
+    ]
+    near = (
+        math.isclose(one, part * other, rel_tol=_AT_LIMIT) for one, other in pairs for part in (_LEAST, _MOST)
+    )
+    lowest = _ABOVE_FRICTION * given.friction_deceleration
+    return any(near) or math.isclose(fitted.average_slope, lowest, rel_tol=_AT_LIMIT)
 
 
 def _fitted(

@@ -1,9 +1,9 @@
 """A prediction of our own: the structure is marched through the pulses, with friction that heats.
 
-It knows the times and velocities of the peaks, as the pulse method does, and nothing else of the record. Four things are
-different. The ground velocity between two peaks is half a cosine, as between the peaks of a wave, whose largest acceleration is pi/2 times the mean: what the
-pulse method mends with a factor of 1.5 where ku/kg is between 0.8 and 1. The structure keeps the velocity and the place in which one pulse leaves
-it for the next. Spring (a) pulls it back. And the coefficient of friction follows speed and temperature by the law of the bearing.
+It knows the times and velocities of the peaks, as the pulse method does, and nothing else of the record. Four things are different. The ground velocity
+between two peaks is half a cosine, as between the peaks of a wave, whose largest acceleration is pi/2 times the mean: the bearing slides up to a ku/kg of
+pi/2, where the straight lines of the pulse method stop at 1 and need their factor of 1.5 before. The structure keeps the velocity and the place in which one
+pulse leaves it for the next. Spring (a) pulls it back. And the coefficient of friction follows speed and temperature by the law of the bearing.
 ``docs/prediction.md`` has the derivation and the evidence.
 """
 

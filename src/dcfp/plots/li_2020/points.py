@@ -118,4 +118,4 @@ def _left_out(cases: "Sequence[Case]") -> str:
     without = sum(case.analysed.pulse is None for case in cases)
     if not without:
         return ""
-    return f" Of {len(cases)} analyses {without} have no pulse behind the largest swing and are left out."
+    return f" Left out of {len(cases)} analyses: {without} without a pulse behind the largest swing."
