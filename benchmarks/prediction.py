@@ -10,8 +10,8 @@ from dcfp.comparison.calibration import calibration_set
 from dcfp.prediction import find_pulses, march_through_pulses
 from dcfp.prediction.li_2020 import predict_from_pulses, predict_simplified
 from dcfp.prediction.pulse_march import MARCH_THRESHOLD
+from dcfp.record.named import VELOCITIES
 
-VELOCITIES = (250.0, 500.0, 750.0, 1000.0)
 ROUNDS = 5
 
 

@@ -8,25 +8,28 @@ from numpy.typing import NDArray
 from rules import Rule
 
 import dcfp
-from dcfp.comparison.case import Basis, Case, Method, Setting, View, analysed_of, event_of, predictions
+from dcfp.comparison import printed
+from dcfp.comparison.case import Basis, Case, Method, Setting, View, analysed_of, predictions
+from dcfp.comparison.earthquake import event_of
 from dcfp.comparison.quantities import CHANGE, HYSTERETIC, INPUT
 from dcfp.comparison.refit import average_slope, change_ratio, fall_ratio
 from dcfp.comparison.statistics import Scatter, ratios, scatter
 from dcfp.prediction.li_2020 import LI_2020, predict_from_pulses
+from dcfp.record.named import VELOCITIES as PGVS
 from dcfp.record.p695 import StoredRecord, all_keys, read_stored
 from dcfp.response import Response
 from dcfp.response.swings import swings_of
 
 Array = NDArray[np.float64]
-#: The records of the paper that are at hand; PGV [mm/s].
+#: The records of the paper that are at hand.
 NAMED = ("NCC", "KNA", "LPG", "IVD")
-PGVS = (250.0, 500.0, 750.0, 1000.0)
-#: Ranges of prediction over analysis in the paper, of dy, V_dE and V_dEhr, and what printing may have rounded away [-].
+#: Ranges of prediction over analysis in the paper, of dy, V_dE and V_dEhr [-].
 RANGES = {
-    Method.PULSE: ((1.0, 2.1), (0.8, 1.9), (0.8, 1.6)),
-    Method.SIMPLIFIED: ((0.7, 1.8), (0.8, 1.5), (0.7, 1.6)),
+    method: tuple(
+        printed.RANGES[(method, Basis.BLIND), quantity][:2] for quantity in (CHANGE, INPUT, HYSTERETIC)
+    )
+    for method in (Method.PULSE, Method.SIMPLIFIED)
 }
-ROUNDED = 0.05
 BASES = (Basis.BLIND, Basis.INFORMED)
 
 
@@ -63,7 +66,7 @@ class Marks:
     pulses
         Mean number in a record.
     inside, inside_rounded
-        Ratios within the paper's ranges, of 48, and with the ranges widened by `ROUNDED`: by method and whether informed.
+        Ratios within the paper's ranges, of 48, and with the ranges widened by `ROUNDING`: by method and whether informed.
     slope, slope_of_all
         Mean kg of the governing pulse at a PGV of 250 mm/s, of the four records and of the hundred [mm/s2].
     change, change_simplified
@@ -98,7 +101,7 @@ def marks(rule: Rule, few: Sequence[Response], many: Sequence[Response]) -> Mark
     return Marks(
         pulses=float(np.mean([case.pulses.count for case in all_cases])),
         inside={(m, b): inside(own, (m, b)) for m in RANGES for b in BASES},
-        inside_rounded={(m, b): inside(own, (m, b), ROUNDED) for m in RANGES for b in BASES},
+        inside_rounded={(m, b): inside(own, (m, b), printed.ROUNDING) for m in RANGES for b in BASES},
         slope=average_slope(own),
         slope_of_all=average_slope(all_cases),
         change=scatter(ratios(all_cases, (Method.PULSE, Basis.BLIND), CHANGE)),

@@ -8,6 +8,7 @@ import numpy as np
 import rules
 import tables
 
+from dcfp.comparison import printed
 from dcfp.comparison.case import Case, Method
 from dcfp.comparison.statistics import scatter
 from dcfp.prediction import find_pulses
@@ -60,7 +61,7 @@ def energies(report: Report, groups: dict[str, list[Case]], few: Sequence[Respon
                         f"{one.bias:.2f}",
                         f"{one.dispersion:.3f}",
                     ]
-                number = cases.inside(some, (Method.PULSE, basis), cases.ROUNDED)
+                number = cases.inside(some, (Method.PULSE, basis), printed.ROUNDING)
                 rows.append([f"{words}, {kind}, {basis}", *texts, f"{number} of {found.size}"])
     head = ["factor in", "V_dE", "bias", "disp.", "V_dEhr", "bias", "disp.", "within, rounded"]
     net = scatter(cases.against_net_input(groups["four records"], few))

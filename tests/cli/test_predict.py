@@ -6,6 +6,8 @@ import math
 
 import pytest
 
+from dcfp.record.named import named_motion
+
 CHECK_VALUES = {"0.25": ("73.4", "277.2", "248.8"), "1": ("568.4", "1108.8", "692.5")}
 METHODS = ["design", "pulse", "simplified", "pulse march"]
 
@@ -45,9 +47,29 @@ def test_intervals_of_a_record_leave_out_its_own_earthquake(run):
     assert march["low"] < march["median"] < march["high"]
     # three records of the Northridge earthquake in either set, two components each
     assert march["cases"] == 100 - 12
-    assert told["interval_from_pgv"]["y_mm"]["cases"] == 100
+    assert told["interval_from_pgv"]["y_mm"]["cases"] == 100 - 12
+    assert any("12 of the 100 components" in remark for remark in told["remarks"])
     wide = told["interval_from_pgv"]["y_mm"]
     assert wide["high"] / wide["low"] > 2.0 * march["high"] / march["low"]
+
+
+@pytest.mark.parametrize(
+    ("event", "left_out"),
+    [("Northridge-01, 1/17/1994", 12), ("1994/01/17", 12), ("", 1), ("Tottori 2000", 1)],
+)
+def test_the_record_in_another_file_is_known_again(run, tmp_path, event, left_out):
+    """By its earthquake, or else by its samples."""
+    stored = named_motion("NCC")
+    file = tmp_path / "mine.AT2"
+    values = [f"{value / 9806.65:15.7E}" for value in stored.acceleration]
+    lines = ["PEER NGA STRONG MOTION DATABASE RECORD", f"{event}, somewhere, 0" if event else "somewhere, 0"]
+    lines += [
+        "ACCELERATION TIME SERIES IN UNITS OF G",
+        f"NPTS= {len(values)}, DT= {stored.time_step:.4f} SEC",
+    ]
+    file.write_text("\n".join(lines + ["".join(values[i : i + 5]) for i in range(0, len(values), 5)]))
+    (told,) = json.loads(run("predict", file, "--pgv", "0.5", "--interval", "--json").out)
+    assert told["interval_from_pgv"]["y_mm"]["cases"] == 100 - left_out
 
 
 def test_constants_and_threshold_can_be_given(run):
@@ -94,7 +116,7 @@ def test_a_table_as_csv(run, tmp_path):
     rows = list(csv.DictReader(table.read_text().splitlines()))
     assert len(rows) == 2 * 2 * 4
     assert {row["method"] for row in rows} == set(METHODS)
-    assert float(rows[0]["dy_mm [mm]"]) == pytest.approx(73.4, abs=0.05)
+    assert float(rows[0]["dy [mm]"]) == pytest.approx(73.4, abs=0.05)
 
 
 @pytest.mark.parametrize(
@@ -131,6 +153,8 @@ def test_which_friction_holds_a_displacement(run, tmp_path):
         (("predict",), "RECORD"),
         (("predict", "NCC", "--pgv-only", "0.5"), "--pgv-only takes no record"),
         (("predict", "--pgv-only", "0.5", "--pgv", "0.5"), "one of the two"),
+        (("predict", "--pgv-only", "0.5", "--high-pass", "0.05"), "--high-pass"),
+        (("predict", "--pgv-only", "0.5", "--threshold", "0.1"), "--threshold"),
         (("predict", "--pgv-only", "0.5", "--nominal-mu", "0.1"), "below 0.0948"),
         (("predict", "NCC", "--threshold", "2"), "--threshold"),
         (("predict", "NCC", "--zeta", "x"), "--zeta"),

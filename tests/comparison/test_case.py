@@ -5,9 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from dcfp.bearing import Li2020
+from dcfp.bearing import LI_2020 as BEARING
+from dcfp.bearing import ConstantFriction, Kumar2015, Li2020, NoHeating, SimplifiedHeating
 from dcfp.comparison import Case, Setting, compare
-from dcfp.comparison.case import VIEWS, Basis, Method, event_of
+from dcfp.comparison.case import VIEWS, Basis, Method
+from dcfp.comparison.earthquake import event_of
+from dcfp.comparison.nominal import nominal_coefficient
 from dcfp.comparison.quantities import CHANGE, DISPLACEMENT, HYSTERETIC, INPUT, QUANTITIES, TOTAL
 from dcfp.comparison.statistics import displacement_over_change, ratios, scatter, scatters, value_of
 from dcfp.prediction import Prediction, find_pulses
@@ -158,3 +161,33 @@ def test_ratios_are_prediction_over_analysis(case: Case, make_case) -> None:
     found = [ratios([made], blind, quantity)[0] for quantity in (CHANGE, INPUT, HYSTERETIC, DISPLACEMENT)]
     assert found == [2.0, 1.0, 0.5, 2.5]
     assert displacement_over_change([made]).tolist() == [0.8]
+
+
+def test_the_nominal_coefficient_is_the_papers_and_goes_on_from_there() -> None:
+    def nominal(**changes: object) -> float:
+        law = replace(Li2020(), **{k: v for k, v in changes.items() if k == "mu_0"})
+        bearing = replace(BEARING, **{k: v for k, v in changes.items() if k == "pressure"})
+        heating = changes.get("heating", SimplifiedHeating())
+        return nominal_coefficient(bearing, law, heating).value
+
+    assert nominal() == 0.043
+    # no jump beside the paper's own values
+    assert nominal(mu_0=0.0751) == pytest.approx(0.043, rel=2e-3)
+    assert nominal(pressure=60.1) == pytest.approx(0.043, rel=2e-3)
+    assert nominal(mu_0=0.1) > nominal(mu_0=0.05)
+    # without heat it does not fall during the test
+    assert nominal(heating=NoHeating()) > 1.5 * nominal()
+    assert (
+        nominal(heating=SimplifiedHeating(ambient=40.0))
+        < nominal()
+        < nominal(heating=SimplifiedHeating(ambient=-10.0))
+    )
+    assert nominal_coefficient(BEARING, ConstantFriction(0.06), NoHeating()).value == 0.06
+    assert 0.02 < nominal_coefficient(BEARING, Kumar2015(), SimplifiedHeating()).value < 0.06
+
+
+def test_measures_are_of_the_cases_that_every_blind_method_predicts(make_case) -> None:
+    moved, still = Prediction(2.0, 2.0, 2.0), Prediction(0.0, 0.0, 0.0)
+    cases = [make_case(moved, moved), make_case(moved, still)]
+    (one,) = {found for (_, quantity), found in scatters(cases).items() if quantity is CHANGE}
+    assert (one.number, one.without, one.below) == (1, 1, 0.5)

@@ -7,6 +7,7 @@ import pytest
 
 from dcfp.prediction import Pulses
 from dcfp.record.ground_motion import GroundMotion
+from dcfp.verification import prediction as verification
 
 Made = Callable[..., Pulses]
 
@@ -32,13 +33,4 @@ def six_legs() -> Pulses:
 @pytest.fixture(scope="session")
 def half_cosines() -> Callable[..., GroundMotion]:
     """Sample the motion whose velocity between the peaks of pulses is half a cosine."""
-
-    def make(pulses: Pulses, step: float) -> GroundMotion:
-        time = np.arange(round((pulses.times[-1] - pulses.times[0]) / step) + 1) * step + pulses.times[0]
-        leg = np.clip(np.searchsorted(pulses.times, time, side="right") - 1, 0, pulses.times.size - 2)
-        length = np.diff(pulses.times)[leg]
-        largest = 0.5 * np.pi * np.diff(pulses.velocities)[leg] / length
-        values = largest * np.sin(np.pi * (time - pulses.times[leg]) / length)
-        return GroundMotion(values, step, "half cosines")
-
-    return make
+    return verification.half_cosines

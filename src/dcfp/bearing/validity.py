@@ -9,6 +9,8 @@ from dcfp.bearing.bearing import Bearing
 from dcfp.bearing.friction import FrictionLaw
 from dcfp.bearing.heating import Heating
 
+#: Displacement over the effective radius up to which the pendulum's force is linear within some percent [-].
+LARGEST_ANGLE = 0.5
 #: Elongation of spring (b) before sliding above which heat and motion depend on how the two are split [mm].
 LARGEST_YIELD_RADIUS = 1.0
 #: Ratio of two plates' coefficients up to which they share the travel as their radii.

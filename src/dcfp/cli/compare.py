@@ -3,7 +3,7 @@
 import argparse
 import json
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from dcfp.cli import inputs, options, prediction_inputs
 from dcfp.cli.outputs import Outputs
@@ -12,11 +12,13 @@ from dcfp.errors import InputError
 
 if TYPE_CHECKING:
     from dcfp.comparison import Case, Setting
+    from dcfp.comparison.case import View
     from dcfp.comparison.held_out import Refit
     from dcfp.comparison.intervals import Coverage
     from dcfp.comparison.quantities import Quantity
+    from dcfp.record.ground_motion import GroundMotion
 
-    HeldOut = tuple[dict[tuple[Any, Quantity], Coverage], list[Refit]]
+    HeldOut: TypeAlias = tuple[dict[tuple[View | None, Quantity], Coverage], list[Refit]]
 
 
 def add_arguments(parser: Parser) -> None:
@@ -40,6 +42,9 @@ def add_arguments(parser: Parser) -> None:
 def run(chosen: argparse.Namespace) -> int:
     """Analyse and predict every record at every PGV."""
     inputs.record_names(chosen)
+    if chosen.held_out and chosen.pgv is None:
+        msg = "--held-out compares records at the same PGV; say which with --pgv, for example --pgv 0.25 0.5 0.75 1.0."
+        raise InputError(msg)
     outputs = Outputs.checked(
         chosen.out,
         chosen.plot,
@@ -51,9 +56,6 @@ def run(chosen: argparse.Namespace) -> int:
     from dcfp.cli.compare_table import print_cases
     from dcfp.comparison.statistics import scatters
 
-    if chosen.held_out and chosen.pgv is None:
-        msg = "--held-out compares records at the same PGV; say which with --pgv, for example --pgv 0.25 0.5 0.75 1.0."
-        raise InputError(msg)
     setting, nominal = prediction_inputs.setting(chosen, inputs.model(chosen))
     cases = _compare(chosen, setting)
     held_out = _held_out(cases, len(chosen.pgv), setting) if chosen.held_out else None
@@ -69,7 +71,9 @@ def _compare(chosen: argparse.Namespace, setting: "Setting") -> "list[Case]":
     from dcfp.cli.progress import progress
     from dcfp.comparison import compare
 
-    motions = inputs.scaled(inputs.load_motions(chosen), chosen.pgv)
+    motions = inputs.scaled(_different(inputs.load_motions(chosen)), chosen.pgv)
+    for motion in motions:
+        inputs.refuse_a_drift(motion)
     cases: list[Case] = []
     with progress("comparisons", len(motions)) as advance:
         for motion in motions:
@@ -78,6 +82,12 @@ def _compare(chosen: argparse.Namespace, setting: "Setting") -> "list[Case]":
             )
             advance()
     return cases
+
+
+def _different(motions: "list[GroundMotion]") -> "list[GroundMotion]":
+    """Return the motions without those that are there twice, under whatever name: a case must not count twice."""
+    found = {motion.digest: motion for motion in reversed(motions)}
+    return list(reversed(found.values()))
 
 
 def _held_out(cases: "list[Case]", pgvs: int, setting: "Setting") -> "HeldOut":

@@ -1,9 +1,10 @@
 """The tables of `dcfp compare`."""
 
 import math
+import re
 from typing import TYPE_CHECKING
 
-from dcfp.cli.predict_table import labels
+from dcfp.cli.predict_table import SYMBOLS, labels
 from dcfp.cli.remarks import grouped
 from dcfp.cli.tables import add_row, new_table, page, print_labelled, print_remarks
 
@@ -20,8 +21,13 @@ if TYPE_CHECKING:
     from dcfp.comparison.statistics import Scatter
 
 #: Most cases that are printed one by one.
-MOST_ROWS = 40
+_MOST_ROWS = 40
+#: Heads of columns: methods, and what they know.
+_SHORT = {"pulse": "pulse", "simplified": "simpl.", "design": "design", "pulse march": "march"}
+_SHORT_BASIS = {"blind": "blind", "informed": "informed", "PGV only": "PGV"}
 _KILO = 1e3
+#: A number in a remark, by which two remarks of one kind may differ.
+_NUMBER = re.compile(r"\d+(?:\.\d+)?")
 
 
 def print_cases(
@@ -34,16 +40,16 @@ def print_cases(
     """Print ratios of prediction to analysis, case by case where they are few, and their scatter."""
     with page() as out:
         print_labelled(out, labels(setting, nominal))
-        if len(cases) <= MOST_ROWS:
+        if len(cases) <= _MOST_ROWS:
             _print_ratios(out, cases)
-        print_scatter(out, scatters)
+        _print_scatter(out, scatters)
         if held_out is not None:
             _print_held_out(out, held_out)
-        print_remarks(out, [*remarks_of(cases, setting), *_notes(cases)])
+        print_remarks(out, [*_remarks(cases, setting), *_notes(cases)])
 
 
 def _print_ratios(out: "Console", cases: "Sequence[Case]") -> None:
-    from dcfp.comparison.case import VIEWS
+    from dcfp.comparison.case import VIEWS, Basis, Method
     from dcfp.comparison.quantities import CHANGE, DISPLACEMENT
     from dcfp.comparison.statistics import ratios
 
@@ -52,10 +58,10 @@ def _print_ratios(out: "Console", cases: "Sequence[Case]") -> None:
         table.add_column(
             f"{_SHORT[view[0].value]}\n{_SHORT_BASIS[view[1].value]}", justify="right", no_wrap=True
         )
-    table.add_column("march\ny/y", justify="right", no_wrap=True)
+    table.add_column("march\ny_max", justify="right", no_wrap=True)
     for case in cases:
         cells = [_ratio(float(ratios([case], view, CHANGE)[0])) for view in VIEWS]
-        cells.append(_ratio(float(ratios([case], VIEWS[-1], DISPLACEMENT)[0])))
+        cells.append(_ratio(float(ratios([case], (Method.MARCH, Basis.BLIND), DISPLACEMENT)[0])))
         whole = case.analysed.whole
         add_row(
             table,
@@ -68,31 +74,36 @@ def _print_ratios(out: "Console", cases: "Sequence[Case]") -> None:
             ],
         )
     out.print()
-    out.print("dy and y_max of the analysis, and dy of each prediction over it:")
+    out.print("dy and y_max of the analysis, dy of each prediction over it, and y_max of the march over it:")
     out.print(table)
 
 
-_SHORT = {"pulse": "pulse", "simplified": "simpl.", "design": "design", "pulse march": "march"}
-_SHORT_BASIS = {"blind": "blind", "informed": "informed", "PGV only": "PGV"}
-
-
-def print_scatter(out: "Console", scatters: "dict[tuple[View, Quantity], Scatter]") -> None:
+def _print_scatter(out: "Console", scatters: "dict[tuple[View, Quantity], Scatter]") -> None:
     """Print the measures of all ratios of prediction to analysis."""
     table = new_table(
         ["Method", "Knows", "Quantity"],
-        ["Least", "Median", "Largest", "Bias", "Dispersion", "Cases", "Without"],
+        ["Least", "Median", "Largest", "Bias", "Dispersion", "Below", "Cases", "Without"],
     )
     last = None
     for (view, quantity), one in scatters.items():
         head = ["", ""] if view == last else [view[0].value, view[1].value]
         last = view
+        dispersion = f"{one.dispersion:.3f}" if one.number > 1 else "–"
         numbers = [_ratio(value) for value in (one.least, one.median, one.largest, one.bias)]
         add_row(
             table,
-            [*head, quantity.name, *numbers, f"{one.dispersion:.3f}", str(one.number), str(one.without)],
+            [
+                *head,
+                quantity.name,
+                *numbers,
+                dispersion,
+                f"{100.0 * one.below:.0f} %",
+                str(one.number),
+                str(one.without),
+            ],
         )
     out.print()
-    out.print("Prediction over analysis:")
+    out.print("Prediction over analysis, blind and PGV on the cases in which each of them predicts a motion:")
     out.print(table)
 
 
@@ -104,7 +115,9 @@ def _print_held_out(out: "Console", held_out: "HeldOut") -> None:
         parts = [f"{100.0 * part:.1f} %" for part in (one.mean, one.low, one.high)]
         add_row(table, [name, quantity.name, *parts, f"{one.width:.2f}"])
     out.print()
-    out.print("Intervals that ought to hold 90 %, from half of the earthquakes, on the other half:")
+    out.print(
+        "Intervals that ought to hold 90 %, from half of the earthquakes, on the other half (200 random halves):"
+    )
     out.print(table)
     table = new_table(
         ["Method", "Constants"], ["kg_ave\n[mm/s²]", "eps\n[-]", "zeta\n[-]", "Bias", "Dispersion"]
@@ -118,36 +131,48 @@ def _print_held_out(out: "Console", held_out: "HeldOut") -> None:
         ]
         add_row(table, [one.method.value, one.words, *numbers, f"{one.bias:.2f}", f"{one.dispersion:.3f}"])
     out.print()
-    out.print("Constants fitted to all cases; bias and dispersion of dy on held-out halves:")
+    out.print(
+        "Constants fitted to all cases; bias and dispersion of dy on held-out halves (20 random halves):"
+    )
     out.print(table)
 
 
-def remarks_of(cases: "Sequence[Case]", setting: "Setting") -> list[str]:
+def _remarks(cases: "Sequence[Case]", setting: "Setting") -> list[str]:
     """Return what must be known of the analyses, if they are few, and of the methods."""
     from dcfp.comparison.forecast import setting_remarks
 
     of_methods = [remark for case in cases for remark in setting_remarks(case.pgv, setting)]
-    of_analyses = (
-        [(case.record, remark) for case in cases for remark in case.remarks]
-        if len(cases) <= MOST_ROWS
-        else []
-    )
-    return list(dict.fromkeys([*grouped(of_analyses), *of_methods]))
+    of_analyses = [
+        (case.record, remark) for case in cases for remark in case.remarks if remark not in of_methods
+    ]
+    told = grouped(of_analyses) if len(cases) <= _MOST_ROWS else _counted(of_analyses, len(cases))
+    return list(dict.fromkeys([*told, *of_methods]))
+
+
+def _counted(remarks: "Sequence[tuple[str, str]]", cases: int) -> list[str]:
+    """Return each kind of remark once, with its first case and the number of cases that have one of its kind."""
+    kinds: dict[str, list[str]] = {}
+    for record, remark in remarks:
+        words = remark.removeprefix(f"{record}: ")
+        kinds.setdefault(_NUMBER.sub("#", words), []).append(remark)
+    return [f"{len(those)} of {cases} analyses, such as {those[0]}" for those in kinds.values()]
 
 
 def _notes(cases: "Sequence[Case]") -> list[str]:
-    from dcfp.comparison.statistics import displacement_over_change
+    from dcfp.comparison.statistics import displacement_over_change, scatter
 
     notes = [
         "blind: the largest of all pulses, from the record alone; informed: the pulse behind the largest swing of the analysis;"
         " a method without a y_max of its own offers dy for it.",
-        "Bias: geometric mean; Dispersion: standard deviation of the natural logarithm; Without: no pulse was found, or nothing"
-        " moves by the method, and none of the measures counts it.",
+        "Bias: geometric mean; Dispersion: standard deviation of the natural logarithm; Below: share of all cases with a prediction below the"
+        " analysis; Without: no pulse was found, or nothing moves by the method, which counts as below and nowhere else.",
+        SYMBOLS,
     ]
     over = displacement_over_change(cases)
     if over.size:
+        found = scatter(over)
         notes.append(
-            f"y_max over dy_max of the analyses: {over.min():.2f} to {over.max():.2f}, median {sorted(over)[over.size // 2]:.2f};"
+            f"y_max over dy_max of the analyses: {found.least:.2f} to {found.largest:.2f}, median {found.median:.2f};"
             f" above 1 in {100.0 * float((over > 1.0).mean()):.0f} % of the cases."
         )
     return notes

@@ -6,6 +6,7 @@ import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from dcfp.cli.response_table import bearing_line
 from dcfp.cli.tables import add_row, new_table, page, print_labelled, print_remarks
 from dcfp.errors import InputError
 
@@ -77,6 +78,8 @@ def _rows(space: "DesignSpace", allowed: float, setting: "Setting") -> list[dict
     from dcfp.prediction.li_2020 import friction_that_holds
 
     found = {part: [values.tolist() for values in space.holding(allowed, part)] for part in _PARTS}
+    low, high = space.spread(allowed, _PARTS[-1])
+    least = float(space.coefficients[0])
     nominal = friction_that_holds(allowed, space.pgv, setting.constants)
     rows: list[dict[str, Any]] = []
     for i, radius in enumerate(space.radii.tolist()):
@@ -85,12 +88,19 @@ def _rows(space: "DesignSpace", allowed: float, setting: "Setting") -> list[dict
             "allowed_mm": allowed,
             "radius_mm": radius,
             "nominal_friction_design_method": nominal,
+            "least_of_the_grid": least,
+            "spread_low": low,
+            "spread_high": high,
         }
         for part, (coefficients, forces) in found.items():
-            row[f"least_coefficient_{100 * part:g}_percent"] = _known(coefficients[i])
-            row[f"force_over_weight_{100 * part:g}_percent"] = _known(forces[i])
+            row |= zip(_keys(part), (_known(coefficients[i]), _known(forces[i])), strict=True)
         rows.append(row)
     return rows
+
+
+def _keys(part: float) -> tuple[str, str]:
+    """Return the names of coefficient and force that hold with a probability."""
+    return f"least_coefficient_{100 * part:g}_percent", f"force_over_weight_{100 * part:g}_percent"
 
 
 def _known(value: float) -> float | None:
@@ -98,40 +108,20 @@ def _known(value: float) -> float | None:
 
 
 def _print(rows: list[dict[str, Any]], allowed: float, setting: "Setting") -> None:
-    table = new_table(
-        [],
-        [
-            "PGV\n[m/s]",
-            "Radius\n[mm]",
-            "mu, half\n[-]",
-            "F/W\n[-]",
-            "mu, 95 %\n[-]",
-            "F/W\n[-]",
-            "mu_n, Eq. (33)\n[-]",
-        ],
-    )
-    for row in rows:
-        cells = [_shown(row[f"least_coefficient_{part}_percent"]) for part in ("50", "95")]
-        forces = [_shown(row[f"force_over_weight_{part}_percent"]) for part in ("50", "95")]
-        add_row(
-            table,
-            [
-                f"{row['pgv_m_s']:g}",
-                f"{row['radius_mm']:.0f}",
-                cells[0],
-                forces[0],
-                cells[1],
-                forces[1],
-                _shown(row["nominal_friction_design_method"]),
-            ],
-        )
     from dcfp.comparison.calibration import SET
     from dcfp.comparison.design_space import COEFFICIENTS
 
+    found = [head for words in ("half", "95 %") for head in (f"mu, {words}\n[-]", "F/W\n[-]")]
+    table = new_table([], ["PGV\n[m/s]", "Radius\n[mm]", *found, "mu_n, Eq. (33)\n[-]"])
+    for row in rows:
+        found = [_shown(row[key], row["least_of_the_grid"]) for part in _PARTS for key in _keys(part)]
+        nominal = _shown(row["nominal_friction_design_method"])
+        add_row(table, [f"{row['pgv_m_s']:g}", f"{row['radius_mm']:.0f}", *found, nominal])
     with page() as out:
         print_labelled(
             out,
             [
+                ("Bearing", f"{bearing_line(setting.bearing)}; its radii are varied"),
                 (
                     "Question",
                     f"which reference coefficient of {setting.friction.name} holds y_max to {allowed:g} mm",
@@ -144,13 +134,26 @@ def _print(rows: list[dict[str, Any]], allowed: float, setting: "Setting") -> No
         print_remarks(
             out,
             [
-                "mu: the least coefficient from which on y_max stays below in half and in 95 % of the earthquakes, and the"
+                "mu: the least reference coefficient from which on y_max stays below for half and for 95 % of the components, and the"
                 " horizontal force over the weight that goes with it; – where no coefficient of the grid, up to"
-                f" {COEFFICIENTS[-1]:g}, is enough, {COEFFICIENTS[0]:g} where the least of the grid is.",
+                f" {COEFFICIENTS[-1]:g}, is enough.",
+                *_spreads(rows),
                 "Eq. (33) of Li et al. (2020) gives a nominal coefficient for dy, and does not know the radius.",
             ],
         )
 
 
-def _shown(value: float | None) -> str:
-    return "–" if value is None else f"{value:.3f}"
+def _spreads(rows: list[dict[str, Any]]) -> list[str]:
+    """Return how sure the coefficients are, for each PGV."""
+    spreads = {row["pgv_m_s"]: (row["spread_low"], row["spread_high"]) for row in rows}
+    return [
+        f"At {pgv:g} m/s other earthquakes of the same kind would give a mu, 95 % between {low:.2f} and {high:.2f} (19 earthquakes drawn with"
+        " replacement, 5 to 95 %): trends with the radius within that are chance."
+        for pgv, (low, high) in spreads.items()
+    ]
+
+
+def _shown(value: float | None, least: float = 0.0) -> str:
+    if value is None:
+        return "–"
+    return f"≤ {value:.3f}" if value == least else f"{value:.3f}"

@@ -51,18 +51,25 @@ def scaled(motions: "list[GroundMotion]", pgvs: list[float] | None) -> "list[Gro
     if pgvs is None:
         return motions
     for motion in motions:
-        _refuse_to_scale_a_drift(motion)
+        refuse_a_drift(motion)
     return [motion.scaled_to_pgv(pgv * _KILO) for motion in motions for pgv in pgvs]
 
 
-def _refuse_to_scale_a_drift(motion: "GroundMotion") -> None:
+def refuse_a_drift(motion: "GroundMotion") -> None:
+    """Refuse a motion whose PGV is that of its baseline.
+
+    Raises
+    ------
+    InputError
+        If it ends at more than half of its PGV.
+    """
     from dcfp.record.measures import baseline_drift
 
     drift = baseline_drift(motion)
     if drift > _LARGEST_DRIFT:
         msg = (
-            f"{motion.name}: the ground still moves at {100.0 * drift:.0f} % of its PGV at the end, so scaling to a PGV would"
-            " scale its baseline; treat the record with --high-pass 0.05 or --baseline."
+            f"{motion.name}: the ground still moves at {100.0 * drift:.0f} % of its PGV at the end, so that its PGV is"
+            " that of its baseline; treat the record with --high-pass 0.05 or --baseline."
         )
         raise InputError(msg)
 
@@ -126,13 +133,8 @@ def _bearing(base: "Bearing", options: argparse.Namespace) -> "Bearing":
 def _friction(base: "FrictionLaw", options: argparse.Namespace) -> "FrictionLaw":
     from dcfp.bearing import friction_law
 
-    law: Any = base if options.friction is None else friction_law(options.friction)
-    if options.mu is None:
-        return law
-    changes = {law.reference_parameter: options.mu}
-    if law.name == "constantinou1990":
-        changes["slow"] = law.slow / law.fast * options.mu  # the law keeps its shape
-    return replace(law, **changes)
+    law = base if options.friction is None else friction_law(options.friction)
+    return law if options.mu is None else law.with_reference(options.mu)
 
 
 def _heating(base: "Heating", options: argparse.Namespace) -> "Heating":

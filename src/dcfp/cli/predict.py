@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from dcfp.record.ground_motion import GroundMotion
 
 _KILO = 1000.0
+#: Options that mean something for a record only.
+_OF_RECORDS = ("component", "units", "time_step", "baseline", "high_pass", "threshold")
 
 
 def add_arguments(parser: Parser) -> None:
@@ -82,6 +84,10 @@ def _check(chosen: argparse.Namespace) -> None:
     if names:
         msg = f"--pgv-only takes no record; leave out {names[0]}, or say --pgv."
         raise InputError(msg)
+    for name in _OF_RECORDS:
+        if getattr(chosen, name):
+            msg = f"--{name.replace('_', '-')} is for records; with --pgv-only there is none."
+            raise InputError(msg)
     if chosen.pgv is not None:
         msg = "--pgv scales records, and --pgv-only is for PGVs without one; give one of the two."
         raise InputError(msg)
@@ -95,6 +101,8 @@ def _forecasts(chosen: argparse.Namespace, setting: "Setting") -> "list[Forecast
         calibrations = _calibrations(pgvs, setting) if chosen.interval else {}
         return [forecast_from_pgv(pgv, setting, calibrations.get(pgv)) for pgv in pgvs]
     motions = inputs.scaled(inputs.load_motions(chosen), chosen.pgv)
+    for motion in motions:
+        inputs.refuse_a_drift(motion)
     calibrations = _calibrations([_pgv(motion) for motion in motions], setting) if chosen.interval else {}
     return [forecast(motion, setting, calibrations.get(_pgv(motion))) for motion in motions]
 

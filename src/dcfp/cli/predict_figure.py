@@ -10,8 +10,6 @@ if TYPE_CHECKING:
     from dcfp.comparison import Case, Setting
     from dcfp.comparison.forecast import Forecast
 
-_DRAWN = ("dy", "V_dE", "V_dEhr")
-
 
 def forecast_figure(forecasts: "Sequence[Forecast]", setting: "Setting") -> "Figure":
     """Draw one record with its pulses and, beside them, the analysis; several records or PGVs beside each other."""
@@ -27,25 +25,21 @@ def forecast_figure(forecasts: "Sequence[Forecast]", setting: "Setting") -> "Fig
 
 def pulse_figure(case: "Case", setting: "Setting") -> "Figure":
     """Draw a case that kept its analysis, with the march through the pulses."""
-    from dcfp.errors import InputError
+    from dcfp.comparison.case import march
     from dcfp.plots import plot_pulses
-    from dcfp.prediction import find_pulses, march_through_pulses
+    from dcfp.plots.swings import response_of
 
-    if case.response is None:
-        msg = f"{case.record}: the analysis was not kept, so there is nothing to draw."
-        raise InputError(msg)
-    pulses = find_pulses(case.response.motion, setting.march_threshold)
-    march = march_through_pulses(pulses, setting.bearing, setting.friction, setting.heating, with_path=True)
-    return plot_pulses(case, march, constants=setting.constants)
+    marched = march(response_of(case).motion, setting, with_path=True)
+    return plot_pulses(case, marched, constants=setting.constants)
 
 
 def _pgv_figure(forecasts: "Sequence[Forecast]") -> "Figure":
-    from dcfp.plots.pgv_prediction import plot_pgv_prediction
+    from dcfp.plots.pgv_prediction import DRAWN, plot_pgv_prediction
 
     said = [next(iter(one.predicted.values())) for one in forecasts]
     if not all(None in one.intervals for one in forecasts):
         return plot_pgv_prediction([one.pgv for one in forecasts], said)
-    known: dict[str, list[tuple[float, float, float]]] = {name: [] for name in _DRAWN}
+    known: dict[str, list[tuple[float, float, float]]] = {name: [] for name in DRAWN}
     for one in forecasts:
         for quantity, interval in one.intervals[None].items():
             if quantity.name in known:

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from dcfp.record.ground_motion import GroundMotion
     from dcfp.reproduction import Analyses, Finding
 
+#: Whether a finding is as printed.
+_SIGNS = {True: "", False: "differs", None: "not comparable"}
 #: PGV of a file over the printed one, from which on it is said that they differ [-].
 _SAME = 0.02
 
@@ -113,12 +115,10 @@ def _write(
         from dcfp.plots.li_2020 import paper_figures  # late: Matplotlib takes long to import
 
         if not drawn:
-            # Figure 10 is of JKB, and of the other record of that earthquake where JKB is not at hand
-            shown = "JKB" if "JKB" in records else "KNA"
             loops = {
                 (case.record, case.pgv): (case.response, precise)
                 for case, precise in zip(analyses.cases, analyses.precise, strict=True)
-                if case.response is not None and case.record == shown
+                if case.response is not None
             }
             drawn.extend(paper_figures(analyses.cases, loops))
         return drawn
@@ -181,14 +181,11 @@ def _print(
     for one in findings:
         add_row(
             table,
-            [f"{one.name} ({one.place})", one.paper, one.ours, one.hundred, "" if one.agrees else "differs"],
+            [f"{one.name} ({one.place})", one.paper, one.ours, one.hundred, _SIGNS[one.agrees]],
         )
         if not one.agrees:
             notes.append(f"{one.name}: {one.words}")
-        notes += [
-            f"{one.name}, {case.record} at {case.pgv / 1e3:.2f} m/s, {case.ratio:.2f}: {case.words}"
-            for case in one.outside
-        ]
+        notes += [f"{one.name}, {case}" for case in one.outside]
     with page() as out:
         print_labelled(
             out,

@@ -32,7 +32,7 @@ def print_responses(responses: "Sequence[Response]") -> None:
     """Print what was analysed, one row for each analysis, and the remarks."""
     first = responses[0]
     labelled = [
-        ("Bearing", _bearing(first.bearing)),
+        ("Bearing", bearing_line(first.bearing)),
         ("Friction", f"{first.friction_law.name}, reference coefficient {first.friction_law.reference:g}"),
         ("Heating", f"{first.heating.name}, from {first.heating.ambient:g} °C"),
     ]
@@ -47,7 +47,8 @@ def print_responses(responses: "Sequence[Response]") -> None:
         print_remarks(out, _remarks(responses))
 
 
-def _bearing(bearing: "Bearing") -> str:
+def bearing_line(bearing: "Bearing") -> str:
+    """Return a bearing in a line."""
     radii = " + ".join(f"{radius:g}" for radius in bearing.radii)
     capacity = bearing.displacement_capacity
     return (

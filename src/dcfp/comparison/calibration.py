@@ -6,17 +6,21 @@ from functools import cache
 import numpy as np
 
 from dcfp.comparison.case import VIEWS, Basis, Case, Setting, View, compare
-from dcfp.comparison.intervals import Interval, errors, interval
+from dcfp.comparison.earthquake import event_of, is_same_record, same_earthquake
+from dcfp.comparison.intervals import Interval, errors, fewest, interval
 from dcfp.comparison.quantities import QUANTITIES, Quantity
 from dcfp.comparison.statistics import value_of
 from dcfp.prediction import Prediction
 from dcfp.record.ground_motion import GroundMotion
-from dcfp.record.named import record_set
+from dcfp.record.p695 import all_keys, read_stored
 
 #: Words for the set.
 SET = "the 100 components of FEMA P-695"
 
-#: What an interval is given for: a blind prediction, or None for the PGV alone.
+#: Scale of a record, up or down, from which on it is said [-].
+_LARGEST_SCALE = 4.0
+
+#: What an interval is given for, besides the PGV alone.
 BLIND_VIEWS: tuple[View, ...] = tuple(view for view in VIEWS if view[1] is Basis.BLIND)
 
 Intervals = dict[Quantity, Interval]
@@ -25,7 +29,7 @@ Intervals = dict[Quantity, Interval]
 @cache
 def calibration_set() -> tuple[GroundMotion, ...]:
     """Return the components, as they are."""
-    return tuple(record_set("P695") or ())
+    return tuple(stored.motion for stored in read_stored(all_keys()))
 
 
 def cases_at(pgv: float, setting: Setting, report: Callable[[], None] | None = None) -> list[Case]:
@@ -36,6 +40,13 @@ def cases_at(pgv: float, setting: Setting, report: Callable[[], None] | None = N
         if report is not None:
             report()
     return cases
+
+
+def others_than(motion: GroundMotion, cases: Sequence[Case]) -> list[Case]:
+    """Return the cases of other earthquakes than that of a motion, as far as its source tells."""
+    event = event_of(motion)
+    same = {one.name for one in calibration_set() if is_same_record(motion, one)}
+    return [case for case in cases if case.record not in same and not same_earthquake(event, case.event)]
 
 
 def intervals_from_pgv(cases: Sequence[Case]) -> Intervals:
@@ -49,9 +60,7 @@ def intervals_from_pgv(cases: Sequence[Case]) -> Intervals:
     return {quantity: interval(errors(cases, None, quantity)) for quantity in QUANTITIES}
 
 
-def intervals_about(
-    predicted: dict[View, Prediction], cases: Sequence[Case], event: str
-) -> dict[View, Intervals]:
+def intervals_about(predicted: dict[View, Prediction], cases: Sequence[Case]) -> dict[View, Intervals]:
     """Return where the analysis will lie, knowing what each blind method says of the record.
 
     Parameters
@@ -59,24 +68,35 @@ def intervals_about(
     predicted
         What the methods say of the record.
     cases
-        Other records at the same PGV.
-    event
-        The earthquake of the record, of which no case may count; see `event_of`.
+        Records of other earthquakes at the same PGV.
     """
-    others = [case for case in cases if case.event != event]
-    found: dict[View, Intervals] = {}
-    for view in BLIND_VIEWS:
-        if view in predicted:
-            found[view] = _about(predicted[view], view, others)
-    return found
+    return {view: _about(predicted[view], view, cases) for view in BLIND_VIEWS if view in predicted}
 
 
-def _about(prediction: Prediction, view: View, others: Sequence[Case]) -> Intervals:
+def _about(prediction: Prediction, view: View, cases: Sequence[Case]) -> Intervals:
     intervals: Intervals = {}
     for quantity in QUANTITIES:
         value = value_of(prediction, quantity)
-        known = errors(others, view, quantity)
+        known = errors(cases, view, quantity)
         # a method that sees nothing move says nothing of how far it will
-        if value > 0.0 and np.isfinite(known).any():
+        if value > 0.0 and np.isfinite(known).sum() >= fewest():
             intervals[quantity] = interval(known, value)
     return intervals
+
+
+def set_remarks(pgv: float, cases: Sequence[Case], capacity: float | None) -> list[str]:
+    """Return what must be known of the set at a PGV [mm/s]: how far its records are scaled, and how many go beyond a capacity [mm]."""
+    remarks: list[str] = []
+    factors = [pgv / motion.peak_velocity for motion in calibration_set()]
+    if max(factors) > _LARGEST_SCALE or min(factors) < 1.0 / _LARGEST_SCALE:
+        remarks.append(
+            f"For a PGV of {pgv / 1e3:g} m/s the records of the set are scaled by {min(factors):.2g} to {max(factors):.2g}, which changes their"
+            " strength but not their duration and periods: the intervals are as good as that is."
+        )
+    beyond = [case.analysed.whole.bound > capacity for case in cases] if capacity is not None else []
+    if any(beyond):
+        remarks.append(
+            f"At {pgv / 1e3:g} m/s {100.0 * sum(beyond) / len(beyond):.0f} % of the analyses of the set go beyond the capacity of"
+            f" {capacity:g} mm."
+        )
+    return remarks

@@ -1,12 +1,12 @@
 """One record at one PGV: what the analysis gives, and what each method says of it."""
 
-import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 from dcfp.bearing import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating
+from dcfp.comparison.earthquake import event_of
 from dcfp.comparison.matching import pulse_behind
-from dcfp.prediction import Prediction, Pulses, find_pulses, march_through_pulses
+from dcfp.prediction import Prediction, PulseMarch, PulsePrediction, Pulses, find_pulses, march_through_pulses
 from dcfp.prediction import li_2020 as paper
 from dcfp.prediction.pulse_march import MARCH_THRESHOLD
 from dcfp.prediction.pulses import THRESHOLD
@@ -160,22 +160,36 @@ def predictions(
     `pulses` are those of the motion for the methods of Li et al. (2020); `pulse` is the number of the one that the
     analysis found to govern, for the informed ones, or None.
     """
-    constants = setting.constants
-    by_pulse = paper.predict_from_pulses(pulses, constants)
-    found: dict[View, Prediction] = {
-        (Method.PULSE, Basis.BLIND): by_pulse.largest,
-        (Method.PULSE, Basis.INFORMED): by_pulse.of(pulse),
-    }
-    if constants.slides_on_average:
-        simplified = paper.predict_simplified(pulses, constants)
-        found[Method.SIMPLIFIED, Basis.BLIND] = simplified.largest
-        found[Method.SIMPLIFIED, Basis.INFORMED] = simplified.of(pulse)
-        if motion.peak_velocity > 0.0:
-            found[Method.DESIGN, Basis.PGV] = paper.predict_from_pgv(motion.peak_velocity, constants)
-    found[Method.MARCH, Basis.BLIND] = march_through_pulses(
-        find_pulses(motion, setting.march_threshold), setting.bearing, setting.friction, setting.heating
-    ).prediction
+    found: dict[View, Prediction] = {}
+    for method, said in pulse_predictions(pulses, setting).items():
+        found[method, Basis.BLIND] = said.largest
+        found[method, Basis.INFORMED] = said.of(pulse)
+    found |= design_prediction(motion, setting)
+    found[Method.MARCH, Basis.BLIND] = march(motion, setting).prediction
     return found
+
+
+def pulse_predictions(pulses: Pulses, setting: Setting) -> dict[Method, PulsePrediction]:
+    """Return what the pulse method, and the simplified one where it can be used, say of every pulse."""
+    found = {Method.PULSE: paper.predict_from_pulses(pulses, setting.constants)}
+    if setting.constants.slides_on_average:
+        found[Method.SIMPLIFIED] = paper.predict_simplified(pulses, setting.constants)
+    return found
+
+
+def design_prediction(motion: GroundMotion, setting: Setting) -> dict[View, Prediction]:
+    """Return what the design method says of the PGV of a motion; nothing where it cannot be used."""
+    if not (setting.constants.slides_on_average and motion.peak_velocity > 0.0):
+        return {}
+    return {(Method.DESIGN, Basis.PGV): paper.predict_from_pgv(motion.peak_velocity, setting.constants)}
+
+
+def march(motion: GroundMotion, setting: Setting, *, with_path: bool = False) -> PulseMarch:
+    """March through the pulses of a motion; `with_path` as for `march_through_pulses`."""
+    pulses = find_pulses(motion, setting.march_threshold)
+    return march_through_pulses(
+        pulses, setting.bearing, setting.friction, setting.heating, with_path=with_path
+    )
 
 
 def analysed_of(response: Response, pulses: Pulses) -> Analysed:
@@ -191,16 +205,7 @@ def analysed_of(response: Response, pulses: Pulses) -> Analysed:
     )
     if swing is None:
         return Analysed(whole, whole, None, None)
-    governing = Prediction(
-        response.peak_change,
-        swing.input_velocity,
-        swing.hysteretic_velocity,
-        response.peak_displacement,
-        response.input_velocity,
+    governing = replace(
+        whole, input_velocity=swing.input_velocity, hysteretic_velocity=swing.hysteretic_velocity
     )
     return Analysed(whole, governing, swing, pulse_behind(swing, pulses))
-
-
-def event_of(motion: GroundMotion) -> str:
-    """Return the earthquake of a motion, under one name where the sets of FEMA P-695 have two; the motion's own name where it is not known."""
-    return re.sub(r"-\d\d(?=,? )", "", motion.origin.event) or motion.name

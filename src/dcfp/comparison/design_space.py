@@ -3,20 +3,21 @@
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
 from dcfp.arrays import FloatArray
 from dcfp.comparison.case import Setting
-from dcfp.comparison.intervals import quantile
+from dcfp.comparison.earthquake import event_of
 from dcfp.errors import InputError
 from dcfp.record.ground_motion import GroundMotion
 from dcfp.response import respond
 
 #: Grid that is looked at unless another is given: radius of each plate [mm] and reference coefficient [-].
 RADII = np.array([1500.0, 2250.0, 3000.0, 4500.0, 6000.0])
-COEFFICIENTS = np.array([0.02, 0.03, 0.045, 0.06, 0.08, 0.1, 0.125, 0.15])
+COEFFICIENTS = np.array([0.02, 0.03, 0.04, 0.05, 0.06, 0.075, 0.09, 0.105, 0.125, 0.15])
+#: Draws of earthquakes by which it is said how sure a coefficient is, and where their random numbers start.
+_DRAWS, _SEED = 100, 33
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,6 +36,8 @@ class DesignSpace:
         y_max of every record [mm], shape (r, c, records).
     force
         Largest force over the weight [-], shape (r, c, records).
+    events
+        The earthquake of each record.
     """
 
     pgv: float
@@ -42,6 +45,7 @@ class DesignSpace:
     coefficients: FloatArray
     displacement: FloatArray
     force: FloatArray
+    events: tuple[str, ...]
 
     @property
     def records(self) -> int:
@@ -50,11 +54,11 @@ class DesignSpace:
 
     def displacement_at(self, part: float) -> FloatArray:
         """Return the y_max [mm] that another earthquake of this PGV does not exceed with a probability of `part` [-], shape (r, c)."""
-        return np.apply_along_axis(quantile, 2, self.displacement, part)
+        return _quantiles(self.displacement, part)
 
     def force_at(self, part: float) -> FloatArray:
         """Return the force over the weight [-] in the same sense, shape (r, c)."""
-        return np.apply_along_axis(quantile, 2, self.force, part)
+        return _quantiles(self.force, part)
 
     def holding(self, allowed: float, part: float) -> tuple[FloatArray, FloatArray]:
         """Return for each radius the least coefficient from which on `allowed` [mm] holds with a probability of `part` [-], and the force over the weight that goes with it, shape (r,).
@@ -62,12 +66,52 @@ class DesignSpace:
         Between the bearings of the grid both are taken as straight lines. The coefficient is the first of the grid where that is enough, and
         both are not a number where the last is not.
         """
-        least = np.array([_crossing(self.coefficients, line, allowed) for line in self.displacement_at(part)])
+        least = self._least(self.displacement, allowed, part)
         force = np.full(least.size, np.nan)
         for i, line in enumerate(self.force_at(part)):
             if not np.isnan(least[i]):
                 force[i] = np.interp(least[i], self.coefficients, line)
         return least, force
+
+    def spread(self, allowed: float, part: float) -> tuple[float, float]:
+        """Return 5 and 95 % of the least coefficient [-], mean of the radii, had other earthquakes of the same kind been in the set.
+
+        Whole earthquakes are drawn with replacement. A draw in which no coefficient of the grid is enough counts as the largest of the grid.
+        """
+        numbers = np.random.default_rng(_SEED)
+        names = sorted(set(self.events))
+        members = [[i for i, event in enumerate(self.events) if event == name] for name in names]
+        found: list[float] = []
+        for _ in range(_DRAWS):
+            places: list[int] = numbers.integers(len(names), size=len(names)).tolist()
+            drawn = [i for place in places for i in members[place]]
+            least = self._least(self.displacement[:, :, drawn], allowed, part)
+            found.append(float(np.where(np.isnan(least), self.coefficients[-1], least).mean()))
+        low, high = np.quantile(found, [0.05, 0.95])
+        return float(low), float(high)
+
+    def _least(self, displacement: FloatArray, allowed: float, part: float) -> FloatArray:
+        lines = _quantiles(displacement, part)
+        return np.array([_crossing(self.coefficients, line, allowed) for line in lines])
+
+
+def _quantiles(values: FloatArray, part: float) -> FloatArray:
+    """Return what the next value does not exceed with a probability of `part`, along the last axis; see `quantile`.
+
+    Raises
+    ------
+    InputError
+        If there are too few values for that probability.
+    """
+    number = values.shape[-1]
+    if part * (number + 1) > number:
+        msg = f"What {100.0 * part:g} % of earthquakes do not exceed needs more than {number} records."
+        raise InputError(msg)
+    rank = max(part * (number + 1) - 1.0, 0.0)
+    ordered = np.sort(values, axis=-1)
+    low = min(int(rank), number - 2) if number > 1 else 0
+    share = rank - low
+    return (1.0 - share) * ordered[..., low] + share * ordered[..., min(low + 1, number - 1)]
 
 
 def survey(
@@ -98,25 +142,20 @@ def survey(
     InputError
         If the friction law has no reference coefficient to vary.
     """
-    name = setting.friction.reference_parameter
-    if not name:
-        msg = f"The friction law {setting.friction.name} has no reference coefficient that could be varied."
-        raise InputError(msg)
     scaled = [motion.scaled_to_pgv(pgv) for motion in motions]
     displacement = np.empty((radii.size, coefficients.size, len(scaled)))
     force = np.empty_like(displacement)
-    law: Any = setting.friction
     for i, radius in enumerate(radii.tolist()):
         plates = (radius,) * len(setting.bearing.radii)
         bearing = replace(setting.bearing, radii=plates, displacement_capacity=None, capacity_note="")
         for j, coefficient in enumerate(coefficients.tolist()):
-            friction = replace(law, **{name: coefficient})
+            friction = setting.friction.with_reference(coefficient)
             found = [respond(motion, bearing, friction, setting.heating) for motion in scaled]
             displacement[i, j] = [one.peak_displacement for one in found]
             force[i, j] = [one.peak_force / bearing.vertical_force for one in found]
             if report is not None:
                 report()
-    return DesignSpace(pgv, radii, coefficients, displacement, force)
+    return DesignSpace(pgv, radii, coefficients, displacement, force, tuple(map(event_of, motions)))
 
 
 def _crossing(coefficients: FloatArray, displacement: FloatArray, allowed: float) -> float:

@@ -3,10 +3,27 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from dcfp.comparison.calibration import Intervals, intervals_about, intervals_from_pgv
-from dcfp.comparison.case import Basis, Case, Method, Setting, View, event_of
+from dcfp.bearing.validity import LARGEST_YIELD_RADIUS
+from dcfp.comparison.calibration import (
+    Intervals,
+    intervals_about,
+    intervals_from_pgv,
+    others_than,
+    set_remarks,
+)
+from dcfp.comparison.case import (
+    Basis,
+    Case,
+    Method,
+    Setting,
+    View,
+    design_prediction,
+    march,
+    pulse_predictions,
+)
+from dcfp.comparison.earthquake import is_known
 from dcfp.errors import InputError
-from dcfp.prediction import Prediction, PulseMarch, Pulses, find_pulses, march_through_pulses
+from dcfp.prediction import Prediction, PulseMarch, Pulses, find_pulses
 from dcfp.prediction import li_2020 as paper
 from dcfp.record.ground_motion import GroundMotion
 
@@ -30,8 +47,6 @@ class Forecast:
         Of the record, as the methods of Li et al. (2020) take them.
     governing
         Number of the pulse that governs by a method, counted from zero in `pulses`; a method without one is not there.
-    march
-        The march through the (finer) pulses.
     intervals
         Of every view, where they were asked for; under None those from the PGV alone.
     remarks
@@ -43,7 +58,6 @@ class Forecast:
     motion: GroundMotion | None = None
     pulses: Pulses | None = None
     governing: dict[View, int] = field(default_factory=dict[View, int])
-    march: PulseMarch | None = None
     intervals: dict[View | None, Intervals] = field(default_factory=dict[View | None, Intervals])
     remarks: tuple[str, ...] = ()
 
@@ -61,34 +75,34 @@ def forecast(motion: GroundMotion, setting: Setting, calibration: Sequence[Case]
         Other records at the same PGV, from which the intervals come; those of the same earthquake do not count. None for no intervals.
     """
     pulses = find_pulses(motion, setting.threshold)
-    march = march_through_pulses(
-        find_pulses(motion, setting.march_threshold), setting.bearing, setting.friction, setting.heating
-    )
-    by_pulse = {(Method.PULSE, Basis.BLIND): paper.predict_from_pulses(pulses, setting.constants)}
-    predicted: dict[View, Prediction] = {}
-    if setting.constants.slides_on_average:
-        by_pulse[Method.SIMPLIFIED, Basis.BLIND] = paper.predict_simplified(pulses, setting.constants)
-        if motion.peak_velocity > 0.0:
-            predicted[Method.DESIGN, Basis.PGV] = paper.predict_from_pgv(
-                motion.peak_velocity, setting.constants
-            )
-    predicted |= {view: found.largest for view, found in by_pulse.items()}
-    predicted[Method.MARCH, Basis.BLIND] = march.prediction
-    remarks = [*_remarks(motion, pulses, march, setting), *setting_remarks(motion.peak_velocity, setting)]
+    of_pulses = {(method, Basis.BLIND): said for method, said in pulse_predictions(pulses, setting).items()}
+    marched = march(motion, setting)
+    predicted: dict[View, Prediction] = {
+        **design_prediction(motion, setting),
+        **{view: said.largest for view, said in of_pulses.items()},
+        (Method.MARCH, Basis.BLIND): marched.prediction,
+    }
+    remarks = [
+        *_beyond_capacity(motion.name, predicted, setting),
+        *_remarks(motion, pulses, predicted[Method.PULSE, Basis.BLIND], marched, setting),
+        *setting_remarks(motion.peak_velocity, setting),
+    ]
     intervals: dict[View | None, Intervals] = {}
     if calibration is not None:
-        found = _intervals_or_none(calibration)
+        others = others_than(motion, calibration)
+        found = _intervals_or_none(others)
         if found is None:
             remarks.append(_without_interval(motion.peak_velocity))
         else:
-            intervals = {None: found, **intervals_about(predicted, calibration, event_of(motion))}
+            intervals = {None: found, **intervals_about(predicted, others)}
+            remarks.append(_left_out(motion, len(calibration) - len(others), len(calibration)))
+            remarks += set_remarks(motion.peak_velocity, others, setting.bearing.displacement_capacity)
     return Forecast(
         pgv=motion.peak_velocity,
         predicted=predicted,
         motion=motion,
         pulses=pulses,
-        governing={view: found.governing for view, found in by_pulse.items() if found.governing is not None},
-        march=march,
+        governing={view: said.governing for view, said in of_pulses.items() if said.governing is not None},
         intervals=intervals,
         remarks=tuple(remarks),
     )
@@ -105,12 +119,16 @@ def forecast_from_pgv(pgv: float, setting: Setting, calibration: Sequence[Case] 
     predicted: dict[View, Prediction] = {
         (Method.DESIGN, Basis.PGV): paper.predict_from_pgv(pgv, setting.constants)
     }
-    remarks = setting_remarks(pgv, setting)
+    remarks = (
+        *_beyond_capacity(f"PGV {pgv / 1e3:g} m/s", predicted, setting),
+        *setting_remarks(pgv, setting),
+    )
     if calibration is None:
         return Forecast(pgv, predicted, remarks=remarks)
     found = _intervals_or_none(calibration)
     if found is None:
         return Forecast(pgv, predicted, remarks=(*remarks, _without_interval(pgv)))
+    remarks = (*remarks, *set_remarks(pgv, calibration, setting.bearing.displacement_capacity))
     return Forecast(pgv, predicted, intervals={None: found}, remarks=remarks)
 
 
@@ -128,22 +146,46 @@ def setting_remarks(pgv: float, setting: Setting) -> tuple[str, ...]:
             "Li et al. (2020), section 6.2.2, give the average slope of the simplified and the design method for PGVs from"
             f" {constants.reference_pgv / 1e3:g} m/s on."
         )
-    if setting.friction.caution:
-        remarks.append(setting.friction.caution)
+    law, bearing = setting.friction, setting.bearing
+    if law.caution:
+        remarks.append(f"Friction law {law.name}: {law.caution}")
+    stretch = constants.nominal_friction * bearing.vertical_force / bearing.elastic_stiffness
+    if stretch > LARGEST_YIELD_RADIUS:
+        remarks.append(
+            f"Spring (b) stretches {stretch:.1f} mm before the bearing slides; the predictions take it as rigid."
+        )
     return tuple(remarks)
 
 
-def _remarks(motion: GroundMotion, pulses: Pulses, march: PulseMarch, setting: Setting) -> list[str]:
+def _beyond_capacity(name: str, predicted: dict[View, Prediction], setting: Setting) -> list[str]:
+    """Return a sentence where a method offers a displacement beyond the capacity."""
+    capacity = setting.bearing.displacement_capacity
+    beyond = {
+        view[0].value: said.bound
+        for view, said in predicted.items()
+        if capacity is not None and said.bound > capacity
+    }
+    if not beyond:
+        return []
+    note = f" ({setting.bearing.capacity_note})" if setting.bearing.capacity_note else ""
+    offered = ", ".join(f"{method} {bound:.0f} mm" for method, bound in beyond.items())
+    return [
+        f"{name}: what is offered for y_max goes beyond the capacity of {capacity:.0f} mm{note}: {offered}."
+    ]
+
+
+def _remarks(
+    motion: GroundMotion, pulses: Pulses, said: Prediction, marched: PulseMarch, setting: Setting
+) -> list[str]:
     remarks: list[str] = []
     if not pulses.count:
         remarks.append(f"{motion.name}: the ground velocity has no pulse, so nothing is predicted to move.")
-    capacity, bound = setting.bearing.displacement_capacity, march.prediction.bound
-    if capacity is not None and bound > capacity:
-        note = f" ({setting.bearing.capacity_note})" if setting.bearing.capacity_note else ""
+    elif said.displacement_change == 0.0:
         remarks.append(
-            f"{motion.name}: the march predicts {bound:.0f} mm, beyond the capacity of {capacity:.0f} mm{note}."
+            f"{motion.name}: by the pulse method nothing moves, since every pulse has a ku/kg above 1; its straight lines leave out that the"
+            " ground accelerates more in the middle of a pulse."
         )
-    if not march.rests:
+    if not marched.rests:
         remarks.append(
             f"{motion.name}: the march still slides two minutes after the last peak; its dy does not count that slide."
         )
@@ -155,6 +197,17 @@ def _intervals_or_none(calibration: Sequence[Case]) -> Intervals | None:
         return intervals_from_pgv(calibration)
     except InputError:
         return None
+
+
+def _left_out(motion: GroundMotion, left_out: int, number: int) -> str:
+    if left_out:
+        return f"{motion.name}: {left_out} of the {number} components of the set are left out of its intervals, as of the same earthquake."
+    why = (
+        "its earthquake is not in the set"
+        if is_known(motion)
+        else "its source does not say of which earthquake it is"
+    )
+    return f"{motion.name}: no component of the set is left out of its intervals; {why}."
 
 
 def _without_interval(pgv: float) -> str:

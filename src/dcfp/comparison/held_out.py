@@ -10,7 +10,7 @@ from dcfp.comparison.case import Case, Method, View
 from dcfp.comparison.halves import halves
 from dcfp.comparison.intervals import Coverage, coverage, errors, fewest
 from dcfp.comparison.quantities import CHANGE, QUANTITIES, Quantity
-from dcfp.comparison.refit import refit_as_paper, refit_design, refit_simplified
+from dcfp.comparison.refit import at_limit, refit_as_paper, refit_design, refit_simplified
 from dcfp.comparison.statistics import scatter, value_of
 from dcfp.errors import InputError
 from dcfp.prediction import Prediction
@@ -130,6 +130,7 @@ def _judged(
         held_out = scatter(np.array(ratios))
         biases.append(np.log(held_out.bias))
         dispersions.append(held_out.dispersion)
-    return Refit(
-        method, words, fit(cases, given), float(np.exp(np.mean(biases))), float(np.mean(dispersions))
-    )
+    final = fit(cases, given)
+    if at_limit(final, given):
+        words += ", at the limit of the search"
+    return Refit(method, words, final, float(np.exp(np.mean(biases))), float(np.mean(dispersions)))

@@ -19,7 +19,6 @@ from dcfp.prediction.li_2020.simplified_method import absorbed_velocity_ratio
 _LEAST, _MOST = 0.05, 20.0
 #: The slope that Eq. (28) divides by must stay above mu_n g by this factor [-].
 _ABOVE_FRICTION = 1.02
-
 #: How close to such a limit a fit counts as there [-].
 _AT_LIMIT = 0.01
 #: How far a PGV may be from the one that is meant [-].
@@ -65,7 +64,7 @@ def average_slope(cases: Sequence[Case], reference_pgv: float = LI_2020.referenc
         [case for case in cases if math.isclose(case.pgv, reference_pgv, rel_tol=_SAME_PGV)]
     )
     if slopes.size == 0:
-        msg = f"kg_ave needs analyses at a PGV of {reference_pgv / 1e3:g} m/s; add it to --pgv."
+        msg = f"kg_ave needs analyses at a PGV of {reference_pgv / 1e3:g} m/s; give at least one in which a pulse is behind the largest swing."
         raise InputError(msg)
     return float(slopes.mean())
 

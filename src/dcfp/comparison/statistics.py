@@ -4,9 +4,10 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from dcfp.arrays import FloatArray
-from dcfp.comparison.case import VIEWS, Case, View
+from dcfp.comparison.case import VIEWS, Basis, Case, View
 from dcfp.comparison.quantities import CHANGE, DISPLACEMENT, HYSTERETIC, INPUT, QUANTITIES, TOTAL, Quantity
 from dcfp.prediction import NOTHING, Prediction
 
@@ -26,9 +27,11 @@ class Scatter:
     Attributes
     ----------
     number
-        Of cases with a ratio.
+        Of cases that are measured.
     without
-        Cases in which nothing was predicted: no pulse was found, or nothing moves by the method. They are in none of the measures below.
+        Cases in which nothing was predicted: no pulse was found, or nothing moves by the method. They are in none of the measures but `below`.
+    below
+        Share of all cases in which the prediction is below the analysis, nothing predicted among them [-].
     least, largest, median
         Of the ratios [-].
     bias
@@ -39,6 +42,7 @@ class Scatter:
 
     number: int
     without: int
+    below: float
     least: float
     largest: float
     median: float
@@ -66,33 +70,49 @@ def ratios(cases: Iterable[Case], view: View, quantity: Quantity) -> FloatArray:
     return np.divide(predicted, analysed, out=np.full(predicted.size, np.nan), where=analysed > 0.0)
 
 
-def scatter(values: FloatArray) -> Scatter:
-    """Return the measures of ratios [-]."""
-    good = values[np.isfinite(values) & (values > 0.0)]
-    without = values.size - good.size
-    if good.size == 0:
-        return Scatter(0, without, *([np.nan] * 5))
-    logarithms = np.log(good)
+def scatter(values: FloatArray, among: NDArray[np.bool_] | None = None) -> Scatter:
+    """Return the measures of ratios [-], of those `among` a selection of the cases; what is not positive is no prediction."""
+    predicted = np.isfinite(values) & (values > 0.0)
+    chosen = values[predicted if among is None else predicted & among]
+    without = int(values.size - predicted.sum())
+    below = float(np.mean(~predicted | (values < 1.0))) if values.size else np.nan
+    if chosen.size == 0:
+        return Scatter(0, without, below, *([np.nan] * 5))
+    logarithms = np.log(chosen)
     return Scatter(
-        number=good.size,
+        number=chosen.size,
         without=without,
-        least=float(good.min()),
-        largest=float(good.max()),
-        median=float(np.median(good)),
+        below=below,
+        least=float(chosen.min()),
+        largest=float(chosen.max()),
+        median=float(np.median(chosen)),
         bias=float(np.exp(logarithms.mean())),
-        dispersion=float(logarithms.std(ddof=1)) if good.size > 1 else 0.0,
+        dispersion=float(logarithms.std(ddof=1)) if chosen.size > 1 else 0.0,
     )
 
 
 def scatters(cases: Sequence[Case]) -> dict[tuple[View, Quantity], Scatter]:
-    """Return the measures of every view and every quantity that it predicts."""
+    """Return the measures of every view and every quantity that it predicts.
+
+    What does not know the analysis is measured on the cases in which each of these methods predicts a motion, so that none is spared the cases that
+    another must bear; what is informed, on its own.
+    """
     found: dict[tuple[View, Quantity], Scatter] = {}
-    for view in VIEWS:
-        for quantity in QUANTITIES:
-            values = ratios(cases, view, quantity)
-            if np.isfinite(values).any():
-                found[view, quantity] = scatter(values)
-    return found
+    for quantity in QUANTITIES:
+        values = {view: ratios(cases, view, quantity) for view in VIEWS}
+        known = {view: one for view, one in values.items() if np.isfinite(one).any()}
+        blind = [
+            np.isfinite(one) & (one > 0.0) for view, one in known.items() if view[1] is not Basis.INFORMED
+        ]
+        common = np.logical_and.reduce(blind) if blind else None
+        for view, one in known.items():
+            found[view, quantity] = scatter(one, None if view[1] is Basis.INFORMED else common)
+    return {
+        (view, quantity): found[view, quantity]
+        for view in VIEWS
+        for quantity in QUANTITIES
+        if (view, quantity) in found
+    }
 
 
 def displacement_over_change(cases: Iterable[Case]) -> FloatArray:

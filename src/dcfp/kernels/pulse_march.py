@@ -40,7 +40,7 @@ from dcfp.kernels.oscillator import swing
     STATE_SIZE,
 ) = range(17)
 #: Columns of the path.
-PATH_TIME, PATH_DISPLACEMENT, PATH_VELOCITY, PATH_SIZE = range(4)
+PATH_TIME, PATH_DISPLACEMENT, PATH_SIZE = range(3)
 
 #: Place of the prepared step that divides a leg evenly.
 _EVEN = 0
@@ -243,7 +243,12 @@ def _time_to_stop(structure: Structure, velocity: float, acceleration: float) ->
 @kernel
 def _turn(state: NDArray[np.float64]) -> None:
     """Note a stop: what the slide has brought is compared with the slides before."""
-    _note_slide(state)
+    change = abs(state[DISPLACEMENT] - state[TURNING])
+    if change > state[PEAK_CHANGE]:
+        state[PEAK_CHANGE] = change
+        state[PEAK_LEG] = state[LEG]
+    state[PEAK_INPUT] = max(state[PEAK_INPUT], state[MOST_INPUT] - state[TURNING_INPUT])
+    state[PEAK_HYSTERETIC] = max(state[PEAK_HYSTERETIC], state[HYSTERETIC] - state[TURNING_HYSTERETIC])
     state[SIDE] = 0.0
     state[TURNING] = state[DISPLACEMENT]
     state[TURNING_INPUT] = state[MOST_INPUT] = state[INPUT]
@@ -251,21 +256,10 @@ def _turn(state: NDArray[np.float64]) -> None:
 
 
 @kernel
-def _note_slide(state: NDArray[np.float64]) -> None:
-    """Compare what the present slide has brought so far with the slides before."""
-    change = abs(state[DISPLACEMENT] - state[TURNING])
-    if change > state[PEAK_CHANGE]:
-        state[PEAK_CHANGE] = change
-        state[PEAK_LEG] = state[LEG]
-    state[PEAK_INPUT] = max(state[PEAK_INPUT], state[MOST_INPUT] - state[TURNING_INPUT])
-    state[PEAK_HYSTERETIC] = max(state[PEAK_HYSTERETIC], state[HYSTERETIC] - state[TURNING_HYSTERETIC])
-
-
-@kernel
 def _noted(path: NDArray[np.float64], rows: int, time: float, state: NDArray[np.float64]) -> int:
+    """Write a row of the path where there is room; return the number of rows written."""
     if rows >= path.shape[0]:
         return rows
     path[rows, PATH_TIME] = time
     path[rows, PATH_DISPLACEMENT] = state[DISPLACEMENT]
-    path[rows, PATH_VELOCITY] = state[VELOCITY]
     return rows + 1

@@ -10,6 +10,7 @@ from matplotlib.lines import Line2D
 from dcfp.errors import InputError
 from dcfp.nomenclature import quantity
 from dcfp.plots.logarithmic import plain_numbers
+from dcfp.plots.predicted import ENTRIES
 from dcfp.plots.style import BLUE, GREY, INK, OCHRE, PAGE_WIDTH, PALE, RED, calm_ticks, style
 from dcfp.plots.words import number
 
@@ -24,13 +25,6 @@ if TYPE_CHECKING:
     from dcfp.comparison.quantities import Quantity
     from dcfp.comparison.statistics import Scatter
 
-#: What is drawn: name in tables, and in the nomenclature.
-_NAMES = {
-    "dy": "displacement_change",
-    "y": "peak_displacement",
-    "V_dE": "swing_input_velocity",
-    "V_dEhr": "swing_hysteretic_velocity",
-}
 #: Limits of the axes beyond the data [-].
 _ROOM = 1.35
 #: Numbers of cases up to which marks are large, and from which on they are small.
@@ -81,7 +75,7 @@ def plot_comparison(cases: "Sequence[Case]") -> Figure:
     if not cases:
         msg = "There is nothing to compare; give at least one case."
         raise InputError(msg)
-    drawn = [which for which in QUANTITIES if which.name in _NAMES]
+    drawn = [which for which in QUANTITIES if which.name in ENTRIES]
     with style():
         figure = Figure(figsize=(PAGE_WIDTH, 7.9), layout="constrained")
         panels: Any = figure.subplots(2, 2)
@@ -91,7 +85,7 @@ def plot_comparison(cases: "Sequence[Case]") -> Figure:
 
 
 def _draw_panel(axes: "Axes", cases: "Sequence[Case]", which: "Quantity") -> None:
-    entry = quantity(_NAMES[which.name])
+    entry = quantity(ENTRIES[which.name])
     analysed, predicted = _values(cases, which, entry.factor)
     low, high = _limits(analysed, predicted)
     _draw_lines(axes, low, high)

@@ -2,6 +2,7 @@
 
 import io
 import math
+import textwrap
 from typing import TYPE_CHECKING, Any
 
 from matplotlib.figure import Figure
@@ -13,7 +14,9 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
 #: Width of the sheet, the gap between two figures, and the height of a title [in].
-_WIDTH, _GAP, _TITLE = 14.8, 0.2, 0.25
+_WIDTH, _GAP, _TITLE = 14.8, 0.2, 0.4
+#: Characters of a title in an inch.
+_CHARACTERS = 14
 
 
 def contact_sheet(figures: "Sequence[tuple[str, Figure]]") -> Figure:
@@ -40,7 +43,8 @@ def _draw_row(sheet: Figure, row: "Sequence[tuple[str, Figure]]", top: float) ->
     for title, figure in row:
         width, tall = figure.get_figwidth(), figure.get_figheight()
         below = top - _TITLE
-        sheet.text(left / _WIDTH, below / height, title, weight="bold", va="bottom", size=8.0)
+        words = textwrap.fill(title, max(12, int(_CHARACTERS * width)))
+        sheet.text(left / _WIDTH, below / height, words, weight="bold", va="bottom", size=8.0)
         axes = sheet.add_axes((left / _WIDTH, (below - tall) / height, width / _WIDTH, tall / height))
         axes.imshow(_drawn(figure), aspect="auto", interpolation="none")
         axes.set_axis_off()

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from dcfp.nomenclature import quantity
-from dcfp.plots.style import BLUE, GREY, OCHRE, PAGE_WIDTH, RED, drawable, legend_above, style
+from dcfp.plots.style import BLUE, GREY, OCHRE, PAGE_WIDTH, RED, drawable, style
 from dcfp.plots.words import metres_per_second
 
 if TYPE_CHECKING:
@@ -23,25 +23,27 @@ _MARKS = {
     "design": ("|", GREY),
     "pulse march": ("D", RED),
 }
-#: Rows up to which each has a height of its own, and the largest height of a figure [in].
-_ROW, _TALLEST = 0.21, 11.0
+#: The method whose intervals are drawn, beside those from the PGV alone.
+_WITH_INTERVAL = "pulse march"
+#: Heights of a row and of what is around the rows, and the largest of a figure, in which rows get narrower and lose their names [in].
+_ROW, _FRAME, _TALLEST = 0.21, 1.1, 11.0
 
 
 def plot_forecasts(forecasts: "Sequence[Forecast]") -> Figure:
-    """Draw dy of every method, and y_max of the march, a line for each record and PGV, on a new figure; intervals where there are any."""
-    height = min(1.1 + _ROW * len(forecasts), _TALLEST)
+    """Draw dy of every method, and y_max of the march, a row for each record and PGV, on a new figure; intervals where there are any."""
+    height = _FRAME + _ROW * len(forecasts)
+    few = height <= _TALLEST
     with style():
-        figure = Figure(figsize=(PAGE_WIDTH, height), layout="constrained")
+        figure = Figure(figsize=(PAGE_WIDTH, min(height, _TALLEST)), layout="constrained")
         change, displacement = figure.subplots(1, 2, sharey=True)
         _draw(change, forecasts, "dy")
         _draw(displacement, forecasts, "y")
         change.set_xlabel(f"{quantity('displacement_change').label}, largest")
         displacement.set_xlabel(f"{quantity('displacement').label}, largest")
-        few = len(forecasts) * _ROW + 1.1 <= _TALLEST
         names = [f"{drawable(_name(one))}  {metres_per_second(one.pgv)}" for one in forecasts]
         change.set_yticks(np.arange(len(forecasts)) if few else [], names if few else [], parse_math=False)
         change.invert_yaxis()
-        legend_above(change)
+        figure.legend(*change.get_legend_handles_labels(), loc="outside upper center", ncols=6)
     return figure
 
 
@@ -67,11 +69,14 @@ def _draw(axes: "Axes", forecasts: "Sequence[Forecast]", shown: str) -> None:
 
 
 def _draw_intervals(axes: "Axes", forecasts: "Sequence[Forecast]", shown: str) -> None:
+    for words, colour in (("90 %, from the PGV", GREY), ("90 %, from the march", _MARKS[_WITH_INTERVAL][1])):
+        if any(one.intervals for one in forecasts):
+            axes.plot([], [], color=colour, linewidth=1.0, label=words)
     for place, one in enumerate(forecasts):
         for view, intervals in one.intervals.items():
-            colour, shift = (GREY, -0.3) if view is None else (_MARKS[view[0].value][1], 0.3)
-            if view is not None and view[0].value != "pulse march":
+            if view is not None and view[0].value != _WITH_INTERVAL:
                 continue
+            colour, shift = (GREY, -0.3) if view is None else (_MARKS[_WITH_INTERVAL][1], 0.3)
             for kind, interval in intervals.items():
                 if kind.name == shown:
                     axes.plot([interval.low, interval.high], [place + shift] * 2, color=colour, linewidth=1.0)

@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from dcfp.nomenclature import quantity
+from dcfp.plots.predicted import ENTRIES
 from dcfp.plots.style import BLUE, INK, PAGE_WIDTH, PALE, calm_ticks, style
 
 if TYPE_CHECKING:
@@ -16,12 +17,8 @@ if TYPE_CHECKING:
     from dcfp.arrays import FloatArray
     from dcfp.prediction import Prediction
 
-#: Name of a quantity in tables, and in the nomenclature.
-_DRAWN = (
-    ("dy", "displacement_change"),
-    ("V_dE", "swing_input_velocity"),
-    ("V_dEhr", "swing_hysteretic_velocity"),
-)
+#: Quantities of the panels.
+DRAWN = ("dy", "V_dE", "V_dEhr")
 
 
 def plot_pgv_prediction(
@@ -46,13 +43,15 @@ def plot_pgv_prediction(
     with style():
         figure = Figure(figsize=(PAGE_WIDTH, 2.7), layout="constrained")
         panels: Any = figure.subplots(1, 3)
-        for axes, (key, name), values in zip(panels, _DRAWN, _values(predictions), strict=True):
-            factor = quantity(name).factor
+        for axes, key, values in zip(panels, DRAWN, _values(predictions), strict=True):
+            entry = quantity(ENTRIES[key])
             if intervals is not None and key in intervals:
-                _draw_interval(axes, velocity, factor * np.asarray(intervals[key], dtype=np.float64)[order])
+                _draw_interval(
+                    axes, velocity, entry.factor * np.asarray(intervals[key], dtype=np.float64)[order]
+                )
             axes.plot(
                 velocity,
-                factor * values[order],
+                entry.factor * values[order],
                 color=BLUE,
                 linewidth=1.1,
                 marker="o",
@@ -60,7 +59,7 @@ def plot_pgv_prediction(
                 label="design method",
                 zorder=4,
             )
-            _finish(axes, velocity, quantity(name).label)
+            _finish(axes, velocity, entry.label)
         handles, labels = panels[0].get_legend_handles_labels()
         figure.legend(handles, labels, loc="outside upper right", ncols=3, borderaxespad=0.4)
     return figure

@@ -132,7 +132,7 @@ def _draw_march(axes: "Axes", march: "PulseMarch", largest: float) -> None:
         color=RED,
         linewidth=0.8,
         linestyle=(0, (4, 2)),
-        label=f"pulse march, {millimetres(march.prediction.displacement_change)}",
+        label=rf"pulse march, $\Delta y$ {millimetres(march.prediction.displacement_change)}",
     )
     predicted = float(np.abs(march.displacement).max(initial=0.0))
     between_equal_limits(axes, max(largest, predicted))

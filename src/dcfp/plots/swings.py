@@ -140,17 +140,23 @@ def _draw_change(axes: "Axes", response: "Response", swing: "Swing") -> None:
     first, last = (
         float(value) for value in np.interp((swing.start, swing.end), response.time, response.displacement)
     )
-    times = (swing.start, swing.end)
-    axes.plot(times, (first, last), color=INK, marker="o", markersize=2.6, linestyle="none", zorder=4)
+    mark_change(axes, (swing.start, swing.end), (first, last))
+    name_swing(axes, swing, rf"$\Delta y$ {millimetres(abs(swing.change))}")
+
+
+def mark_change(axes: "Axes", times: tuple[float, float], values: tuple[float, float]) -> None:
+    """Mark two points of a history, and with an arrow the difference of their values."""
+    (_, end), (first, last) = times, values
+    axes.plot(times, values, color=INK, marker="o", markersize=2.6, linestyle="none", zorder=4)
     axes.plot(times, (first, first), color=INK, linewidth=0.5, linestyle=(0, (2, 2)), zorder=3)
+    arrow = {"arrowstyle": "<->", "color": INK, "linewidth": 0.7, "shrinkA": 0.0, "shrinkB": 0.0}
+    axes.annotate("", (end, last), (end, first), arrowprops=arrow)
+
+
+def name_swing(axes: "Axes", swing: "Swing", words: str) -> None:
+    """Write words at the top of the panel, above a swing."""
     axes.annotate(
-        "",
-        (swing.end, last),
-        (swing.end, first),
-        arrowprops={"arrowstyle": "<->", "color": INK, "linewidth": 0.7, "shrinkA": 0.0, "shrinkB": 0.0},
-    )
-    axes.annotate(
-        rf"$\Delta y$ {millimetres(abs(swing.change))}",
+        words,
         (0.5 * (swing.start + swing.end), 0.985),
         xycoords=axes.get_xaxis_transform(),
         ha="center",

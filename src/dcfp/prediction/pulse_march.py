@@ -18,8 +18,9 @@ from dcfp.bearing import LI_2020, Bearing, FrictionLaw, Heating, Li2020, Simplif
 from dcfp.bearing.plates import cold_plates, heat_of, structure_of
 from dcfp.errors import AnalysisError
 from dcfp.kernels import pulse_march as k
-from dcfp.prediction.pulses import Pulses
+from dcfp.prediction.pulses import Pulses, find_pulses
 from dcfp.prediction.result import Prediction
+from dcfp.record.ground_motion import GroundMotion
 
 #: Threshold of the peaks that the march takes [-]; finer than that of the pulse method, for a ripple does not cut a pulse in two here.
 MARCH_THRESHOLD = 0.05
@@ -61,7 +62,7 @@ class PulseMarch:
 
 
 def march_through_pulses(
-    pulses: Pulses,
+    ground: Pulses | GroundMotion,
     bearing: Bearing = LI_2020,
     friction: FrictionLaw | None = None,
     heating: Heating | None = None,
@@ -73,8 +74,8 @@ def march_through_pulses(
 
     Parameters
     ----------
-    pulses
-        Of the ground velocity.
+    ground
+        Pulses of a ground velocity, or a ground motion whose pulses are to be found with the threshold of the march.
     bearing, friction, heating
         As for `dcfp.respond`; spring (b) is taken as rigid.
     parts
@@ -87,11 +88,38 @@ def march_through_pulses(
     AnalysisError
         If a displacement is not a finite number.
     """
+    pulses = find_pulses(ground, MARCH_THRESHOLD) if isinstance(ground, GroundMotion) else ground
     friction = Li2020() if friction is None else friction
     heating = SimplifiedHeating() if heating is None else heating
+    rows = _rows(pulses, parts) if with_path else 0
+    state, path, elapsed = _marched(pulses, bearing, friction, heating, parts, rows)
+    if not np.isfinite(state[: k.PEAK_LEG]).all():
+        msg = "The march through the pulses gives no finite displacement; look at the friction law."
+        raise AnalysisError(msg)
+    return PulseMarch(
+        prediction=Prediction(
+            displacement_change=float(state[k.PEAK_CHANGE]),
+            input_velocity=math.sqrt(2.0 * state[k.PEAK_INPUT]),
+            hysteretic_velocity=math.sqrt(2.0 * state[k.PEAK_HYSTERETIC]),
+            displacement=float(state[k.PEAK_DISPLACEMENT]),
+            total_velocity=math.sqrt(2.0 * max(float(state[k.INPUT]), 0.0)),
+        ),
+        pulse=_pulse_of(float(state[k.PEAK_LEG]), pulses),
+        rests=bool(state[k.SIDE] == 0.0),
+        peak_temperature=float(state[k.PEAK_TEMPERATURE]),
+        residual_displacement=float(state[k.DISPLACEMENT]),
+        time=freeze(path[:, k.PATH_TIME].copy()),
+        displacement=freeze(path[:, k.PATH_DISPLACEMENT].copy()),
+        elapsed=elapsed,
+    )
+
+
+def _marched(
+    pulses: Pulses, bearing: Bearing, friction: FrictionLaw, heating: Heating, parts: int, rows: int
+) -> tuple[FloatArray, FloatArray, float]:
+    """Return state and path at the end, and the computing time [s]; again with more cells where they did not suffice."""
     structure = structure_of(bearing, friction)
     law = friction.at_pressure(bearing.pressure)
-    rows = _rows(pulses, parts) if with_path else 0
     plates = cold_plates(bearing, heating)
     while True:
         state = np.zeros(k.STATE_SIZE)
@@ -112,27 +140,8 @@ def march_through_pulses(
         )
         elapsed = time.perf_counter() - began
         if fits:
-            break
+            return state, path[:written], elapsed
         plates = cold_plates(bearing, heating).with_room(plates.cells.shape[1])
-    if not np.isfinite(state[: k.PEAK_LEG]).all():
-        msg = "The march through the pulses gives no finite displacement; look at the friction law."
-        raise AnalysisError(msg)
-    return PulseMarch(
-        prediction=Prediction(
-            displacement_change=float(state[k.PEAK_CHANGE]),
-            input_velocity=math.sqrt(2.0 * state[k.PEAK_INPUT]),
-            hysteretic_velocity=math.sqrt(2.0 * state[k.PEAK_HYSTERETIC]),
-            displacement=float(state[k.PEAK_DISPLACEMENT]),
-            total_velocity=math.sqrt(2.0 * max(float(state[k.INPUT]), 0.0)),
-        ),
-        pulse=_pulse_of(float(state[k.PEAK_LEG]), pulses),
-        rests=bool(state[k.SIDE] == 0.0),
-        peak_temperature=float(state[k.PEAK_TEMPERATURE]),
-        residual_displacement=float(state[k.DISPLACEMENT]),
-        time=freeze(path[:written, k.PATH_TIME].copy()),
-        displacement=freeze(path[:written, k.PATH_DISPLACEMENT].copy()),
-        elapsed=elapsed,
-    )
 
 
 def _rows(pulses: Pulses, parts: int) -> int:

@@ -16,6 +16,9 @@ ALIASES = {
     "IVD": RecordKey("FF", 5, "b"),
 }
 
+#: PGVs that the paper's records are scaled to, section 5.2 [mm/s].
+VELOCITIES = (250.0, 500.0, 750.0, 1000.0)
+
 #: Sets of FEMA P-695, and the beginnings of the names in them.
 SETS = {"P695": "P695-", "P695-FF": "P695-FF-", "P695-NF": "P695-NF-"}
 

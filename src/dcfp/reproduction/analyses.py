@@ -5,13 +5,11 @@ from dataclasses import dataclass
 
 from dcfp.bearing import LI_2020, ConstantFriction, Li2020, NoHeating, PreciseHeating
 from dcfp.comparison import Case, Setting, compare
-from dcfp.comparison.calibration import calibration_set
+from dcfp.comparison.calibration import calibration_set, cases_at
 from dcfp.record.ground_motion import GroundMotion
-from dcfp.record.named import ALIASES, named_motion
+from dcfp.record.named import ALIASES, VELOCITIES, named_motion
 from dcfp.response import Response, respond
 
-#: PGVs that the records are scaled to [mm/s]: Li et al. (2020), section 5.2.
-VELOCITIES = (250.0, 500.0, 750.0, 1000.0)
 #: Analyses of one record at one PGV: with simplified and precise heating, and with the constant coefficient.
 _MODELS = 3
 
@@ -67,10 +65,6 @@ def analyse(motions: Sequence[GroundMotion], report: Callable[[], None] | None =
             done()
             constant.append(respond(scaled, LI_2020, ConstantFriction(), NoHeating()))
             done()
-    hundred: list[Case] = []
     setting = Setting()
-    for motion in calibration_set():
-        for velocity in VELOCITIES:
-            hundred.append(compare(motion.scaled_to_pgv(velocity), setting))
-            done()
+    hundred = [case for velocity in VELOCITIES for case in cases_at(velocity, setting, done)]
     return Analyses(tuple(cases), tuple(precise), tuple(constant), tuple(hundred))

@@ -19,9 +19,16 @@ table { border-collapse: collapse; width: 100%; font-size: 0.85rem; }
 th, td { text-align: left; vertical-align: top; padding: 0.35rem 0.6rem; border-bottom: 1px solid #ddd; }
 td.sign { font-weight: bold; white-space: nowrap; } .yes { color: #00664a; } .no { color: #a03040; }
 .note { color: #555; } figure { margin: 1.2rem 0; } figcaption { font-size: 0.85rem; color: #444; max-width: 46rem; }
-figure img { max-width: 100%; height: auto; } .scroll { overflow-x: auto; }
+figure img { max-width: 100%; height: auto; } .scroll { overflow-x: auto; } td { overflow-wrap: anywhere; }
+@media (max-width: 40rem) { td.sign { white-space: normal; } th, td { padding: 0.3rem; } body { font-size: 14px; } }
 """
 
+#: Whether a finding is as printed.
+_SIGNS = {
+    True: '<span class="yes">as printed</span>',
+    False: '<span class="no">differs</span>',
+    None: '<span class="note">not comparable</span>',
+}
 #: Of an inch of a figure on a screen.
 _PIXELS = 120
 
@@ -45,7 +52,7 @@ def reproduction_page(
     missing
         Names of those of the paper that were not there.
     """
-    agreed = sum(one.agrees for one in findings)
+    agreed = sum(one.agrees is True for one in findings)
     lacking = (
         f" Not at hand are {escape(', '.join(missing))}; ranges and means of the paper are of all eight records."
         if missing
@@ -82,11 +89,8 @@ simplified heating.{lacking} Made by dcfp {escape(version())} with <code>dcfp re
 
 
 def _row(finding: Finding) -> str:
-    sign = '<span class="yes">as printed</span>' if finding.agrees else '<span class="no">differs</span>'
-    outside = "".join(
-        f"<br>{escape(one.record)} at {one.pgv / 1e3:.2f} m/s, {one.ratio:.2f}: {escape(one.words)}"
-        for one in finding.outside
-    )
+    sign = _SIGNS[finding.agrees]
+    outside = "".join(f"<br>{escape(str(one))}" for one in finding.outside)
     return (
         f"<tr><td>{escape(finding.name)}<br><span class='note'>{escape(finding.place)}</span></td>"
         f"<td>{escape(finding.paper)}</td><td>{escape(finding.ours)}</td><td>{escape(finding.hundred)}</td>"

@@ -9,6 +9,7 @@ from dcfp.arrays import FloatArray
 from dcfp.bearing import Bearing, FrictionLaw, Heating
 from dcfp.bearing.plates import mean_temperature
 from dcfp.bearing.profiles import Profiles
+from dcfp.bearing.validity import LARGEST_ANGLE
 from dcfp.kernels import march as m
 from dcfp.record.ground_motion import GroundMotion
 from dcfp.response.energy import EnergyBalance, equivalent_velocity
@@ -207,6 +208,12 @@ class Response:
             remarks.append(
                 f"{self.motion.name}: the displacement of {self.peak_displacement:.0f} mm exceeds"
                 f" the capacity of {capacity:.0f} mm{note}."
+            )
+        far = LARGEST_ANGLE * self.bearing.effective_radius
+        if self.peak_displacement > far:
+            remarks.append(
+                f"{self.motion.name}: the displacement of {self.peak_displacement:.0f} mm exceeds {far:.0f} mm, half of the effective radius,"
+                " where the pendulum's force is no longer linear and a plate is hardly as large."
             )
         if not self.rests:
             remarks.append(

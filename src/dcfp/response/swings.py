@@ -106,11 +106,9 @@ def swings_of(response: Response) -> Swings:
     side = np.sign(velocity)
     at = np.flatnonzero((side[:-1] != 0.0) & (side[1:] != side[:-1]))
     step = float(response.time[1] - response.time[0])
-    share = _zero_of_parabola(
-        velocity[at], velocity[at + 1], (displacement[at + 1] - displacement[at]) / step
-    )
-    travel = _travel(velocity[at], velocity[at + 1], (displacement[at + 1] - displacement[at]) / step, share)
-    travel *= step
+    first, last, mean = velocity[at], velocity[at + 1], (displacement[at + 1] - displacement[at]) / step
+    share = _zero_of_parabola(first, last, mean)
+    travel = step * _travel(first, last, mean, share)
     turned = displacement[at] + travel
     after = np.abs(displacement[at + 1] - turned)
     whole = np.abs(travel) + after

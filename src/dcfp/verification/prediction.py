@@ -8,18 +8,22 @@ from functools import cache, partial
 import numpy as np
 
 from dcfp.bearing import LI_2020, ConstantFriction, FrictionLaw, Heating, Li2020, NoHeating, SimplifiedHeating
-from dcfp.comparison import Case, Setting, compare
+from dcfp.comparison import Case, Setting, printed
+from dcfp.comparison.calibration import cases_at
 from dcfp.comparison.case import Basis, Method, View
 from dcfp.comparison.intervals import COVERED, coverage
 from dcfp.comparison.quantities import CHANGE, DISPLACEMENT, Quantity
 from dcfp.comparison.refit import governing
-from dcfp.comparison.statistics import ratios, scatter
+from dcfp.comparison.statistics import ratios, scatter, value_of
 from dcfp.prediction import Pulses, find_pulses, march_through_pulses
+from dcfp.prediction.li_2020 import LI_2020 as PAPER
 from dcfp.prediction.li_2020 import predict_from_pgv, predict_from_pulses
+from dcfp.prediction.pulse_march import MARCH_THRESHOLD
 from dcfp.record import treatment
 from dcfp.record.ground_motion import GroundMotion
+from dcfp.record.named import VELOCITIES
 from dcfp.response import respond
-from dcfp.verification.cases import VELOCITIES, hundred_components, scaled_record
+from dcfp.verification.cases import RECORDS, scaled_record
 from dcfp.verification.check import Finding, Task
 
 GROUP = "Prediction"
@@ -35,11 +39,10 @@ _PULSE: View = (Method.PULSE, Basis.BLIND)
 _MARCH: View = (Method.MARCH, Basis.BLIND)
 
 
-def _design(pgv: float, name: str, printed: float, last_digit: float) -> Finding:
-    said = getattr(predict_from_pgv(pgv), name)
-    unit = "mm" if name == "displacement_change" else "mm/s"
+def _design(pgv: float, quantity: Quantity, value: float, last_digit: float) -> Finding:
+    said = value_of(predict_from_pgv(pgv), quantity)
     note = "Allowed: half of the last printed digit."
-    return Finding(said, printed, unit, 0.5 * last_digit, note, f"{_PAPER}, Eqs (31)-(33)")
+    return Finding(said, value, quantity.unit, 0.5 * last_digit, note, f"{_PAPER}, Eqs (31)-(33)")
 
 
 def _largest(motion: GroundMotion) -> float:
@@ -67,7 +70,7 @@ def _thinned(motion: GroundMotion) -> GroundMotion:
 
 def _invariance(change: Callable[[GroundMotion], GroundMotion], limit: float) -> Finding:
     worst, name = 0.0, ""
-    for one in ("NCC", "KNA", "LPG", "IVD"):
+    for one in RECORDS:
         motion = scaled_record(one, 500.0)
         off = abs(_largest(change(motion)) / _largest(motion) - 1.0)
         if off >= worst:
@@ -76,7 +79,7 @@ def _invariance(change: Callable[[GroundMotion], GroundMotion], limit: float) ->
     return Finding(worst, 0.0, "-", limit, note, "the same record, otherwise written down")
 
 
-def _half_cosines(pulses: Pulses, step: float) -> GroundMotion:
+def half_cosines(pulses: Pulses, step: float) -> GroundMotion:
     """Return the motion whose velocity goes from peak to peak in half cosines."""
     start, end = float(pulses.times[0]), float(pulses.times[-1])
     time = np.arange(0.0, end - start + step, step) + start
@@ -88,10 +91,10 @@ def _half_cosines(pulses: Pulses, step: float) -> GroundMotion:
 
 
 def _march(friction: FrictionLaw, heating: Heating) -> Finding:
-    pulses = find_pulses(scaled_record("KNA", 500.0), 0.05)
+    pulses = find_pulses(scaled_record("KNA", 500.0), MARCH_THRESHOLD)
     stiff = replace(LI_2020, elastic_stiffness=1e4 * LI_2020.elastic_stiffness)
     said = march_through_pulses(pulses, stiff, friction, heating, parts=200).prediction
-    analysed = respond(_half_cosines(pulses, 0.001), stiff, friction, heating)
+    analysed = respond(half_cosines(pulses, 0.001), stiff, friction, heating)
     note = "y_max under the pulses of KNA at 0.5 m/s; 200 steps a leg. Allowed: what the samples and the stiff spring (b) of the analysis leave."
     source = "response history analysis of the same half cosines with spring (b) 10 000 times as stiff"
     return Finding(said.bound, analysed.peak_displacement, "mm", 2e-3, note, source, relative=True)
@@ -99,17 +102,15 @@ def _march(friction: FrictionLaw, heating: Heating) -> Finding:
 
 @cache
 def _hundred(velocity: float) -> tuple[Case, ...]:
-    setting = Setting()
-    return tuple(compare(motion, setting) for _, motion in hundred_components(velocity))
+    return tuple(cases_at(velocity, Setting()))
 
 
 def _average_slope() -> Finding:
     _, slopes = governing(_hundred(VELOCITIES[0]))
     limit = float(slopes.std(ddof=1)) / math.sqrt(_PAPER_RECORDS)
     note = "Mean of the governing pulses of 100 components at PGV 0.25 m/s. Allowed: the standard error of a mean of eight such records."
-    return Finding(
-        float(slopes.mean()), 930.0, "mm/s2", limit, note, f"{_PAPER}, section 6.2.2, of eight records"
-    )
+    source = f"{_PAPER}, section 6.2.2, of eight records"
+    return Finding(float(slopes.mean()), PAPER.average_slope, "mm/s2", limit, note, source)
 
 
 def _dispersion(quantity: Quantity) -> Finding:
@@ -137,21 +138,11 @@ def _task(name: str, measure: Callable[[], Finding]) -> Task:
     return Task(GROUP, name, measure)
 
 
-_CHECK_VALUES = (
-    (250.0, "V_dE", "input_velocity", 277.2, 0.1),
-    (250.0, "V_dEhr", "hysteretic_velocity", 248.8, 0.1),
-    (250.0, "dy", "displacement_change", 73.4, 0.1),
-    (1000.0, "V_dE", "input_velocity", 1108.8, 0.1),
-    (1000.0, "V_dEhr", "hysteretic_velocity", 692.5, 0.1),
-    (1000.0, "dy", "displacement_change", 568.0, 1.0),
-)
-
 TASKS = (
     *(
-        _task(
-            f"design method, {symbol} at PGV {pgv / 1e3:g} m/s", partial(_design, pgv, name, printed, digit)
-        )
-        for pgv, symbol, name, printed, digit in _CHECK_VALUES
+        _task(f"design method, {q.name} at PGV {pgv / 1e3:g} m/s", partial(_design, pgv, q, value, digit))
+        for pgv, known in printed.DESIGN.items()
+        for q, (value, digit) in known.items()
     ),
     _task("pulses, mirrored record", partial(_invariance, _mirrored, 1e-12)),
     _task("pulses, zeros before and after", partial(_invariance, _padded, 1e-2)),

@@ -1,7 +1,7 @@
 """Friction that depends on velocity: Constantinou, Mokha and Reinhorn (1990)."""
 
-from dataclasses import dataclass
-from typing import ClassVar
+from dataclasses import dataclass, replace
+from typing import ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -56,6 +56,10 @@ class Constantinou1990(FrictionLaw):
     def reference(self) -> float:
         """Coefficient at high speed [-]."""
         return self.fast
+
+    def with_reference(self, coefficient: float) -> Self:
+        """Return the law with another coefficient at high speed [-], and that at zero speed in proportion."""
+        return replace(self, fast=coefficient, slow=self.slow / self.fast * coefficient)
 
     def velocity_factor(self, speed: ArrayLike) -> FloatArray:
         """Rise from f_min / f_max to one [-]."""

@@ -1,13 +1,14 @@
 """What a friction law is."""
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
-from typing import ClassVar
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
+from dcfp.errors import InputError
 from dcfp.kernels.friction import Law
 
 
@@ -68,6 +69,20 @@ class FrictionLaw(ABC):
     def reference(self) -> float:
         """Coefficient [-] where every factor is one."""
         return 1.0
+
+    def with_reference(self, coefficient: float) -> Self:
+        """Return the same law with another reference coefficient [-].
+
+        Raises
+        ------
+        InputError
+            If the law has none, or it is out of range.
+        """
+        if not self.reference_parameter:
+            msg = f"The friction law {self.name} has no reference coefficient that could be changed."
+            raise InputError(msg)
+        law: Any = self
+        return replace(law, **{self.reference_parameter: coefficient})
 
     def pressure_factor(self, pressure: ArrayLike) -> FloatArray:
         """Effect of the pressure [N/mm2] on the coefficient [-]; one unless a law says otherwise."""

@@ -35,8 +35,9 @@ def draw_velocity_change(
         pulse = case.analysed.pulse
         return None if pulse is None else abs(float(case.pulses.changes[pulse]))
 
+    entry = quantity("ground_velocity_change")
     _draw_against_pgv(axes, cases, marks, "ground_velocity_change", change)
-    axes.set_ylabel(rf"$|{quantity('ground_velocity_change').symbol}|$ [m/s]")
+    axes.set_ylabel(f"$|{entry.symbol}|$ [{entry.shown}]")
     ends = quantity("peak_ground_velocity").display(np.array([0.0, _largest_pgv(cases)]))
     label = rf"$\zeta={constants.change_ratio:.3g}$, Eq. (29)"
     axes.plot(ends, constants.change_ratio * ends, color=INK, linewidth=0.9, linestyle=_DASHED, label=label)

@@ -15,7 +15,9 @@ from dcfp.plots.swings import (
     during,
     history_width,
     limit_time,
+    mark_change,
     mark_pulse,
+    name_swing,
     response_of,
     shade_swing,
     strong_part,
@@ -101,16 +103,6 @@ def _draw_input(axes: "Axes", swing: "Swing", *history: "np.ndarray") -> None:
     """Mark the energy put in from the start of a swing to its largest."""
     time, energy = history
     place = int(energy.argmax())
-    first, most, at = float(energy[0]), float(energy[place]), float(time[place])
-    axes.plot((time[0], at), (first, most), color=INK, marker="o", markersize=2.6, linestyle="none", zorder=4)
-    axes.plot((time[0], at), (first, first), color=INK, linewidth=0.5, linestyle=(0, (2, 2)), zorder=3)
-    arrow = {"arrowstyle": "<->", "color": INK, "linewidth": 0.7, "shrinkA": 0.0, "shrinkB": 0.0}
-    axes.annotate("", (at, most), (at, first), arrowprops=arrow)
-    axes.annotate(
-        rf"$\Delta E$:  ${quantity('swing_input_velocity').symbol}$ {metres_per_second(swing.input_velocity)}",
-        (0.5 * (swing.start + swing.end), 0.985),
-        xycoords=axes.get_xaxis_transform(),
-        ha="center",
-        va="top",
-        zorder=5,
-    )
+    mark_change(axes, (float(time[0]), float(time[place])), (float(energy[0]), float(energy[place])))
+    symbol = quantity("swing_input_velocity").symbol
+    name_swing(axes, swing, rf"$\Delta E$:  ${symbol}$ {metres_per_second(swing.input_velocity)}")

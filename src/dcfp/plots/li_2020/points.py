@@ -3,12 +3,7 @@
 from functools import partial
 from typing import TYPE_CHECKING, TypeAlias
 
-from dcfp.plots.li_2020.accuracy import (
-    draw_pulse_change,
-    draw_simplified_change,
-    draw_simplified_hysteretic,
-    draw_simplified_input,
-)
+from dcfp.plots.li_2020.accuracy import draw_accuracy
 from dcfp.plots.li_2020.by_pgv import (
     draw_displacement_change,
     draw_hysteretic_velocity,
@@ -30,16 +25,32 @@ if TYPE_CHECKING:
 
     #: What draws the points of all cases on axes.
     Draw: TypeAlias = Callable[[Axes, Sequence[Case], Mapping[str, Mark]], None]
+    Described: TypeAlias = tuple[str, str, str, tuple[Draw, ...]]
 
 
 def point_figures(cases: "Sequence[Case]", constants: "Constants") -> list[PaperFigure]:
     """Draw every figure that has a point for each case."""
     marks = marks_of(cases)
+    found: list[PaperFigure] = []
+    for number, title, words, draws in _described(cases, constants):
+        figure = small_figure(len(draws))
+        for place, draw in enumerate(draws):
+            draw(figure.add_subplot(1, len(draws), place + 1), cases, marks)
+        name_records(figure, marks)
+        found.append(PaperFigure(number, title, words, figure))
+    return found
+
+
+def _described(cases: "Sequence[Case]", constants: "Constants") -> "tuple[Described, ...]":
+    """Return number, title, caption and panels of each figure."""
+    from dcfp.comparison.case import Basis, Method  # late: the package imports the kernels
+    from dcfp.comparison.quantities import CHANGE, HYSTERETIC, INPUT
+
     blind = (
         "the largest of all pulses of the record and of all swings of the analysis, with the paper's range."
     )
     informed = f"of the pulse that the analysis found to govern.{_left_out(cases)}"
-    table: tuple[tuple[str, str, str, tuple[Draw, ...]], ...] = (
+    return (
         (
             "11",
             "Largest displacement",
@@ -50,7 +61,7 @@ def point_figures(cases: "Sequence[Case]", constants: "Constants") -> list[Paper
             "18",
             "Accuracy of the pulse method for the change of displacement",
             f"Largest change of displacement, predicted by the pulse method and analysed, {blind}",
-            (draw_pulse_change,),
+            (partial(draw_accuracy, view=(Method.PULSE, Basis.BLIND), which=CHANGE),),
         ),
         (
             "19",
@@ -68,19 +79,19 @@ def point_figures(cases: "Sequence[Case]", constants: "Constants") -> list[Paper
             "22",
             "Accuracy of the simplified method for the input energy",
             f"Equivalent velocity of the input energy, predicted by the simplified method and analysed, {blind}",
-            (draw_simplified_input,),
+            (partial(draw_accuracy, view=(Method.SIMPLIFIED, Basis.BLIND), which=INPUT),),
         ),
         (
             "23",
             "Accuracy of the simplified method for the dissipated energy",
             f"Equivalent velocity of the dissipated energy, predicted by the simplified method and analysed, {blind}",
-            (draw_simplified_hysteretic,),
+            (partial(draw_accuracy, view=(Method.SIMPLIFIED, Basis.BLIND), which=HYSTERETIC),),
         ),
         (
             "24",
             "Accuracy of the simplified method for the change of displacement",
             f"Largest change of displacement, predicted by the simplified method and analysed, {blind}",
-            (draw_simplified_change,),
+            (partial(draw_accuracy, view=(Method.SIMPLIFIED, Basis.BLIND), which=CHANGE),),
         ),
         (
             "25",
@@ -104,14 +115,6 @@ def point_figures(cases: "Sequence[Case]", constants: "Constants") -> list[Paper
             (partial(draw_displacement_change, constants=constants),),
         ),
     )
-    found: list[PaperFigure] = []
-    for number, title, words, draws in table:
-        figure = small_figure(len(draws))
-        for place, draw in enumerate(draws):
-            draw(figure.add_subplot(1, len(draws), place + 1), cases, marks)
-        name_records(figure, marks)
-        found.append(PaperFigure(number, title, words, figure))
-    return found
 
 
 def _left_out(cases: "Sequence[Case]") -> str:

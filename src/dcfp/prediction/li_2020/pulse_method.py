@@ -1,7 +1,7 @@
 """Displacement and energy from the pulses of the ground velocity: Li et al. (2020), section 6.1, Eqs (17)-(25).
 
-Within a pulse the ground's velocity is two straight lines and the structure's is one, of the slope that friction gives it. All
-slopes are taken with the sign that makes kg_i positive, so that kg_(i+1) is negative.
+Within a pulse the ground's velocity is two straight lines and the structure's is one: from that of the ground at the start, which
+is conservative, Eq. (17), with the slope that friction gives it. All slopes are taken with the sign that makes kg_i positive, so that kg_(i+1) is negative.
 """
 
 import numpy as np
@@ -10,11 +10,6 @@ from dcfp.arrays import FloatArray
 from dcfp.prediction.li_2020.constants import LI_2020, Constants
 from dcfp.prediction.pulses import Pulses
 from dcfp.prediction.result import PulsePrediction
-
-
-def initial_structure_velocity(ground: FloatArray) -> FloatArray:
-    """Velocity of the structure vu_(i-1) at the start of a pulse [mm/s], that of the ground: Eq. (17), conservative."""
-    return ground
 
 
 def structure_slope(ground_slope: FloatArray, friction_deceleration: float) -> FloatArray:

@@ -1,4 +1,4 @@
-"""Numbers that Li et al. (2020), section 6, print."""
+"""What Li et al. (2020), section 6, print of their methods; the constants are in `dcfp.prediction.li_2020.LI_2020`."""
 
 from dcfp.comparison.case import Basis, Method, View
 from dcfp.comparison.quantities import CHANGE, HYSTERETIC, INPUT, Quantity
@@ -13,12 +13,11 @@ RANGES: dict[tuple[View, Quantity], tuple[float, float, str]] = {
     ((Method.SIMPLIFIED, Basis.BLIND), HYSTERETIC): (0.7, 1.6, "Figure 23"),
     ((Method.SIMPLIFIED, Basis.BLIND), CHANGE): (0.7, 1.8, "Figure 24"),
 }
-
-#: kg_ave [mm/s2], section 6.2.2; eps [-], Figure 19; zeta [-], Figure 25.
-AVERAGE_SLOPE, FALL_RATIO, CHANGE_RATIO = 930.0, 0.25, 1.5
-
-#: The design method at PGV [mm/s]: V_dE, V_dEhr [mm/s] and dy [mm], from Eqs (31)-(33) with mu_n g = 421.8 mm/s2.
-DESIGN = {250.0: (277.2, 248.8, 73.4), 1000.0: (1108.8, 692.5, 568.0)}
-
 #: Half of the last printed digit of a range [-].
 ROUNDING = 0.05
+
+#: The design method at PGV [mm/s]: each quantity with its last printed digit [mm/s, mm], from Eqs (31)-(33) with mu_n g = 421.8 mm/s2.
+DESIGN: dict[float, dict[Quantity, tuple[float, float]]] = {
+    250.0: {INPUT: (277.2, 0.1), HYSTERETIC: (248.8, 0.1), CHANGE: (73.4, 0.1)},
+    1000.0: {INPUT: (1108.8, 0.1), HYSTERETIC: (692.5, 0.1), CHANGE: (568.0, 1.0)},
+}
