@@ -78,7 +78,9 @@ def _compare(chosen: argparse.Namespace, setting: "Setting") -> "list[Case]":
     with progress("comparisons", len(motions)) as advance:
         for motion in motions:
             cases.append(
-                compare(motion, setting, keep_response=chosen.plot is not None and len(motions) == 1)
+                compare(
+                    motion, setting, codes=True, keep_response=chosen.plot is not None and len(motions) == 1
+                )
             )
             advance()
     return cases

@@ -26,6 +26,13 @@ _MOST_ROWS = 40
 _SHORT = {"pulse": "pulse", "simplified": "simpl.", "design": "design", "pulse march": "march"}
 _SHORT_BASIS = {"blind": "blind", "informed": "informed", "PGV only": "PGV"}
 _KILO = 1e3
+#: Marks of a ratio by whether a case is within the limits of a method, and whether any limits are known.
+_MARKS: dict[tuple[bool | None, bool], str] = {
+    (False, True): "*",
+    (None, True): "?",
+    (True, True): " ",
+    (True, False): " ",
+}
 #: A number in a remark, by which two remarks of one kind may differ.
 _NUMBER = re.compile(r"\d+(?:\.\d+)?")
 
@@ -42,6 +49,7 @@ def print_cases(
         print_labelled(out, labels(setting, nominal))
         if len(cases) <= _MOST_ROWS:
             _print_ratios(out, cases)
+            _print_codes(out, cases)
         _print_scatter(out, scatters)
         if held_out is not None:
             _print_held_out(out, held_out)
@@ -54,13 +62,14 @@ def _print_ratios(out: "Console", cases: "Sequence[Case]") -> None:
     from dcfp.comparison.statistics import ratios
 
     table = new_table(["Record"], ["PGV\n[m/s]", "dy\n[mm]", "y_max\n[mm]"])
-    for view in VIEWS:
+    views = [view for view in VIEWS if view[1] is not Basis.SPECTRUM]
+    for view in views:
         table.add_column(
             f"{_SHORT[view[0].value]}\n{_SHORT_BASIS[view[1].value]}", justify="right", no_wrap=True
         )
     table.add_column("march\ny_max", justify="right", no_wrap=True)
     for case in cases:
-        cells = [_ratio(float(ratios([case], view, CHANGE)[0])) for view in VIEWS]
+        cells = [_ratio(float(ratios([case], view, CHANGE)[0])) for view in views]
         cells.append(_ratio(float(ratios([case], (Method.MARCH, Basis.BLIND), DISPLACEMENT)[0])))
         whole = case.analysed.whole
         add_row(
@@ -75,6 +84,28 @@ def _print_ratios(out: "Console", cases: "Sequence[Case]") -> None:
         )
     out.print()
     out.print("dy and y_max of the analysis, dy of each prediction over it, and y_max of the march over it:")
+    out.print(table)
+
+
+def _print_codes(out: "Console", cases: "Sequence[Case]") -> None:
+    names = list(dict.fromkeys(name for case in cases for name in case.answers))
+    table = new_table(["Record"], ["PGV\n[m/s]", "y_max\n[mm]"])
+    for name in names:
+        head, _, tail = name.partition(" ")
+        table.add_column(f"{head}\n{tail}", justify="right", no_wrap=True)
+    for case in cases:
+        cells: list[str] = []
+        for name in names:
+            said = case.answers.get(name)
+            if said is None:
+                cells.append("–")
+                continue
+            cells.append(
+                f"{_ratio(said.displacement / case.analysed.whole.bound)}{_MARKS[said.valid, bool(said.conditions)]}"
+            )
+        add_row(table, [case.record, f"{case.pgv / _KILO:.3f}", f"{case.analysed.whole.bound:.1f}", *cells])
+    out.print()
+    out.print("y_max of the methods of codes, under the record's own spectrum, over that of the analysis:")
     out.print(table)
 
 
@@ -166,6 +197,8 @@ def _notes(cases: "Sequence[Case]") -> list[str]:
         " a method without a y_max of its own offers dy for it.",
         "Bias: geometric mean; Dispersion: standard deviation of the natural logarithm; Below: share of all cases with a prediction below the"
         " analysis; Without: no pulse was found, or nothing moves by the method, which counts as below and nowhere else.",
+        "*: outside of the limits of the method; ?: within those that could be checked; the methods of AIJ state none that are known here."
+        f" {_verdicts(cases)}",
         SYMBOLS,
     ]
     over = displacement_over_change(cases)
@@ -176,6 +209,22 @@ def _notes(cases: "Sequence[Case]") -> list[str]:
             f" above 1 in {100.0 * float((over > 1.0).mean()):.0f} % of the cases."
         )
     return notes
+
+
+def _verdicts(cases: "Sequence[Case]") -> str:
+    """Return in how many cases each method is outside of its limits."""
+    names = dict.fromkeys(name for case in cases for name, said in case.answers.items() if said.conditions)
+    outside = {
+        name: sum(case.answers[name].valid is False for case in cases if name in case.answers)
+        for name in names
+    }
+    return (
+        "; ".join(
+            f"{name}: {number} of {len(cases)} cases outside of its limits"
+            for name, number in outside.items()
+        )
+        + "."
+    )
 
 
 def _ratio(value: float) -> str:

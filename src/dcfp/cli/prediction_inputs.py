@@ -43,22 +43,27 @@ def add_method(parser: Parser) -> None:
     )
 
 
+def nominal(chosen: argparse.Namespace, model: inputs.Model) -> "Nominal":
+    """Return the nominal coefficient and where it comes from."""
+    from dcfp.comparison.nominal import Nominal, nominal_coefficient
+
+    if chosen.nominal_mu is not None:
+        return Nominal(chosen.nominal_mu, "as given")
+    return nominal_coefficient(model.bearing, model.friction, model.heating)
+
+
 def setting(chosen: argparse.Namespace, model: inputs.Model) -> "tuple[Setting, Nominal]":
     """Return how records are predicted, and where the nominal coefficient comes from."""
     from dcfp.comparison import Setting
-    from dcfp.comparison.nominal import Nominal, nominal_coefficient
     from dcfp.prediction.li_2020 import LI_2020
 
-    if chosen.nominal_mu is None:
-        nominal = nominal_coefficient(model.bearing, model.friction, model.heating)
-    else:
-        nominal = Nominal(chosen.nominal_mu, "as given")
+    found = nominal(chosen, model)
     given = {
-        "nominal_friction": nominal.value,
+        "nominal_friction": found.value,
         "fall_ratio": chosen.eps,
         "change_ratio": chosen.zeta,
         "average_slope": chosen.average_slope,
     }
     constants = replace(LI_2020, **{name: value for name, value in given.items() if value is not None})
     made = Setting(model.bearing, model.friction, model.heating, constants)
-    return (made if chosen.threshold is None else replace(made, threshold=chosen.threshold)), nominal
+    return (made if chosen.threshold is None else replace(made, threshold=chosen.threshold)), found

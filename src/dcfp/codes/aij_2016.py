@@ -1,6 +1,8 @@
 """The two equivalent-linear methods and the energy balance of the AIJ recommendations for isolated buildings (2016).
 
-The paper of Li et al. (2020), section 2, describes them; what is taken from memory says so.
+The recommendations themselves were not read: Li et al. (2020), section 2, describe the methods, and the equations follow from that. F_h is that of
+Notification 2009 and agrees in five sources; its floor of 0.4 is in one, word for word. The part of 0.8 of the loop's damping was found nowhere (the calculation
+basis of matsumok/Squid-N takes the whole), nor was D_h.
 """
 
 import math
@@ -24,22 +26,32 @@ _LEAST_CORRECTION = 0.4
 LOOPS = 2.0
 _HALVINGS = 200
 
-_DAMPING = "the part of 0.8 of the loop's damping, and the least factor of 0.4"
+_PART = "the part of 0.8 of the loop's damping"
+_FLOOR = "the least F_h of 0.4, which one source gives"
+_KASAI = "D_h for recorded motions"
 
 
 def equivalent_damping(pendulum: PendulumWithFriction, displacement: float) -> float:
-    """Damping ratio h_eq = 0.8 / (4 pi) dW / W [-] at a displacement [mm]: 0.8 of that of the steady loop."""
+    """Damping ratio h_eq = 0.8 / (4 pi) dW / W [-] at a displacement [mm]: 0.8 of that of the steady loop, unconfirmed."""
     return _LOOP_PART * pendulum.effective_damping(displacement)
 
 
 def damping_correction(damping: float) -> float:
-    """Factor F_h = 1.5 / (1 + 10 h) [-] at a damping ratio [-], at least 0.4; above 1 only below a damping of 5 %."""
+    """Factor F_h = 1.5 / (1 + 10 h) [-] at a damping ratio [-], at least 0.4 (one source); above 1 only below a damping of 5 %."""
     return max(1.5 / (1.0 + 10.0 * damping), _LEAST_CORRECTION)
 
 
 def kasai_correction(damping: float, reference: float = 0.05) -> float:
     """Factor D_h = sqrt((1 + 25 h0) / (1 + 25 h)) [-] for recorded motions at a damping ratio [-]; Kasai et al. (2003), unconfirmed."""
     return math.sqrt((1.0 + 25.0 * reference) / (1.0 + 25.0 * damping))
+
+
+def _unconfirmed(correction: Callable[[float], float]) -> tuple[str, ...]:
+    of_correction: dict[Callable[[float], float], tuple[str, ...]] = {
+        damping_correction: (_FLOOR,),
+        kasai_correction: (_KASAI,),
+    }
+    return (_PART, *of_correction.get(correction, ()))
 
 
 def method_1(
@@ -63,7 +75,7 @@ def method_1(
         period=last.period,
         damping=last.damping,
         steps=steps,
-        unconfirmed=(*spectrum.unconfirmed, _DAMPING),
+        unconfirmed=(*spectrum.unconfirmed, *_unconfirmed(correction)),
     )
 
 
@@ -109,7 +121,7 @@ def method_2(
         base_shear=pendulum.force(D),
         period=pendulum.effective_period(D),
         damping=equivalent_damping(pendulum, D),
-        unconfirmed=(_DAMPING,),
+        unconfirmed=_unconfirmed(correction),
     )
 
 

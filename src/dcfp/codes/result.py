@@ -105,6 +105,8 @@ class Answer:
     @property
     def verdict(self) -> str:
         """The verdict in a word or two, which must stand beside every result."""
+        if not self.conditions:
+            return "no limits known"
         broken = sum(one.verdict is Verdict.NOT_MET for one in self.conditions)
         if broken:
             return f"outside its limits ({broken})"

@@ -4,9 +4,21 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 from dcfp.bearing import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating
+from dcfp.codes import aij_2016, asce_2016, eurocode_8
+from dcfp.codes.equivalent_linear import PendulumWithFriction
+from dcfp.codes.panel import answers_for_motion
+from dcfp.codes.result import Answer
 from dcfp.comparison.earthquake import event_of
 from dcfp.comparison.matching import pulse_behind
-from dcfp.prediction import Prediction, PulseMarch, PulsePrediction, Pulses, find_pulses, march_through_pulses
+from dcfp.prediction import (
+    NOTHING,
+    Prediction,
+    PulseMarch,
+    PulsePrediction,
+    Pulses,
+    find_pulses,
+    march_through_pulses,
+)
 from dcfp.prediction import li_2020 as paper
 from dcfp.prediction.pulse_march import MARCH_THRESHOLD
 from dcfp.prediction.pulses import THRESHOLD
@@ -21,6 +33,7 @@ class Basis(StrEnum):
     PGV = "PGV only"
     BLIND = "blind"
     INFORMED = "informed"
+    SPECTRUM = "spectrum"
 
 
 class Method(StrEnum):
@@ -30,9 +43,15 @@ class Method(StrEnum):
     SIMPLIFIED = "simplified"
     DESIGN = "design"
     MARCH = "pulse march"
+    ASCE = asce_2016.NAME
+    EUROCODE = eurocode_8.NAME
+    AIJ_1 = aij_2016.METHOD_1
+    AIJ_2 = aij_2016.METHOD_2
+    AIJ_ENERGY = aij_2016.ENERGY_BALANCE
 
 
-#: What is compared with the analysis, in the order of tables: blind reads the record, informed also which pulse the analysis found to govern.
+#: What is compared with the analysis, in the order of tables: blind reads the record, informed also which pulse the analysis found to govern, and the methods of
+#: codes its spectrum.
 VIEWS = (
     (Method.PULSE, Basis.BLIND),
     (Method.PULSE, Basis.INFORMED),
@@ -40,6 +59,10 @@ VIEWS = (
     (Method.SIMPLIFIED, Basis.INFORMED),
     (Method.DESIGN, Basis.PGV),
     (Method.MARCH, Basis.BLIND),
+    *(
+        (method, Basis.SPECTRUM)
+        for method in (Method.ASCE, Method.EUROCODE, Method.AIJ_1, Method.AIJ_2, Method.AIJ_ENERGY)
+    ),
 )
 View = tuple[Method, Basis]
 
@@ -86,6 +109,8 @@ class Case:
         What the analysis gives.
     predicted
         What each method says, by method and basis; a method that cannot be used is not there.
+    answers
+        What the methods of codes say under the record's own spectrum, with their verdicts, by name; empty where they were not asked.
     remarks
         Sentences that a reader of the analysis must know.
     response
@@ -98,6 +123,7 @@ class Case:
     pulses: Pulses
     analysed: Analysed
     predicted: dict[View, Prediction]
+    answers: dict[str, Answer] = field(default_factory=dict[str, Answer])
     remarks: tuple[str, ...] = ()
     response: Response | None = None
 
@@ -124,7 +150,13 @@ class Setting:
     march_threshold: float = MARCH_THRESHOLD
 
 
-def compare(motion: GroundMotion, setting: Setting | None = None, *, keep_response: bool = False) -> Case:
+def compare(
+    motion: GroundMotion,
+    setting: Setting | None = None,
+    *,
+    codes: bool = False,
+    keep_response: bool = False,
+) -> Case:
     """Analyse a ground motion, and predict the same by every method that can be used.
 
     Parameters
@@ -133,6 +165,8 @@ def compare(motion: GroundMotion, setting: Setting | None = None, *, keep_respon
         The ground motion.
     setting
         By default the bearing of Li et al. (2020) with its law and the simplified heating model.
+    codes
+        Whether the methods of codes are asked too, under the record's own spectrum.
     keep_response
         Whether the case keeps the analysis.
     """
@@ -140,16 +174,29 @@ def compare(motion: GroundMotion, setting: Setting | None = None, *, keep_respon
     response = respond(motion, setting.bearing, setting.friction, setting.heating)
     pulses = find_pulses(motion, setting.threshold)
     analysed = analysed_of(response, pulses)
+    predicted = predictions(motion, setting, pulses, analysed.pulse)
+    answers = answers_for_motion(motion, pendulum_of(setting)) if codes else {}
     return Case(
         record=motion.name,
         event=event_of(motion),
         pgv=motion.peak_velocity,
         pulses=pulses,
         analysed=analysed,
-        predicted=predictions(motion, setting, pulses, analysed.pulse),
+        predicted=predicted
+        | {(Method(name), Basis.SPECTRUM): _of_code(said) for name, said in answers.items()},
+        answers=answers,
         remarks=response.remarks,
         response=response if keep_response else None,
     )
+
+
+def pendulum_of(setting: Setting) -> PendulumWithFriction:
+    """Return what the methods of codes take of a bearing: its radius and the nominal coefficient."""
+    return PendulumWithFriction(setting.bearing.effective_radius, setting.constants.nominal_friction)
+
+
+def _of_code(said: Answer) -> Prediction:
+    return replace(NOTHING, displacement=said.displacement)
 
 
 def predictions(

@@ -94,7 +94,7 @@ def scatter(values: FloatArray, among: NDArray[np.bool_] | None = None) -> Scatt
 def scatters(cases: Sequence[Case]) -> dict[tuple[View, Quantity], Scatter]:
     """Return the measures of every view and every quantity that it predicts.
 
-    What does not know the analysis is measured on the cases in which each of these methods predicts a motion, so that none is spared the cases that
+    What does not know the analysis is measured on the cases in which each of the methods of prediction foresees a motion, so that none is spared the cases that
     another must bear; what is informed, on its own.
     """
     found: dict[tuple[View, Quantity], Scatter] = {}
@@ -102,7 +102,9 @@ def scatters(cases: Sequence[Case]) -> dict[tuple[View, Quantity], Scatter]:
         values = {view: ratios(cases, view, quantity) for view in VIEWS}
         known = {view: one for view, one in values.items() if np.isfinite(one).any()}
         blind = [
-            np.isfinite(one) & (one > 0.0) for view, one in known.items() if view[1] is not Basis.INFORMED
+            np.isfinite(one) & (one > 0.0)
+            for view, one in known.items()
+            if view[1] in (Basis.BLIND, Basis.PGV)
         ]
         common = np.logical_and.reduce(blind) if blind else None
         for view, one in known.items():

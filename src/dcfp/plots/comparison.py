@@ -51,6 +51,14 @@ _LOOKS = (
     _Look("design", "s", GREY, 2, 0.9),
     _Look("pulse march", "D", RED, 5, 0.9),
 )
+#: Methods of codes, all of which look at the record's spectrum.
+_CODE_LOOKS = (
+    _Look("ASCE 7-16 ELF", "v", BLUE, 2),
+    _Look("Eurocode 8 simplified", "p", OCHRE, 2, 1.1),
+    _Look("AIJ method 1", "h", GREY, 3),
+    _Look("AIJ method 2", "P", INK, 3),
+    _Look("AIJ energy balance", "X", RED, 4),
+)
 
 
 def plot_comparison(cases: "Sequence[Case]") -> Figure:
@@ -58,7 +66,8 @@ def plot_comparison(cases: "Sequence[Case]") -> Figure:
 
     A legend names the methods with their bias, the geometric mean of prediction over analysis, and their dispersion, the
     standard deviation of its natural logarithm; cases in which a method predicts nothing lie as hollow marks on the lower
-    edge, and are counted.
+    edge, and are counted. Where the methods of codes were asked, a panel of their own shows their y_max; a case outside of the limits of a
+    method is hollow there.
 
     Parameters
     ----------
@@ -70,39 +79,53 @@ def plot_comparison(cases: "Sequence[Case]") -> Figure:
     InputError
         If there is no case.
     """
-    from dcfp.comparison.quantities import QUANTITIES  # late: the package imports the kernels
+    from dcfp.comparison.quantities import DISPLACEMENT, QUANTITIES  # late: the package imports the kernels
 
     if not cases:
         msg = "There is nothing to compare; give at least one case."
         raise InputError(msg)
-    drawn = [which for which in QUANTITIES if which.name in ENTRIES]
+    drawn: list[tuple[Quantity, tuple[_Look, ...]]] = [
+        (which, _LOOKS) for which in QUANTITIES if which.name in ENTRIES
+    ]
+    if any(case.answers for case in cases):
+        drawn.append((DISPLACEMENT, _CODE_LOOKS))
+    rows = (len(drawn) + 1) // 2
     with style():
-        figure = Figure(figsize=(PAGE_WIDTH, 7.9), layout="constrained")
-        panels: Any = figure.subplots(2, 2)
-        for axes, which in zip(panels.flat, drawn, strict=True):
-            _draw_panel(axes, cases, which)
+        figure = Figure(figsize=(PAGE_WIDTH, 3.95 * rows), layout="constrained")
+        panels: Any = figure.subplots(rows, 2)
+        for axes in panels.flat[len(drawn) :]:
+            axes.set_axis_off()
+        for axes, (which, looks) in zip(panels.flat, drawn, strict=False):
+            _draw_panel(axes, cases, which, looks)
     return figure
 
 
-def _draw_panel(axes: "Axes", cases: "Sequence[Case]", which: "Quantity") -> None:
+def _draw_panel(axes: "Axes", cases: "Sequence[Case]", which: "Quantity", looks: tuple[_Look, ...]) -> None:
     entry = quantity(ENTRIES[which.name])
-    analysed, predicted = _values(cases, which, entry.factor)
+    analysed, predicted = _values(cases, which, entry.factor, looks)
     low, high = _limits(analysed, predicted)
     _draw_lines(axes, low, high)
     size = 4.5 if len(cases) <= _FEW else 3.0 if len(cases) <= _MANY else 2.2
-    for look, values in zip(_LOOKS, predicted, strict=True):
-        _draw_method(axes, look, analysed, values, low, size)
+    for look, values in zip(looks, predicted, strict=True):
+        outside = np.array([_is_outside(case, look) for case in cases])
+        _draw_method(axes, look, np.where(outside, np.nan, analysed), values, low, size)
+        _draw_outside(axes, look, np.where(outside, analysed, np.nan), values, size)
     calm_ticks(axes)
     axes.set(xscale="log", yscale="log", xlim=(low, high), ylim=(low, high))
     axes.set_box_aspect(1.0)
     axes.set_xlabel(f"${entry.symbol}$ analysed [{entry.shown}]")
     axes.set_ylabel(f"${entry.symbol}$ predicted [{entry.shown}]")
     plain_numbers(axes)
-    _add_legend(axes, cases, which)
+    _add_legend(axes, cases, which, looks)
+
+
+def _is_outside(case: "Case", look: _Look) -> bool:
+    """Whether a case is outside of the limits of a method of a code."""
+    return look.method in case.answers and case.answers[look.method].valid is False
 
 
 def _values(
-    cases: "Sequence[Case]", which: "Quantity", factor: float
+    cases: "Sequence[Case]", which: "Quantity", factor: float, looks: tuple[_Look, ...]
 ) -> "tuple[FloatArray, list[FloatArray]]":
     """Return what was analysed, and what each method predicts, as shown; not a number where there is nothing."""
     from dcfp.comparison.statistics import value_of
@@ -110,17 +133,18 @@ def _values(
 
     analysed = np.array([value_of(case.analysed.whole, which) for case in cases])
     predicted = [
-        np.array([value_of(case.predicted.get(view, NOTHING), which) for case in cases]) for view in _views()
+        np.array([value_of(case.predicted.get(view, NOTHING), which) for case in cases])
+        for view in _views(looks)
     ]
     return factor * analysed, [factor * values for values in predicted]
 
 
-def _views() -> "list[View]":
-    """Return the blind view of each method, in the order of their looks."""
+def _views(looks: tuple[_Look, ...]) -> "list[View]":
+    """Return the view of each method that does not know the analysis, in the order of their looks."""
     from dcfp.comparison.case import VIEWS, Basis
 
     blind = {str(method): (method, basis) for method, basis in VIEWS if basis is not Basis.INFORMED}
-    return [blind[look.method] for look in _LOOKS]
+    return [blind[look.method] for look in looks]
 
 
 def _limits(analysed: "FloatArray", predicted: "Sequence[FloatArray]") -> tuple[float, float]:
@@ -166,13 +190,29 @@ def _draw_method(
         )
 
 
-def _add_legend(axes: "Axes", cases: "Sequence[Case]", which: "Quantity") -> None:
-    from dcfp.comparison.statistics import ratios, scatter
+def _draw_outside(
+    axes: "Axes", look: _Look, analysed: "FloatArray", predicted: "FloatArray", size: float
+) -> None:
+    axes.plot(
+        analysed,
+        predicted,
+        **look.mark(size),
+        markerfacecolor="none",
+        markeredgecolor=look.colour,
+        markeredgewidth=0.5,
+        alpha=0.8,
+        zorder=look.order,
+    )
 
+
+def _add_legend(axes: "Axes", cases: "Sequence[Case]", which: "Quantity", looks: tuple[_Look, ...]) -> None:
+    from dcfp.comparison.statistics import scatters
+
+    found = scatters(cases)
     handles: list[Line2D] = []
-    for look, view in zip(_LOOKS, _views(), strict=True):
-        if any(view in case.predicted for case in cases):
-            label = f"{look.method}: {_words(scatter(ratios(cases, view, which)))}"
+    for look, view in zip(looks, _views(looks), strict=True):
+        if (view, which) in found:
+            label = f"{look.method}: {_words(found[view, which])}"
             handles.append(Line2D([], [], **look.mark(4.0), color=look.colour, label=label))
     axes.legend(
         handles=handles,
@@ -181,7 +221,7 @@ def _add_legend(axes: "Axes", cases: "Sequence[Case]", which: "Quantity") -> Non
         alignment="left",
         loc="lower left",
         bbox_to_anchor=(0.0, 1.01),
-        ncols=2,
+        ncols=2 if looks is _LOOKS else 1,
         handlelength=0.8,
     )
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,6 +13,9 @@ from dcfp.kernels import oscillators as k
 from dcfp.record.ground_motion import GroundMotion
 from dcfp.spectrum.elastic import TabulatedSpectrum
 from dcfp.spectrum.oscillators import DAMPING, PERIODS, checked, coefficients, pieces, refined
+
+#: Acceleration in place of none, of which there is no logarithm [mm/s2].
+_LEAST = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,9 +52,11 @@ class ResponseSpectrum:
 
     def acceleration(self, period: ArrayLike) -> FloatArray:
         """Pseudo-acceleration [mm/s2] at a period [s], interpolated."""
-        return TabulatedSpectrum(
-            self.periods, np.maximum(self.pseudo_acceleration, 1e-9), self.name
-        ).acceleration(period)
+        return self._table.acceleration(period)
+
+    @cached_property
+    def _table(self) -> TabulatedSpectrum:
+        return TabulatedSpectrum(self.periods, np.maximum(self.pseudo_acceleration, _LEAST), self.name)
 
 
 def response_spectrum(

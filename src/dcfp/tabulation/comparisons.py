@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from dcfp.tabulation.answers import answer_object
 from dcfp.tabulation.columns import Column, table_text
 from dcfp.tabulation.forecasts import pulse_object, value_columns, values
 
@@ -43,7 +44,9 @@ def case_objects(cases: "Sequence[Case]", setting: "Setting") -> list[dict[str, 
                     "ratios": _ratios(case, view),
                 }
                 for view, said in case.predicted.items()
+                if view[1].value != "spectrum"
             ],
+            "codes": [answer_object(said) for said in case.answers.values()],
             "remarks": [*case.remarks, *setting_remarks(case.pgv, setting)],
         }
         for case in cases

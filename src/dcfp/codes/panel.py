@@ -1,0 +1,162 @@
+"""Every method on the same bearing, from a spectrum or from a record."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from dcfp.bearing import Bearing, FrictionLaw, Heating
+from dcfp.codes import aij_2016, asce_2016, eurocode_8
+from dcfp.codes.equivalent_linear import PendulumWithFriction
+from dcfp.codes.result import Answer
+from dcfp.codes.structure import Structure
+from dcfp.errors import AnalysisError
+from dcfp.record.ground_motion import GroundMotion
+from dcfp.response import respond
+from dcfp.spectrum.elastic import ElasticSpectrum, velocity
+from dcfp.spectrum.input_energy import input_energy_spectrum
+from dcfp.spectrum.of_record import response_spectrum
+from dcfp.spectrum.oscillators import PERIODS
+
+#: Names of the methods, in the order of tables.
+NAMES = (
+    asce_2016.NAME,
+    eurocode_8.NAME,
+    aij_2016.METHOD_1,
+    aij_2016.METHOD_2,
+    aij_2016.ENERGY_BALANCE,
+)
+#: Damping ratio of the input energy spectrum that Akiyama (1985) takes [-].
+ENERGY_DAMPING = 0.10
+#: Shortest period over which the velocity of a spectrum is averaged for the method of a constant velocity [s].
+_SHORTEST = 2.0
+#: Number of periods of that mean.
+_PERIODS = 25
+
+
+def answers_for_spectrum(
+    spectrum: ElasticSpectrum,
+    pendulum: PendulumWithFriction,
+    structure: Structure | None = None,
+    bounds: asce_2016.Bounds | None = None,
+    equivalent_velocity: float | None = None,
+) -> dict[str, Answer]:
+    """Return what every method says under a spectrum at a damping of 5 %, by its name; a method that has no solution is not there.
+
+    Parameters
+    ----------
+    spectrum, pendulum
+        The demand and the bearing.
+    structure, bounds
+        As for `equivalent_lateral_force`.
+    equivalent_velocity
+        V_E of the energy balance [mm/s]; by default the largest pseudo-velocity of the spectrum, below which the V_E of an oscillator hardly is.
+    """
+    level = constant_velocity(spectrum, pendulum)
+    largest = float(velocity(spectrum, PERIODS).max())
+    V_E = largest if equivalent_velocity is None else equivalent_velocity
+    made = {
+        asce_2016.NAME: lambda: asce_2016.equivalent_lateral_force(pendulum, spectrum, structure, bounds),
+        eurocode_8.NAME: lambda: eurocode_8.simplified_linear_analysis(pendulum, spectrum, structure),
+        aij_2016.METHOD_1: lambda: aij_2016.method_1(pendulum, spectrum),
+        aij_2016.METHOD_2: lambda: aij_2016.method_2(pendulum, level),
+        aij_2016.ENERGY_BALANCE: lambda: aij_2016.energy_balance(pendulum, V_E),
+    }
+    found: dict[str, Answer] = {}
+    for name, make in made.items():
+        try:
+            found[name] = make()
+        except AnalysisError:
+            continue
+    return found
+
+
+def answers_for_motion(
+    motion: GroundMotion,
+    pendulum: PendulumWithFriction,
+    structure: Structure | None = None,
+    bounds: asce_2016.Bounds | None = None,
+) -> dict[str, Answer]:
+    """Return what every method says under the spectra of a record itself, by its name; nothing for a record without motion.
+
+    V_E is the largest relative input energy at the period of the pendulum and a damping of 10 %, as Akiyama (1985) takes it.
+    """
+    if motion.peak_acceleration == 0.0:
+        return {}
+    spectrum = response_spectrum(motion)
+    energy = input_energy_spectrum(motion, np.array([pendulum.free_period]), ENERGY_DAMPING)
+    V_E = float(energy.equivalent_velocity[0])
+    return answers_for_spectrum(spectrum, pendulum, structure, bounds, equivalent_velocity=V_E)
+
+
+def constant_velocity(spectrum: ElasticSpectrum, pendulum: PendulumWithFriction) -> float:
+    """Return the level of a velocity spectrum as if it were constant [mm/s]: its mean from 2 s to the period of the pendulum."""
+    longest = max(pendulum.free_period, _SHORTEST)
+    return float(velocity(spectrum, np.linspace(_SHORTEST, longest, _PERIODS)).mean())
+
+
+@dataclass(frozen=True, eq=False)
+class Panel:
+    """What every method says of one demand.
+
+    Attributes
+    ----------
+    name
+        Of the spectrum or the record.
+    spectrum
+        At a damping of 5 %.
+    pendulum
+        The bearing as the methods take it.
+    answers
+        By name; a method that has no solution is not there.
+    pgv
+        Of the record [mm/s], or None.
+    displacement, base_shear
+        y_max [mm] and the largest force over the weight [-] of the response history analysis, or None where there is no record.
+    """
+
+    name: str
+    spectrum: ElasticSpectrum
+    pendulum: PendulumWithFriction
+    answers: dict[str, Answer]
+    pgv: float | None = None
+    displacement: float | None = None
+    base_shear: float | None = None
+
+    @property
+    def missing(self) -> tuple[str, ...]:
+        """Names of the methods that have no solution."""
+        return tuple(name for name in NAMES if name not in self.answers)
+
+
+def panel_of_spectrum(
+    spectrum: ElasticSpectrum,
+    pendulum: PendulumWithFriction,
+    structure: Structure | None = None,
+    bounds: asce_2016.Bounds | None = None,
+) -> Panel:
+    """Ask every method under a spectrum; arguments as for `answers_for_spectrum`."""
+    return Panel(
+        spectrum.name, spectrum, pendulum, answers_for_spectrum(spectrum, pendulum, structure, bounds)
+    )
+
+
+def panel_of_motion(
+    motion: GroundMotion,
+    bearing: Bearing,
+    friction: FrictionLaw,
+    heating: Heating,
+    pendulum: PendulumWithFriction,
+    structure: Structure | None = None,
+    bounds: asce_2016.Bounds | None = None,
+) -> Panel:
+    """Ask every method under the spectrum of a record, and analyse the record on the bearing with its own law and heating."""
+    response = respond(motion, bearing, friction, heating)
+    return Panel(
+        name=motion.name,
+        spectrum=response_spectrum(motion),
+        pendulum=pendulum,
+        answers=answers_for_motion(motion, pendulum, structure, bounds),
+        pgv=motion.peak_velocity,
+        displacement=response.peak_displacement,
+        base_shear=response.peak_force / bearing.vertical_force,
+    )

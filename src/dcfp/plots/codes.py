@@ -1,0 +1,81 @@
+"""What the methods of codes say beside the analysis, and the spectrum that they look at."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from dcfp.plots.style import BLUE, GREY, INK, OCHRE, PAGE_WIDTH, RED, drawable, style
+from dcfp.plots.words import metres_per_second, millimetres
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.axes import Axes
+
+    from dcfp.codes.panel import Panel
+
+#: Periods at which a spectrum is drawn [s].
+_PERIODS = np.geomspace(0.05, 10.0, 300)
+_COLOURS = (BLUE, OCHRE, RED, INK, GREY)
+#: Height of a row of panels, and of the legend above [in].
+_ROW, _HEAD = 2.3, 0.5
+
+
+def plot_codes(panels: "Sequence[Panel]") -> Figure:
+    """Draw for every demand the spectral displacement with the answers in it, and the capacity line of the bearing, on a new figure.
+
+    Left the displacement spectrum at a damping of 5 % with effective period and displacement of every method that has both; right the displacements as
+    bars, those outside of the limits of their method hollow, with the analysis as a line.
+    """
+    with style():
+        figure = Figure(figsize=(PAGE_WIDTH, _HEAD + _ROW * len(panels)), layout="constrained")
+        axes: Any = figure.subplots(len(panels), 2, squeeze=False, width_ratios=(1.0, 1.15))
+        for row, panel in zip(axes, panels, strict=True):
+            _draw_spectrum(row[0], panel)
+            _draw_bars(row[1], panel)
+        axes[-1][0].set_xlabel("$T$ [s]")
+        axes[-1][1].set_xlabel("$D$ [mm]")
+    return figure
+
+
+def _draw_spectrum(axes: "Axes", panel: "Panel") -> None:
+    demand = panel.spectrum.acceleration(_PERIODS) * (_PERIODS / (2.0 * np.pi)) ** 2
+    axes.plot(_PERIODS, demand, color=GREY, linewidth=1.0, label="5 %")
+    for colour, (name, said) in zip(_COLOURS, panel.answers.items(), strict=False):
+        if said.period is not None:
+            axes.plot([said.period], [said.displacement], "o", color=colour, markersize=4.0, label=name)
+    axes.set_ylabel("$S_d$ [mm]")
+    axes.set_ylim(bottom=0.0)
+    axes.set_xlim(0.0, float(_PERIODS[-1]))
+    title = drawable(panel.name) + ("" if panel.pgv is None else f",  PGV {metres_per_second(panel.pgv)}")
+    axes.set_title(title, loc="left", weight="bold", parse_math=False)
+
+
+def _draw_bars(axes: "Axes", panel: "Panel") -> None:
+    names = list(panel.answers)
+    for place, (colour, said) in enumerate(zip(_COLOURS, panel.answers.values(), strict=False)):
+        inside = said.valid is not False
+        axes.barh(
+            place,
+            said.displacement,
+            height=0.6,
+            color=colour if inside else "white",
+            edgecolor=colour,
+            linewidth=1.0,
+            hatch=None if inside else "////",
+        )
+        axes.text(said.displacement, place, f"  {millimetres(said.displacement)}", va="center", size=6.5)
+    if panel.displacement is not None:
+        axes.axvline(panel.displacement, color=INK, linewidth=1.0, linestyle=(0, (4, 2)))
+        axes.set_title(
+            f"analysis {millimetres(panel.displacement)}; hatched: outside of its limits", loc="left"
+        )
+    else:
+        axes.set_title("hatched: outside of its limits", loc="left")
+    axes.set_yticks(range(len(names)), names)
+    axes.invert_yaxis()
+    axes.set_xlim(
+        0.0,
+        1.25 * max([said.displacement for said in panel.answers.values()] + [panel.displacement or 0.0, 1.0]),
+    )
