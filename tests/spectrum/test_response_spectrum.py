@@ -22,27 +22,27 @@ def test_a_step_of_acceleration(damping):
     motion = GroundMotion(np.full(4001, 100.0), 0.005)
     overshoot = 1.0 + np.exp(-damping * np.pi / np.sqrt(1.0 - damping**2))
     expected = 100.0 * (SOME / (2.0 * np.pi)) ** 2 * overshoot
-    # a parabola between the samples: 1e-5 at 40 samples in a period
-    assert response_spectrum(motion, SOME, damping).displacement == pytest.approx(expected, rel=2e-5)
+    # a parabola between the samples, 40 of them or more in a period
+    assert response_spectrum(motion, SOME, damping).displacement == pytest.approx(expected, rel=1e-4)
 
 
 def test_free_vibration_after_a_short_pulse():
     # a triangle of height A and base 2 b leaves an undamped oscillator with the amplitude A b sinc^2 / omega
-    A, b = 500.0, 0.1
-    rise = np.linspace(0.0, A, 51)
+    height, half = 500.0, 0.1
+    rise = np.linspace(0.0, height, 51)
     values = np.concatenate((rise, rise[-2::-1], np.zeros(6000)))
     omega = 2.0 * np.pi / SOME[1:]
-    expected = A * b * (np.sin(0.5 * omega * b) / (0.5 * omega * b)) ** 2 / omega
-    found = response_spectrum(GroundMotion(values, b / 50), SOME[1:], 0.0)
+    expected = height * half * (np.sin(0.5 * omega * half) / (0.5 * omega * half)) ** 2 / omega
+    found = response_spectrum(GroundMotion(values, half / 50), SOME[1:], 0.0)
     assert found.displacement == pytest.approx(expected, rel=1e-6)
 
 
 @pytest.mark.parametrize("damping", [0.02, 0.05, 0.2])
 def test_resonance(damping):
     # from rest u = A / (2 h omega^2) (1 - exp(-h omega t)) once the damping is small; after 60 cycles the steady state is there
-    period, A = 1.0, 200.0
-    motion = harmonic(A, period, 60.0, phase=np.pi / 2)
-    steady = A / (2.0 * damping * (2.0 * np.pi) ** 2)
+    period, amplitude = 1.0, 200.0
+    motion = harmonic(amplitude, period, 60.0, phase=np.pi / 2)
+    steady = amplitude / (2.0 * damping * (2.0 * np.pi) ** 2)
     found = float(response_spectrum(motion, np.array([period]), damping).displacement[0])
     # the largest of 60 cycles, at 200 samples in each
     assert found == pytest.approx(steady * (1.0 - np.exp(-damping * 2.0 * np.pi * 60.0)), rel=3e-4)
@@ -71,8 +71,12 @@ def test_against_eqsig(record):
 
 
 def test_resampling_changes_little(record):
-    coarse, fine = response_spectrum(record, PERIODS[::10]), response_spectrum(resample(record, 5), PERIODS[::10])
-    assert coarse.displacement == pytest.approx(fine.displacement, rel=5e-4)
+    coarse, fine = (response_spectrum(motion).displacement for motion in (record, resample(record, 5)))
+    # the largest between two samples, where the ground's acceleration changes, is missed by 0.5 % at worst, at periods of some 12 samples
+    assert coarse == pytest.approx(fine, rel=5e-3)
+    assert np.median(np.abs(coarse / fine - 1.0)) < 1e-5
+    long = 40.0 * record.time_step < PERIODS
+    assert coarse[long] == pytest.approx(fine[long], rel=5e-4)
 
 
 @given(factor=st.floats(0.1, 10.0), damping=st.floats(0.0, 0.5))

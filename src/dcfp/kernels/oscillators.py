@@ -54,6 +54,35 @@ def respond_all(
 
 
 @kernel
+def respond_slowly(
+    coefficients: NDArray[np.float64],
+    step: float,
+    acceleration: NDArray[np.float64],
+    state: NDArray[np.float64],
+) -> None:
+    """Do the same for oscillators so slow that they turn at a sample, without the division that looks between samples."""
+    for i in range(acceleration.size - 1):
+        a = acceleration[i]
+        c = acceleration[i + 1] - a
+        for j in range(state.shape[1]):
+            u, v = state[U, j], state[V, j]
+            next_u = (
+                coefficients[UU, j] * u
+                + coefficients[UV, j] * v
+                + coefficients[UA, j] * a
+                + coefficients[UC, j] * c
+            )
+            next_v = (
+                coefficients[VU, j] * u
+                + coefficients[VV, j] * v
+                + coefficients[VA, j] * a
+                + coefficients[VC, j] * c
+            )
+            state[PEAK_U, j] = max(state[PEAK_U, j], abs(next_u))
+            state[U, j], state[V, j] = next_u, next_v
+
+
+@kernel
 def respond_with_energy(
     coefficients: NDArray[np.float64],
     step: float,

@@ -57,7 +57,7 @@ def input_energy_spectrum(
     periods = checked(periods, damping)
     found = np.empty((k.ROWS, periods.size))
     for part, parts in pieces(motion, periods):
-        step = motion.time_step / parts
+        step = motion.time_step / max(parts, 1)
         acceleration = refined(motion.acceleration, parts)
         ground = np.concatenate(([0.0], np.cumsum(0.5 * step * (acceleration[1:] + acceleration[:-1]))))
         state = np.zeros((k.ROWS, periods[part].size))

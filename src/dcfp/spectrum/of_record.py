@@ -81,9 +81,10 @@ def response_spectrum(
     periods = checked(periods, damping)
     largest = np.empty(periods.size)
     for part, parts in pieces(motion, periods):
-        step = motion.time_step / parts
+        step = motion.time_step / max(parts, 1)
+        run = k.respond_all if parts else k.respond_slowly
         state = np.zeros((k.ROWS, periods[part].size))
-        k.respond_all(
+        run(
             coefficients(np.ascontiguousarray(periods[part]), damping, step),
             step,
             refined(motion.acceleration, parts),

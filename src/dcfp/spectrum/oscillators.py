@@ -16,8 +16,10 @@ from dcfp.record.ground_motion import GroundMotion
 PERIODS = freeze(np.geomspace(0.05, 10.0, 200))
 #: Ratio of critical damping unless another is asked for [-].
 DAMPING = 0.05
-#: Steps in the shortest period, below which the record's own step is divided: the largest displacement then is within 0.05 %.
-_STEPS_IN_PERIOD = 12
+#: Steps in a period, below which the record's own step is divided: with them the largest displacement is within 0.2 % of that with 200.
+_STEPS_IN_PERIOD = 10
+#: Steps in a period from which on a largest displacement at the samples is within 0.05 %: 1 - cos(pi / 100).
+_SLOW = 100
 #: Least and longest period [s].
 SHORTEST, LONGEST = 0.01, 100.0
 
@@ -74,17 +76,19 @@ def _coefficients(periods: bytes, damping: float, step: float) -> FloatArray:
 def pieces(motion: GroundMotion, periods: FloatArray) -> list[tuple[slice, int]]:
     """Return groups of periods, and into how many parts the record's step is divided for each.
 
-    The step must be short beside the period for the largest displacement to be seen, and need not be shorter for the others.
+    The step must be short beside the period for the largest displacement to be seen, and need not be shorter for the others. A group of
+    zero parts is of periods so long that its largest displacement is seen at the samples themselves.
     """
-    parts = np.ceil(_STEPS_IN_PERIOD * motion.time_step / periods * (1.0 - 1e-12)).astype(np.int64)
-    parts = np.maximum(2 ** np.ceil(np.log2(np.maximum(parts, 1))).astype(np.int64), 1)
+    least = np.ceil(_STEPS_IN_PERIOD * motion.time_step / periods * (1.0 - 1e-12))
+    parts = (2 ** np.ceil(np.log2(np.maximum(least, 1.0)))).astype(np.int64)
+    parts[periods >= _SLOW * motion.time_step] = 0
     edges = [0, *(np.flatnonzero(np.diff(parts)) + 1).tolist(), periods.size]
     return [(slice(a, b), int(parts[a])) for a, b in pairwise(edges)]
 
 
 def refined(acceleration: FloatArray, parts: int) -> FloatArray:
     """Return the same piecewise linear motion with `parts` steps in place of one."""
-    if parts == 1:
+    if parts <= 1:
         return acceleration
     places = np.arange((acceleration.size - 1) * parts + 1) / parts
     return np.interp(places, np.arange(acceleration.size), acceleration)

@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 from dcfp.verification import (
     analytic,
+    codes,
     convergence,
     explicit,
     half_space,
@@ -26,6 +27,7 @@ GROUPS = (
     convergence,
     explicit,
     prediction,
+    codes,
     rig,
     rig_brute_force,
     opensees,
