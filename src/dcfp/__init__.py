@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from dcfp.bearing import SimplifiedHeating as SimplifiedHeating
     from dcfp.bearing import UserFriction as UserFriction
     from dcfp.bearing import read_bearing as read_bearing
+    from dcfp.building import ShearBuilding as ShearBuilding
+    from dcfp.building import respond_building as respond_building
     from dcfp.comparison import compare as compare
     from dcfp.identification import identify as identify
     from dcfp.prediction import find_pulses as find_pulses
@@ -64,6 +66,8 @@ _HOMES = {
     "Loops": "dcfp.rig",
     "read_measurement": "dcfp.rig",
     "identify": "dcfp.identification",
+    "ShearBuilding": "dcfp.building",
+    "respond_building": "dcfp.building",
     "find_pulses": "dcfp.prediction",
     "march_through_pulses": "dcfp.prediction",
     "compare": "dcfp.comparison",

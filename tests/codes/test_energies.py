@@ -62,8 +62,11 @@ def test_the_largest_over_periods(motions):
         assert found.unconfirmed
         one = uang_bertero_1988.elastic_input(motion, found.relative_period)
         assert one.relative == pytest.approx(found.energies.relative)
+    # each at its own period: of two extremes the stiff one takes more absolute and the soft one more relative energy
+    ends = uang_bertero_1988.maximum_input_energies(motions["KNA"], periods=np.array([0.02, 90.0]))
+    assert (ends.absolute_period, ends.relative_period) == (0.02, 90.0)
     with pytest.raises(InputError):
-        uang_bertero_1988.maximum_input_energies(motion, damping=1.0)
+        uang_bertero_1988.maximum_input_energies(motions["KNA"], damping=1.0)
 
 
 def test_the_formula_of_fajfar(motions):

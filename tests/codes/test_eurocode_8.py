@@ -61,6 +61,15 @@ def test_torsion():
     # and delta = 1 + 0.5 / 2^2 * 2 = 1.25 for r = 2 m: four devices on the axes
     places = 2000.0 * np.array([[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]])
     assert torsion_factors(places, np.ones((4, 2)), (500.0, 0.0))[1][0] == pytest.approx(1.25)
+    # stiffer along y than along x: r_x^2 over the sum of K_y, r_y^2 over that of K_x
+    places, stiffness = (
+        np.array([[3.0, 1.0], [-3.0, 1.0], [0.0, -2.0]]),
+        np.array([[1.0, 4.0], [1.0, 4.0], [2.0, 1.0]]),
+    )
+    turning = 9.0 * 4.0 * 2.0 + 1.0 * 1.0 * 2.0 + 4.0 * 2.0
+    along_x, along_y = torsion_factors(places, stiffness, (0.2, 0.3))
+    assert along_x == pytest.approx(1.0 + 0.3 * np.array([1.0, 1.0, -2.0]) / (turning / 4.0))
+    assert along_y == pytest.approx(1.0 + 0.2 * np.array([3.0, -3.0, 0.0]) / (turning / 9.0))
 
 
 def test_residual_displacements():
@@ -78,13 +87,58 @@ def test_conditions(pendulum):
     verdicts = {one.name: one.verdict for one in answer.conditions}
     assert verdicts["larger dimension of the plan"] is Verdict.MET
     assert verdicts["distance to a fault of magnitude 6.5 or more"] is Verdict.MET
-    ratio = (1.0 / 9000.0 + 0.043 / answer.displacement) / (1.0 / 9000.0 + 0.215 / answer.displacement)
-    assert (verdicts["K_eff(d_dc) over K_eff(0.2 d_dc)"] is Verdict.MET) == (ratio >= 0.5)
+    d = answer.displacement
+    ratio = (1.0 / 9000.0 + 0.043 / d) / (1.0 / 9000.0 + 0.215 / d)
+    shown = {one.name: one.found for one in answer.conditions}
+    assert shown["K_eff(d_dc) over K_eff(0.2 d_dc)"] == f"{ratio:.2f}"
+    assert shown["rise of the force from d_dc/2 to d_dc over the weight"] == f"{0.5 * d / 9000.0:.3f}"
+    assert shown["re-centring, d_dc over mu R"] == f"{d / (0.043 * 9000.0):.2f}"
     # none was read in the standard itself
     assert not any(one.confirmed for one in answer.conditions)
     assert simplified_linear_analysis(pendulum, Eurocode8Spectrum(6000.0, "D")).verdict.endswith(
         ("known", ")")
     )
+
+
+@pytest.mark.parametrize(
+    ("name", "mu", "level", "structure", "verdict"),
+    # displacements of mu R and of 0.05 R part the conditions of this bearing: F rises by D / 2 R
+    [
+        ("K_eff(d_dc) over K_eff(0.2 d_dc)", 0.005, 4000.0, None, Verdict.MET),
+        ("K_eff(d_dc) over K_eff(0.2 d_dc)", 0.08, 2000.0, None, Verdict.NOT_MET),
+        ("effective damping", 0.005, 4000.0, None, Verdict.MET),
+        ("effective damping", 0.08, 2000.0, None, Verdict.NOT_MET),
+        ("larger dimension of the plan", 0.04, 3000.0, Structure(plan=51e3), Verdict.NOT_MET),
+        (
+            "distance to a fault of magnitude 6.5 or more",
+            0.04,
+            3000.0,
+            Structure(fault_distance=14e6),
+            Verdict.NOT_MET,
+        ),
+        ("effective period over that of the fixed base", 0.04, 3000.0, Structure(3.0), Verdict.NOT_MET),
+        ("effective period over that of the fixed base", 0.04, 3000.0, Structure(0.3), Verdict.MET),
+        ("effective period", 0.005, 4000.0, None, Verdict.NOT_MET),
+        ("effective period", 0.08, 2000.0, None, Verdict.MET),
+    ],
+)
+def test_both_sides_of_a_limit(name, mu, level, structure, verdict):
+    answer = simplified_linear_analysis(
+        PendulumWithFriction(4500.0, mu), Eurocode8Spectrum(level, "C"), structure
+    )
+    assert next(one.verdict for one in answer.conditions if one.name == name) is verdict
+
+
+@pytest.mark.parametrize(("factor", "verdict"), [(0.9, Verdict.NOT_MET), (1.1, Verdict.MET)])
+def test_the_rise_of_the_force_has_its_limit_at_a_twentieth_of_the_radius(factor, verdict):
+    # where the floor of 0.55 holds beyond T_D, d_dc is 0.55 of the constant displacement, so a_g for d_dc = 0.05 R is known
+    level = 0.05 * 9000.0 * (2.0 * math.pi) ** 2 / (0.55 * 2.5 * 1.35 * 0.8 * 2.0)
+    answer = simplified_linear_analysis(
+        PendulumWithFriction(9000.0, 0.05), Eurocode8Spectrum(factor * level, "D")
+    )
+    assert answer.displacement == pytest.approx(factor * 0.05 * 9000.0, rel=1e-9)
+    name = "rise of the force from d_dc/2 to d_dc over the weight"
+    assert next(one.verdict for one in answer.conditions if one.name == name) is verdict
 
 
 def test_the_frictionless_limit():

@@ -60,6 +60,18 @@ def test_the_secant_of_a_stiff_bearing_is_the_rigid_plastic_one(ductility):
     assert damping == pytest.approx(pendulum.effective_damping(at) * (1.0 - 1.0 / ductility), rel=1e-2)
 
 
+@given(hardening=st.floats(0.0, 0.9), ductility=st.floats(1.01, 50.0))
+def test_the_secant_of_a_polygon(hardening, ductility):
+    # yields at 1 under 1, and is turned back at the ductility: corners of the loop, and its area by the shoelace formula
+    force = 1.0 + hardening * (ductility - 1.0)
+    corners = np.array([(ductility, force), (ductility - 2.0, force - 2.0)])
+    x, y = np.concatenate((corners, -corners)).T
+    area = 0.5 * abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1)))
+    lengthened, damping = secant(Bilinear(1.0, 1.0, hardening), ductility)
+    assert lengthened == pytest.approx(np.sqrt(ductility / force))
+    assert damping == pytest.approx(area / (2.0 * np.pi * force * ductility), abs=1e-12)
+
+
 @pytest.mark.parametrize("pgv", [250.0, 1000.0])
 @pytest.mark.parametrize("method", [equivalent_linear, secant_linear])
 def test_the_answer_is_that_of_its_own_oscillator(motions, pgv, method):

@@ -102,8 +102,9 @@ def test_against_eqsig(record):
 
 
 def test_the_same_displacements_as_the_response_spectrum(record):
+    # which looks at the samples only, 100 of them and more in a period: 1 - cos(pi / 100) = 5e-4 of a sine
     energy, response = input_energy_spectrum(record, SOME), response_spectrum(record, SOME)
-    assert energy.displacement == pytest.approx(response.displacement, rel=1e-12)
+    assert energy.displacement == pytest.approx(response.displacement, rel=1e-3)
 
 
 def test_peaks_at_the_samples(record):

@@ -15,6 +15,8 @@ from dcfp.spectrum.of_record import spectrum_of_set
 from dcfp.spectrum.oscillators import PERIODS
 
 SOME = np.array([0.2, 0.5, 1.0, 2.0, 4.0, 8.0])
+#: 1 - cos(pi / 100): what a sine's largest exceeds its samples by, at the 100 in a period from which on nothing is looked for between them.
+SAMPLED = 5e-4
 
 
 @pytest.mark.parametrize("damping", [0.0, 0.05, 0.3])
@@ -22,8 +24,8 @@ def test_a_step_of_acceleration(damping):
     motion = GroundMotion(np.full(4001, 100.0), 0.005)
     overshoot = 1.0 + np.exp(-damping * np.pi / np.sqrt(1.0 - damping**2))
     expected = 100.0 * (SOME / (2.0 * np.pi)) ** 2 * overshoot
-    # a parabola between the samples, 40 of them or more in a period
-    assert response_spectrum(motion, SOME, damping).displacement == pytest.approx(expected, rel=1e-4)
+    # a parabola between the samples, and from 100 of them in a period on the samples alone
+    assert response_spectrum(motion, SOME, damping).displacement == pytest.approx(expected, rel=SAMPLED)
 
 
 def test_free_vibration_after_a_short_pulse():
@@ -34,7 +36,7 @@ def test_free_vibration_after_a_short_pulse():
     omega = 2.0 * np.pi / SOME[1:]
     expected = height * half * (np.sin(0.5 * omega * half) / (0.5 * omega * half)) ** 2 / omega
     found = response_spectrum(GroundMotion(values, half / 50), SOME[1:], 0.0)
-    assert found.displacement == pytest.approx(expected, rel=1e-6)
+    assert found.displacement == pytest.approx(expected, rel=SAMPLED)
 
 
 @pytest.mark.parametrize("damping", [0.02, 0.05, 0.2])
@@ -57,7 +59,7 @@ def test_against_scipy(period):
         signal.lti([-1.0], [1.0, 2.0 * h * omega, omega**2]), fine.acceleration, fine.time
     )
     found = float(response_spectrum(motion, np.array([period]), h).displacement[0])
-    assert found == pytest.approx(np.abs(output).max(), rel=2e-4)
+    assert found == pytest.approx(np.abs(output).max(), rel=SAMPLED)
 
 
 def test_against_eqsig(record):
@@ -72,11 +74,11 @@ def test_against_eqsig(record):
 
 def test_resampling_changes_little(record):
     coarse, fine = (response_spectrum(motion).displacement for motion in (record, resample(record, 5)))
-    # the largest between two samples, where the ground's acceleration changes, is missed by 0.5 % at worst, at periods of some 12 samples
-    assert coarse == pytest.approx(fine, rel=5e-3)
-    assert np.median(np.abs(coarse / fine - 1.0)) < 1e-5
-    long = 40.0 * record.time_step < PERIODS
-    assert coarse[long] == pytest.approx(fine[long], rel=5e-4)
+    # where the ground's acceleration changes from sample to sample more than the oscillator's, its turn between them is not quite a parabola
+    assert coarse == pytest.approx(fine, rel=3e-3)
+    assert np.median(np.abs(coarse / fine - 1.0)) < 1e-4
+    long = 100.0 * record.time_step < PERIODS
+    assert coarse[long] == pytest.approx(fine[long], rel=1e-3)
 
 
 @given(factor=st.floats(0.1, 10.0), damping=st.floats(0.0, 0.5))

@@ -11,6 +11,7 @@ from dcfp.errors import DcfpError, InputError
 
 #: Each sub-command, the module of this package that it is in, and what it does.
 COMMANDS = {
+    "building": "a multi-storey shear building on the bearing, beside the rigid structure",
     "codes": "what ASCE 7, Eurocode 8 and the AIJ say, with their verdicts",
     "compare": "predictions against response history analysis: ratios, scatter, refitted constants",
     "identify": "friction law from measured tests",

@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 from dcfp.verification import (
     analytic,
+    building,
     codes,
     convergence,
     explicit,
@@ -28,6 +29,7 @@ GROUPS = (
     explicit,
     prediction,
     codes,
+    building,
     rig,
     rig_brute_force,
     opensees,
