@@ -21,6 +21,9 @@ from dcfp.record.p695 import all_keys, read_stored
 from dcfp.response import respond
 from dcfp.response.swings import swings_of
 
+#: What a comparison without the methods of codes has.
+OWN_VIEWS = [view for view in VIEWS if view[1] is not Basis.SPECTRUM]
+
 
 @pytest.fixture(scope="module")
 def motion() -> GroundMotion:
@@ -33,7 +36,7 @@ def case(motion: GroundMotion) -> Case:
 
 
 def test_every_method_has_its_say(motion: GroundMotion, case: Case) -> None:
-    assert set(case.predicted) == set(VIEWS)
+    assert set(case.predicted) == set(OWN_VIEWS)
     assert (case.record, case.event, case.pgv) == ("NCC", "Northridge 1994", motion.peak_velocity)
     assert compare(motion).response is None
 
@@ -80,7 +83,7 @@ def test_each_basis_is_compared_with_its_own(case: Case) -> None:
 def test_a_mirrored_record_is_predicted_the_same(motion: GroundMotion, case: Case) -> None:
     back = compare(motion.scaled(-1.0))
     assert back.analysed.pulse == case.analysed.pulse
-    for view in VIEWS:
+    for view in OWN_VIEWS:
         for quantity in (CHANGE, INPUT, HYSTERETIC):
             there, here = value_of(case.predicted[view], quantity), value_of(back.predicted[view], quantity)
             assert here == pytest.approx(there, rel=1e-9)
@@ -152,7 +155,7 @@ def test_measures_of_ratios() -> None:
 
 
 def test_ratios_are_prediction_over_analysis(case: Case, make_case) -> None:
-    for view in VIEWS:
+    for view in OWN_VIEWS:
         for quantity in QUANTITIES:
             says_total = view[0] is Method.MARCH or quantity is not TOTAL
             assert np.isfinite(ratios([case], view, quantity)).all() == says_total
@@ -191,3 +194,13 @@ def test_measures_are_of_the_cases_that_every_blind_method_predicts(make_case) -
     cases = [make_case(moved, moved), make_case(moved, still)]
     (one,) = {found for (_, quantity), found in scatters(cases).items() if quantity is CHANGE}
     assert (one.number, one.without, one.below) == (1, 1, 0.5)
+
+
+def test_the_codes_are_asked_where_they_are_wanted(motion: GroundMotion, case: Case) -> None:
+    asked = compare(motion, codes=True)
+    assert set(asked.predicted) == set(VIEWS)
+    assert not case.answers
+    for (method, basis), said in asked.predicted.items():
+        if basis is Basis.SPECTRUM:
+            assert said.displacement == asked.answers[method.value].displacement
+            assert np.isnan(said.displacement_change)

@@ -1,11 +1,12 @@
 """Every method on the same bearing, from a spectrum or from a record."""
 
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
 
 from dcfp.bearing import Bearing, FrictionLaw, Heating
-from dcfp.codes import aij_2016, asce_2016, eurocode_8
+from dcfp.codes import aij_2016, asce_2016, eurocode_8, iwan_1980
 from dcfp.codes.equivalent_linear import PendulumWithFriction
 from dcfp.codes.result import Answer
 from dcfp.codes.structure import Structure
@@ -17,7 +18,7 @@ from dcfp.spectrum.input_energy import input_energy_spectrum
 from dcfp.spectrum.of_record import response_spectrum
 from dcfp.spectrum.oscillators import PERIODS
 
-#: Names of the methods, in the order of tables.
+#: Names of the methods that need no more than a spectrum, in the order of tables; of a record Iwan's comes last.
 NAMES = (
     asce_2016.NAME,
     eurocode_8.NAME,
@@ -75,17 +76,23 @@ def answers_for_motion(
     pendulum: PendulumWithFriction,
     structure: Structure | None = None,
     bounds: asce_2016.Bounds | None = None,
+    bearing: Bearing | None = None,
 ) -> dict[str, Answer]:
     """Return what every method says under the spectra of a record itself, by its name; nothing for a record without motion.
 
     V_E is the largest relative input energy at the period of the pendulum and a damping of 10 %, as Akiyama (1985) takes it.
+    Iwan's method needs the `bearing`, for its stiffness before it slides.
     """
     if motion.peak_acceleration == 0.0:
         return {}
     spectrum = response_spectrum(motion)
     energy = input_energy_spectrum(motion, np.array([pendulum.free_period]), ENERGY_DAMPING)
     V_E = float(energy.equivalent_velocity[0])
-    return answers_for_spectrum(spectrum, pendulum, structure, bounds, equivalent_velocity=V_E)
+    found = answers_for_spectrum(spectrum, pendulum, structure, bounds, equivalent_velocity=V_E)
+    if bearing is not None:
+        with suppress(AnalysisError):
+            found[iwan_1980.NAME] = iwan_1980.equivalent_linear(motion, bearing, pendulum.friction)
+    return found
 
 
 def constant_velocity(spectrum: ElasticSpectrum, pendulum: PendulumWithFriction) -> float:
@@ -155,7 +162,7 @@ def panel_of_motion(
         name=motion.name,
         spectrum=response_spectrum(motion),
         pendulum=pendulum,
-        answers=answers_for_motion(motion, pendulum, structure, bounds),
+        answers=answers_for_motion(motion, pendulum, structure, bounds, bearing),
         pgv=motion.peak_velocity,
         displacement=response.peak_displacement,
         base_shear=response.peak_force / bearing.vertical_force,

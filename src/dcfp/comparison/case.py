@@ -4,7 +4,7 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 from dcfp.bearing import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating
-from dcfp.codes import aij_2016, asce_2016, eurocode_8
+from dcfp.codes import aij_2016, asce_2016, eurocode_8, iwan_1980
 from dcfp.codes.equivalent_linear import PendulumWithFriction
 from dcfp.codes.panel import answers_for_motion
 from dcfp.codes.result import Answer
@@ -48,6 +48,7 @@ class Method(StrEnum):
     AIJ_1 = aij_2016.METHOD_1
     AIJ_2 = aij_2016.METHOD_2
     AIJ_ENERGY = aij_2016.ENERGY_BALANCE
+    IWAN = iwan_1980.NAME
 
 
 #: What is compared with the analysis, in the order of tables: blind reads the record, informed also which pulse the analysis found to govern, and the methods of
@@ -61,7 +62,14 @@ VIEWS = (
     (Method.MARCH, Basis.BLIND),
     *(
         (method, Basis.SPECTRUM)
-        for method in (Method.ASCE, Method.EUROCODE, Method.AIJ_1, Method.AIJ_2, Method.AIJ_ENERGY)
+        for method in (
+            Method.ASCE,
+            Method.EUROCODE,
+            Method.AIJ_1,
+            Method.AIJ_2,
+            Method.AIJ_ENERGY,
+            Method.IWAN,
+        )
     ),
 )
 View = tuple[Method, Basis]
@@ -175,7 +183,7 @@ def compare(
     pulses = find_pulses(motion, setting.threshold)
     analysed = analysed_of(response, pulses)
     predicted = predictions(motion, setting, pulses, analysed.pulse)
-    answers = answers_for_motion(motion, pendulum_of(setting)) if codes else {}
+    answers = answers_for_motion(motion, pendulum_of(setting), bearing=setting.bearing) if codes else {}
     return Case(
         record=motion.name,
         event=event_of(motion),

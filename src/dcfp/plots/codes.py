@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 #: Periods at which a spectrum is drawn [s].
 _PERIODS = np.geomspace(0.05, 10.0, 300)
-_COLOURS = (BLUE, OCHRE, RED, INK, GREY)
+_COLOURS = (BLUE, OCHRE, RED, INK, GREY, "#6699CC")
 #: Height of a row of panels, and of the legend above [in].
 _ROW, _HEAD = 2.3, 0.5
 

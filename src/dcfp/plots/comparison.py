@@ -58,6 +58,7 @@ _CODE_LOOKS = (
     _Look("AIJ method 1", "h", GREY, 3),
     _Look("AIJ method 2", "P", INK, 3),
     _Look("AIJ energy balance", "X", RED, 4),
+    _Look("Iwan (1980)", "*", BLUE, 1, 1.2),
 )
 
 
@@ -193,9 +194,10 @@ def _draw_method(
 def _draw_outside(
     axes: "Axes", look: _Look, analysed: "FloatArray", predicted: "FloatArray", size: float
 ) -> None:
+    there = np.isfinite(analysed) & np.isfinite(predicted)
     axes.plot(
-        analysed,
-        predicted,
+        analysed[there],
+        predicted[there],
         **look.mark(size),
         markerfacecolor="none",
         markeredgecolor=look.colour,

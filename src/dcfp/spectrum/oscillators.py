@@ -16,9 +16,10 @@ from dcfp.record.ground_motion import GroundMotion
 PERIODS = freeze(np.geomspace(0.05, 10.0, 200))
 #: Ratio of critical damping unless another is asked for [-].
 DAMPING = 0.05
-#: Steps in a period, below which the record's own step is divided: with them the largest displacement is within 0.2 % of that with 200.
+#: Steps in a period, below which the record's own step is divided: with them the largest displacement is within 0.7 % of that with many
+#: more in the worst of 20 000 cases, and within 0.002 % in half of them.
 _STEPS_IN_PERIOD = 10
-#: Steps in a period from which on a largest displacement at the samples is within 0.05 %: 1 - cos(pi / 100).
+#: Steps in a period from which on the largest displacement is looked for at the samples alone; in the worst of those cases it is within 0.25 %.
 _SLOW = 100
 #: Least and longest period [s].
 SHORTEST, LONGEST = 0.01, 100.0

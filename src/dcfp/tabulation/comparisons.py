@@ -108,7 +108,7 @@ def held_out_object(
 def cases_csv(cases: "Sequence[Case]") -> str:
     """Return a line for each record, PGV and method, the analysis among them."""
     columns = [Column(key, key) for key in ("record", "event", "pgv_m_s", "method", "basis")]
-    columns += value_columns()
+    columns += [*value_columns(), Column("verdict", "verdict")]
     rows: list[dict[str, Any]] = []
     for case in cases:
         head: dict[str, Any] = {
@@ -116,9 +116,15 @@ def cases_csv(cases: "Sequence[Case]") -> str:
             "event": case.event,
             "pgv_m_s": round(case.pgv / 1e3, 12),
         }
-        rows.append({**head, "method": "analysis", "basis": "", **_known(case.analysed.whole)})
+        rows.append({**head, "method": "analysis", "basis": "", **_known(case.analysed.whole), "verdict": ""})
         rows += [
-            {**head, "method": view[0].value, "basis": view[1].value, **_known(said)}
+            {
+                **head,
+                "method": view[0].value,
+                "basis": view[1].value,
+                **_known(said),
+                "verdict": case.answers[view[0].value].verdict if view[0].value in case.answers else "",
+            }
             for view, said in case.predicted.items()
         ]
     return table_text(columns, rows)

@@ -30,7 +30,7 @@ class Asce2016Spectrum:
     short: float
     one_second: float
     long_period: float = 8.0
-    unconfirmed: tuple[str, ...] = ()
+    unconfirmed: tuple[str, ...] = ("the branches below T_S and beyond T_L of the spectrum",)
 
     def __post_init__(self) -> None:
         positive(self.short, "S_MS", "g")
