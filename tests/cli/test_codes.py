@@ -108,3 +108,23 @@ def test_bad_input_is_one_sentence(run, words, told):
     status, out, err = run("codes", *words)
     assert (status, out, err.count("\n")) == (2, "", 1)
     assert told in err
+
+
+def test_a_set_as_one(run):
+    (mean,) = json.loads(run("codes", "P695-FF", "--pgv", "0.5", "--of-set", "mean", "--json").out)
+    (most,) = json.loads(run("codes", "P695-FF", "--pgv", "0.5", "--of-set", "84", "--json").out)
+    assert mean["analysis"]["displacement_mm"] < most["analysis"]["displacement_mm"]
+    for one, other in zip(mean["answers"], most["answers"], strict=True):
+        if one["method"] != "AIJ energy balance":
+            assert one["displacement_mm"] < other["displacement_mm"], one["method"]
+    assert run("codes", "--asce", "1.5", "0.6", "--of-set", "mean").status == 2
+    assert run("codes", "NCC", "--of-set", "x").status == 2
+
+
+def test_the_shear_of_the_structure_above(run):
+    text = " ".join(run("codes", "--asce", "1.5", "0.6", "--weight-above", "0.85").out.split())
+    (panel,) = json.loads(run("codes", "--asce", "1.5", "0.6", "--json").out)
+    elf = panel["answers"][0]
+    # V_st = V_b (W_s/W)^(1 - 2.5 beta_M)
+    above = elf["base_shear_over_weight"] * 0.85 ** (1.0 - 2.5 * elf["effective_damping"])
+    assert f"V_st/W of the structure above is {above:.3f}" in text

@@ -29,6 +29,12 @@ def add_arguments(parser: Parser) -> None:
     _add_spectra(parser)
     _add_structure(parser)
     parser.add_argument(
+        "--of-set",
+        type=_part,
+        metavar="mean|PERCENT",
+        help="take all records as one: the geometric mean of their spectra, or what so many percent of them stay below",
+    )
+    parser.add_argument(
         "--details", action="store_true", help="also every condition and every round of the iterations"
     )
     options.add_treatment(parser)
@@ -93,6 +99,12 @@ def _add_structure(parser: Parser) -> None:
         help="to a fault of magnitude 6.5 or more [km]",
     )
     group.add_argument(
+        "--weight-above",
+        type=fraction(),
+        metavar="RATIO",
+        help="weight above the base level over the whole, for V_st of ASCE 7 [-]",
+    )
+    group.add_argument(
         "--nominal-mu",
         type=fraction(),
         metavar="VALUE",
@@ -138,6 +150,9 @@ def _check(chosen: argparse.Namespace) -> None:
         what = ", ".join([*(f"--{name}" for name in given), *names[:1]]) or "nothing"
         msg = f"give either records or one of --asce, --eurocode, --japan and --spectrum, not {what}."
         raise InputError(msg)
+    if given and chosen.of_set is not None:
+        msg = f"--of-set is of records, and --{given[0]} is none; leave out one of the two."
+        raise InputError(msg)
     if given and chosen.pgv is not None:
         msg = f"--pgv scales records, and --{given[0]} is no record; leave out one of the two."
         raise InputError(msg)
@@ -153,10 +168,15 @@ def _check(chosen: argparse.Namespace) -> None:
             raise InputError(msg)
 
 
+def _part(text: str) -> float:
+    """Return 0 for the mean, else a percentage as a part [-]."""
+    return 0.0 if text.strip().lower() == "mean" else positive("%", 1.0, 99.0)(text) / 100.0
+
+
 def _panels(chosen: argparse.Namespace, model: inputs.Model) -> "tuple[list[Panel], Any]":
     from dcfp.cli.progress import progress
     from dcfp.codes.equivalent_linear import PendulumWithFriction
-    from dcfp.codes.panel import panel_of_motion, panel_of_spectrum
+    from dcfp.codes.panel import panel_of_motion, panel_of_set, panel_of_spectrum
 
     nominal = prediction_inputs.nominal(chosen, model)
     pendulum = PendulumWithFriction(model.bearing.effective_radius, nominal.value)
@@ -175,6 +195,8 @@ def _panels(chosen: argparse.Namespace, model: inputs.Model) -> "tuple[list[Pane
                 )
             )
             advance()
+    if chosen.of_set is not None:
+        return [panel_of_set(panels, chosen.of_set or None, structure, bounds)], nominal
     return panels, nominal
 
 
@@ -190,6 +212,7 @@ def _structure(chosen: argparse.Namespace) -> "Structure":
         site_class=None if chosen.site_class is None else chosen.site_class.strip().upper(),
         plan=scaled(chosen.plan, _KILO),
         fault_distance=scaled(chosen.fault_distance, _KILO**2),
+        weight_above=chosen.weight_above,
     )
 
 

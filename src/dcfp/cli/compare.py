@@ -107,7 +107,7 @@ def _document(cases: "list[Case]", setting: "Setting", held_out: "HeldOut | None
 
     return {
         "cases": case_objects(cases, setting),
-        "scatter": scatter_objects(scatters(cases)),
+        "scatter": scatter_objects(scatters(cases), cases),
         "held_out": None if held_out is None else held_out_object(*held_out),
     }
 

@@ -19,6 +19,7 @@ COMMANDS = {
     "records": "named records, or what is in a record file",
     "reproduce": "the findings and figures of Li et al. (2020), section 6, beside our own",
     "respond": "response history analysis",
+    "spectrum": "elastic response and input energy spectra of records",
     "test": "virtual test machine: test programs, measures per cycle, checks of codes",
     "verify": "what is checked against what, and by how much it differs",
 }

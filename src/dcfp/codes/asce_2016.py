@@ -139,12 +139,27 @@ def equivalent_lateral_force(
     ]
     lower = answers[0]
     shear = max(one.base_shear for one in answers)
-    remarks = (
-        f"D_TM is at least {_LEAST_TORSION:g} D_M, {_LEAST_TORSION * lower.displacement:.0f} mm.",
-        f"Friction from {bounds.least:g} to {bounds.largest:g} times mu ({bounds.source}): displacement from the lower, force from the"
-        " worse bound.",
+    remarks = [f"D_TM is at least {_LEAST_TORSION:g} D_M, {_LEAST_TORSION * lower.displacement:.0f} mm."]
+    if bounds.least != bounds.largest:
+        remarks.append(
+            f"Friction from {bounds.least:g} to {bounds.largest:g} times mu ({bounds.source}): displacement from the lower, force from the"
+            " worse bound."
+        )
+    if structure.weight_above is not None:
+        shears = [_structure_shears(one, structure.weight_above) for one in answers]
+        above, abrupt = (max(values) for values in zip(*shears, strict=True))
+        remarks.append(
+            f"V_st/W of the structure above is {above:.3f}, and {abrupt:.3f} by the exponent for loops with an abrupt yield (one source)."
+        )
+    return replace(lower, base_shear=shear, remarks=tuple(remarks))
+
+
+def _structure_shears(answer: Answer, weight_above: float) -> tuple[float, float]:
+    damping = answer.damping or 0.0
+    return (
+        structure_shear(answer.base_shear, weight_above, damping),
+        structure_shear(answer.base_shear, weight_above, damping, abrupt=True),
     )
-    return replace(lower, base_shear=shear, remarks=remarks)
 
 
 def _with(pendulum: PendulumWithFriction, spectrum: ElasticSpectrum, structure: Structure) -> Answer:

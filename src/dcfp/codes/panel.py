@@ -1,5 +1,6 @@
 """Every method on the same bearing, from a spectrum or from a record."""
 
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 
@@ -15,7 +16,7 @@ from dcfp.record.ground_motion import GroundMotion
 from dcfp.response import respond
 from dcfp.spectrum.elastic import ElasticSpectrum, velocity
 from dcfp.spectrum.input_energy import input_energy_spectrum
-from dcfp.spectrum.of_record import response_spectrum
+from dcfp.spectrum.of_record import ResponseSpectrum, response_spectrum, spectrum_of_set
 from dcfp.spectrum.oscillators import PERIODS
 
 #: Names of the methods that need no more than a spectrum, in the order of tables; of a record Iwan's comes last.
@@ -166,4 +167,45 @@ def panel_of_motion(
         pgv=motion.peak_velocity,
         displacement=response.peak_displacement,
         base_shear=response.peak_force / bearing.vertical_force,
+    )
+
+
+def panel_of_set(
+    panels: Sequence[Panel],
+    part: float | None = None,
+    structure: Structure | None = None,
+    bounds: asce_2016.Bounds | None = None,
+) -> Panel:
+    """Ask every method under the spectrum of a set of records, beside the same measure of their analyses.
+
+    Parameters
+    ----------
+    panels
+        Of the records, by `panel_of_motion`.
+    part
+        What this part of the records stay below [-]; None for the geometric mean.
+    structure, bounds
+        As for `answers_for_spectrum`.
+
+    Raises
+    ------
+    InputError
+        If there is no record.
+    """
+    spectrum = spectrum_of_set(
+        [one.spectrum for one in panels if isinstance(one.spectrum, ResponseSpectrum)], part
+    )
+    pendulum = panels[0].pendulum
+
+    def measure(values: list[float | None]) -> float:
+        known = np.array([value for value in values if value is not None and value > 0.0])
+        return float(np.exp(np.log(known).mean()) if part is None else np.quantile(known, part))
+
+    return Panel(
+        name=spectrum.name,
+        spectrum=spectrum,
+        pendulum=pendulum,
+        answers=answers_for_spectrum(spectrum, pendulum, structure, bounds),
+        displacement=measure([one.displacement for one in panels]),
+        base_shear=measure([one.base_shear for one in panels]),
     )

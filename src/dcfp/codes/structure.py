@@ -19,6 +19,8 @@ class Structure:
         Larger dimension of the plan [mm].
     fault_distance
         To the nearest fault of a magnitude of 6.5 or more [mm].
+    weight_above
+        Weight of the structure above the base level over the whole weight, W_s / W [-].
     """
 
     fixed_base_period: float = 0.0
@@ -26,3 +28,4 @@ class Structure:
     site_class: str | None = None
     plan: float | None = None
     fault_distance: float | None = None
+    weight_above: float | None = None

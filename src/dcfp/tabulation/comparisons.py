@@ -53,7 +53,15 @@ def case_objects(cases: "Sequence[Case]", setting: "Setting") -> list[dict[str, 
     ]
 
 
-def scatter_objects(found: "dict[tuple[View, Quantity], Scatter]") -> list[dict[str, Any]]:
+def _outside(cases: "Sequence[Case]", method: str) -> int | None:
+    """Return in how many cases a method is outside of its limits; None where it is not one of a code, or no limits are known."""
+    said = [case.answers[method] for case in cases if method in case.answers]
+    return sum(one.valid is False for one in said) if any(one.conditions for one in said) else None
+
+
+def scatter_objects(
+    found: "dict[tuple[View, Quantity], Scatter]", cases: "Sequence[Case]"
+) -> list[dict[str, Any]]:
     """Return an object for each method, basis and quantity."""
     return [
         {
@@ -68,6 +76,7 @@ def scatter_objects(found: "dict[tuple[View, Quantity], Scatter]") -> list[dict[
             "median": _number(one.median),
             "bias": _number(one.bias),
             "dispersion": _number(one.dispersion),
+            "outside_of_limits": _outside(cases, view[0].value),
         }
         for (view, quantity), one in found.items()
     ]
