@@ -13,7 +13,7 @@ import numpy as np
 from dcfp.arrays import FloatArray
 from dcfp.bearing.checks import positive
 from dcfp.codes.equivalent_linear import PendulumWithFriction
-from dcfp.codes.iteration import iterate
+from dcfp.codes.iteration import agreements, iterate, several
 from dcfp.codes.result import Answer
 from dcfp.spectrum.elastic import ElasticSpectrum
 
@@ -66,7 +66,11 @@ def method_1(
     AnalysisError
         If the iteration has no solution.
     """
-    steps = iterate(pendulum, spectrum, correction, lambda at: equivalent_damping(pendulum, at))
+
+    def damping(at: float) -> float:
+        return equivalent_damping(pendulum, at)
+
+    steps = iterate(pendulum, spectrum, correction, damping)
     last = steps[-1]
     return Answer(
         method=METHOD_1,
@@ -76,6 +80,7 @@ def method_1(
         damping=last.damping,
         steps=steps,
         unconfirmed=(*spectrum.unconfirmed, *_unconfirmed(correction)),
+        remarks=several(agreements(pendulum, spectrum, correction, damping), last.displacement),
     )
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from dcfp.bearing.checks import positive
 from dcfp.codes.asce_2016_conditions import conditions
 from dcfp.codes.equivalent_linear import PendulumWithFriction
-from dcfp.codes.iteration import iterate
+from dcfp.codes.iteration import agreements, iterate, several
 from dcfp.codes.result import Answer
 from dcfp.codes.structure import Structure
 from dcfp.constants import STANDARD_GRAVITY
@@ -139,8 +139,17 @@ def equivalent_lateral_force(
     ]
     lower = answers[0]
     shear = max(one.base_shear for one in answers)
-    remarks = [f"D_TM is at least {_LEAST_TORSION:g} D_M, {_LEAST_TORSION * lower.displacement:.0f} mm."]
+    conditions = lower.conditions
+    remarks = [
+        *(remark for one in answers for remark in one.remarks),
+        f"D_TM is at least {_LEAST_TORSION:g} D_M, {_LEAST_TORSION * lower.displacement:.0f} mm.",
+    ]
     if bounds.least != bounds.largest:
+        conditions = tuple(
+            replace(one, name=f"{one.name}, {words} bound")
+            for words, answer in zip(("lower", "upper"), answers, strict=True)
+            for one in answer.conditions
+        )
         remarks.append(
             f"Friction from {bounds.least:g} to {bounds.largest:g} times mu ({bounds.source}): displacement from the lower, force from the"
             " worse bound."
@@ -151,7 +160,7 @@ def equivalent_lateral_force(
         remarks.append(
             f"V_st/W of the structure above is {above:.3f}, and {abrupt:.3f} by the exponent for loops with an abrupt yield (one source)."
         )
-    return replace(lower, base_shear=shear, remarks=tuple(remarks))
+    return replace(lower, base_shear=shear, conditions=conditions, remarks=tuple(remarks))
 
 
 def _structure_shears(answer: Answer, weight_above: float) -> tuple[float, float]:
@@ -163,9 +172,12 @@ def _structure_shears(answer: Answer, weight_above: float) -> tuple[float, float
 
 
 def _with(pendulum: PendulumWithFriction, spectrum: ElasticSpectrum, structure: Structure) -> Answer:
-    steps = iterate(
-        pendulum, spectrum, lambda damping: 1.0 / damping_factor(damping), pendulum.effective_damping
-    )
+
+    def reduction(damping: float) -> float:
+        return 1.0 / damping_factor(damping)
+
+    steps = iterate(pendulum, spectrum, reduction, pendulum.effective_damping)
+    known = agreements(pendulum, spectrum, reduction, pendulum.effective_damping)
     D_M, T_M, beta_M = steps[-1].displacement, steps[-1].period, steps[-1].damping
     return Answer(
         method=NAME,
@@ -174,6 +186,7 @@ def _with(pendulum: PendulumWithFriction, spectrum: ElasticSpectrum, structure: 
         period=T_M,
         damping=beta_M,
         steps=steps,
+        remarks=several(known, D_M),
         conditions=conditions(pendulum, structure, D_M, T_M, beta_M),
         unconfirmed=(*spectrum.unconfirmed, *UNCONFIRMED),
     )

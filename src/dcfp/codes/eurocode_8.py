@@ -11,7 +11,7 @@ import numpy as np
 
 from dcfp.arrays import FloatArray
 from dcfp.codes.equivalent_linear import PendulumWithFriction
-from dcfp.codes.iteration import iterate
+from dcfp.codes.iteration import agreements, iterate, several
 from dcfp.codes.result import Answer, Condition, Verdict, at_least, at_most
 from dcfp.codes.structure import Structure
 from dcfp.spectrum.elastic import ElasticSpectrum
@@ -101,8 +101,10 @@ def simplified_linear_analysis(
     steps = iterate(pendulum, spectrum, damping_correction, pendulum.effective_damping)
     d_dc, T_eff, xi = steps[-1].displacement, steps[-1].period, steps[-1].damping
     factor = accumulation_factor(d_dc, yield_displacement, pendulum.rest)
+    known = agreements(pendulum, spectrum, damping_correction, pendulum.effective_damping)
     remarks = [
-        f"The devices are to be designed for {RELIABILITY:g} d_dc, {RELIABILITY * d_dc:.0f} mm (10.3(2))."
+        *several(known, d_dc),
+        f"The devices are to be designed for {RELIABILITY:g} d_dc, {RELIABILITY * d_dc:.0f} mm (10.3(2)).",
     ]
     if factor > 1.0:
         remarks.append(

@@ -1,16 +1,26 @@
 """The displacement at which a reduced spectrum and a bearing agree."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
+import numpy as np
+
+from dcfp.arrays import freeze
 from dcfp.codes.equivalent_linear import PendulumWithFriction
 from dcfp.codes.result import Step
+from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import AnalysisError
 from dcfp.spectrum.elastic import ElasticSpectrum, displacement
 
-#: A displacement is found once a round changes it by less than that part [-]; then halving takes over what has not settled.
-_SETTLED, _ROUNDS, _HALVINGS = 1e-10, 60, 200
+#: A displacement is found once a round changes it by less than that part [-]; what has not settled is looked for by changes of sign.
+_SETTLED, _ROUNDS, _HALVINGS = 1e-10, 60, 60
 #: Where a solution is looked for [mm].
 _LEAST, _LARGEST = 1e-3, 1e5
+
+
+#: Displacements between which a change of sign is looked for [mm].
+_GRID = freeze(np.geomspace(0.5, 2e4, 160))
+#: Ratio of two of them.
+_STEP = float(_GRID[1] / _GRID[0])
 
 
 def iterate(
@@ -22,8 +32,8 @@ def iterate(
 ) -> tuple[Step, ...]:
     """Return the rounds of D = S_d(T_eff(D)) times the reduction at the damping of D; the last is the solution.
 
-    The rounds are those of hand calculation, each from the displacement of the one before. Where they go to and fro without settling, the
-    interval in which they do is halved instead, and only the solution is returned.
+    The rounds are those of hand calculation, each from the displacement of the one before. Where they go to and fro without settling, only the
+    largest solution is returned.
 
     Parameters
     ----------
@@ -41,14 +51,9 @@ def iterate(
     Raises
     ------
     AnalysisError
-        If there is no solution between a micrometre and 100 m.
+        If there is no solution.
     """
-
-    def round_from(at: float) -> tuple[Step, float]:
-        period, ratio = pendulum.effective_period(at), damping(at)
-        factor = reduction(ratio)
-        return Step(at, period, ratio, factor), float(displacement(spectrum, period)) * factor
-
+    round_from = _round(pendulum, spectrum, reduction, damping)
     steps: list[Step] = []
     at = start
     for _ in range(_ROUNDS):
@@ -57,17 +62,62 @@ def iterate(
         if abs(found - at) <= _SETTLED * at:
             return tuple(steps)
         at = min(max(found, _LEAST), _LARGEST)
-    return (_halved(round_from),)
-
-
-def _halved(round_from: Callable[[float], tuple[Step, float]]) -> Step:
-    low, high = _LEAST, _LARGEST
-    if (round_from(low)[1] - low) * (round_from(high)[1] - high) > 0.0:
+    known = agreements(pendulum, spectrum, reduction, damping)
+    if not known:
         msg = "The spectrum and the bearing agree at no displacement; look at the spectrum at long periods."
         raise AnalysisError(msg)
+    return (_settled(round_from, known[-1]),)
+
+
+def agreements(
+    pendulum: PendulumWithFriction,
+    spectrum: ElasticSpectrum,
+    reduction: Callable[[float], float],
+    damping: Callable[[float], float],
+) -> list[float]:
+    """Return every displacement from 0.5 mm to 20 m at which the reduced spectrum and the bearing agree [mm], but for two that are closer than 7 %."""
+    periods = 2.0 * np.pi / np.sqrt(STANDARD_GRAVITY * (1.0 / pendulum.radius + pendulum.friction / _GRID))
+    factors = np.array([reduction(damping(at)) for at in _GRID.tolist()])
+    with np.errstate(divide="ignore"):
+        over = np.log(displacement(spectrum, periods) * factors / _GRID)
+    at = np.flatnonzero((over[:-1] > 0.0) != (over[1:] > 0.0))
+    share = over[at] / (over[at] - over[at + 1])
+    return (_GRID[at] * (_GRID[at + 1] / _GRID[at]) ** share).tolist()
+
+
+def several(found: Sequence[float], taken: float) -> tuple[str, ...]:
+    """Return a remark where there is more than one agreement [mm] to choose from."""
+    if len(found) < 2:
+        return ()
+    words = ", ".join(f"{at:.0f}" for at in found)
+    return (
+        f"The spectrum and the bearing agree at {len(found)} displacements, {words} mm; the iteration comes to {taken:.0f} mm.",
+    )
+
+
+def _round(
+    pendulum: PendulumWithFriction,
+    spectrum: ElasticSpectrum,
+    reduction: Callable[[float], float],
+    damping: Callable[[float], float],
+) -> Callable[[float], tuple[Step, float]]:
+    """Return what makes a round from a displacement [mm]: the round, and the displacement that it comes to."""
+
+    def round_from(at: float) -> tuple[Step, float]:
+        period, ratio = pendulum.effective_period(at), damping(at)
+        factor = reduction(ratio)
+        return Step(at, period, ratio, factor), float(displacement(spectrum, period)) * factor
+
+    return round_from
+
+
+def _settled(round_from: Callable[[float], tuple[Step, float]], near: float) -> Step:
+    """Return the round at the agreement near a displacement [mm], to the last digit."""
+    low, high = near / _STEP, near * _STEP
+    falls = round_from(low)[1] > low
     for _ in range(_HALVINGS):
         middle = (low * high) ** 0.5
-        low, high = (middle, high) if round_from(middle)[1] > middle else (low, middle)
+        low, high = (middle, high) if (round_from(middle)[1] > middle) == falls else (low, middle)
         if high / low - 1.0 < _SETTLED:
             break
     return round_from((low * high) ** 0.5)[0]
