@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 
 import pytest
 
@@ -16,7 +17,8 @@ def test_building_beside_the_rigid_structure(run):
     assert len(row["floor_accelerations_m_s2"]) == 6
     assert row["energy_residual"] < 1e-9
     assert any("capacity" in remark or "faster" in remark for remark in row["remarks"])
-    assert run("building", "NCC", "--pgv", "1.0").out.count("NCC") == 1
+    table = run("building", "NCC", "--pgv", "1.0").out
+    assert len(re.findall(r"^ *NCC +1", table, re.MULTILINE)) == 1
 
 
 def test_a_stiff_building_is_rigid(run):

@@ -119,8 +119,21 @@ def _row(response: "BuildingResponse", rigid: "Response") -> dict[str, Any]:
         "temperature_max_degC": response.peak_temperature,
         "energy_residual": response.energy.relative_residual,
         "rests": response.rests,
-        "remarks": list(rigid.remarks),
+        "remarks": [*_beyond(response), *(remark for remark in rigid.remarks if "capacity" not in remark)],
     }
+
+
+def _beyond(response: "BuildingResponse") -> list[str]:
+    """Return a sentence where the displacement is beyond the capacity, and where it still moves at the end."""
+    name, capacity = response.motion.name, response.bearing.displacement_capacity
+    remarks: list[str] = []
+    if capacity is not None and response.peak_displacement > capacity:
+        remarks.append(
+            f"{name}: the displacement of {response.peak_displacement:.0f} mm exceeds the capacity of {capacity:.0f} mm."
+        )
+    if not response.rests:
+        remarks.append(f"{name}: the building still oscillates at the end of the analysis.")
+    return remarks
 
 
 def _print(rows: list[dict[str, Any]], building: "ShearBuilding", model: inputs.Model) -> None:
@@ -163,7 +176,8 @@ def _print(rows: list[dict[str, Any]], building: "ShearBuilding", model: inputs.
         print_remarks(
             out,
             [
-                "rigid: the rigid structure of the same mass; V_E: equivalent velocity of the relative input energy, which Akiyama (1985) takes to be the same"
+                *(remark for row in rows for remark in row["remarks"]),
+                "rigid: the rigid structure of the same mass; V_E: equivalent velocity of the relative input energy at the end, which Akiyama (1985) takes to be the same"
                 " for both; drift and floor acceleration: the largest of all storeys, and of the base and all floors (absolute).",
             ],
         )

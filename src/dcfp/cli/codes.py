@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from dcfp.cli import inputs, options, prediction_inputs
 from dcfp.cli.outputs import Outputs
-from dcfp.cli.parser import Numbers, Parser, fraction, number_from, positive
+from dcfp.cli.parser import Numbers, Parser, fraction, not_negative, number_from, positive
 from dcfp.errors import InputError
 
 if TYPE_CHECKING:
@@ -81,9 +81,9 @@ def _add_structure(parser: Parser) -> None:
     group = parser.add_argument_group("building and site, for the conditions of the codes")
     group.add_argument(
         "--fixed-base-period",
-        type=positive("s", 0.0, 10.0),
+        type=not_negative("s", 10.0),
         metavar="S",
-        help="of the structure without isolation [s]; rigid unless given",
+        help="of the structure without isolation [s]; 0 for a rigid one",
     )
     group.add_argument(
         "--height", type=positive("m", 0.0, 1000.0), metavar="M", help="above the isolation [m]"
@@ -207,7 +207,7 @@ def _structure(chosen: argparse.Namespace) -> "Structure":
         return None if value is None else factor * value
 
     return Structure(
-        fixed_base_period=chosen.fixed_base_period or 0.0,
+        fixed_base_period=chosen.fixed_base_period,
         height=scaled(chosen.height, _KILO),
         site_class=None if chosen.site_class is None else chosen.site_class.strip().upper(),
         plan=scaled(chosen.plan, _KILO),

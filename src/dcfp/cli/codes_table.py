@@ -40,7 +40,7 @@ def print_panels(panels: "Sequence[Panel]", model: "Model", nominal: "Nominal", 
         if details:
             for panel in panels:
                 _print_details(out, panel)
-        print_remarks(out, _remarks(panels))
+        print_remarks(out, _remarks(panels, model))
 
 
 def _print_answers(out: "Console", panels: "Sequence[Panel]") -> None:
@@ -118,12 +118,16 @@ def _print_details(out: "Console", panel: "Panel") -> None:
             out.print(table)
 
 
-def _remarks(panels: "Sequence[Panel]") -> list[str]:
+def _remarks(panels: "Sequence[Panel]", model: "Model") -> list[str]:
+    from dcfp.codes.panel import capacity_remarks
     from dcfp.codes.result import Verdict
 
     remarks: list[str] = []
     every = [(panel, said) for panel in panels for said in panel.answers.values()]
     if len(panels) <= _FEW:
+        remarks += [
+            remark for panel in panels for remark in (*panel.remarks, *capacity_remarks(panel, model.bearing))
+        ]
         for panel, said in every:
             who = f"{panel.name}, {said.method}" if len(panels) > 1 else said.method
             broken = [
@@ -140,6 +144,7 @@ def _remarks(panels: "Sequence[Panel]") -> list[str]:
         remarks.append("Some conditions could not be read in the codes themselves; --details says which.")
     if any(one.verdict is Verdict.NOT_KNOWN for one in conditions):
         remarks.append(
-            "Not known: what the building and the site are like (--height, --site-class, --plan, --fault-distance)."
+            "Not known: what the building and the site are like (--fixed-base-period, --height, --site-class, --plan, --fault-distance), and what"
+            " was not looked at."
         )
     return remarks

@@ -216,8 +216,8 @@ def _print(motions: "list[GroundMotion]", spectra: "list[EnergySpectrum]", *, gi
         print_remarks(
             out,
             [
-                "S_v, S_a: pseudo-velocity and pseudo-acceleration; V_E: equivalent velocity of the largest relative, abs. of the largest absolute input"
-                " energy (Uang and Bertero 1988); t_D: 5 to 95 % of the Arias intensity.",
+                "S_v, S_a: pseudo-velocity and pseudo-acceleration; V_E: equivalent velocity of the relative, abs. of the absolute input energy, each the largest at any time"
+                " (Uang and Bertero 1988); t_D: 5 to 95 % of the Arias intensity.",
                 "Fajfar: sqrt(2 E/m) of E/m = 2.2 t_D^0.5 PGA PGV, after Fajfar, Vidic and Fischinger (1989), unconfirmed.",
             ],
         )

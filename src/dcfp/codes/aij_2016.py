@@ -80,7 +80,7 @@ def method_1(
         damping=last.damping,
         steps=steps,
         unconfirmed=(*spectrum.unconfirmed, *_unconfirmed(correction)),
-        remarks=several(agreements(pendulum, spectrum, correction, damping), last.displacement),
+        remarks=several(agreements(pendulum, spectrum, correction, damping), steps),
     )
 
 

@@ -33,6 +33,8 @@ DAMPING_TABLE = (
 )
 #: Least total over maximum displacement [-]: section 17.5.3.3.
 _LEAST_TORSION = 1.15
+#: Damping at which the exponent 1 - 2.5 beta of V_st is zero [-].
+_POWERLESS = 0.4
 UNCONFIRMED = ("the least D_TM of 1.15 D_M, which one source gives",)
 
 
@@ -145,10 +147,13 @@ def equivalent_lateral_force(
         f"D_TM is at least {_LEAST_TORSION:g} D_M, {_LEAST_TORSION * lower.displacement:.0f} mm.",
     ]
     if bounds.least != bounds.largest:
-        conditions = tuple(
-            replace(one, name=f"{one.name}, {words} bound")
-            for words, answer in zip(("lower", "upper"), answers, strict=True)
-            for one in answer.conditions
+        upper = answers[1]
+        conditions += tuple(
+            replace(one, name=f"{one.name}, upper bound") for one in upper.conditions if one not in conditions
+        )
+        remarks.append(
+            f"Upper bound: D_M {upper.displacement:.0f} mm, T_M {upper.period or 0.0:.2f} s, beta_M {100.0 * (upper.damping or 0.0):.1f} %, V_b/W"
+            f" {upper.base_shear:.3f}; lower bound: V_b/W {lower.base_shear:.3f}."
         )
         remarks.append(
             f"Friction from {bounds.least:g} to {bounds.largest:g} times mu ({bounds.source}): displacement from the lower, force from the"
@@ -160,6 +165,10 @@ def equivalent_lateral_force(
         remarks.append(
             f"V_st/W of the structure above is {above:.3f}, and {abrupt:.3f} by the exponent for loops with an abrupt yield (one source)."
         )
+        if max(one.damping or 0.0 for one in answers) > _POWERLESS:
+            remarks.append(
+                "Above a damping of 40 % the exponent of V_st is negative, and V_st larger than V_b: the equation was not made for that."
+            )
     return replace(lower, base_shear=shear, conditions=conditions, remarks=tuple(remarks))
 
 
@@ -186,7 +195,7 @@ def _with(pendulum: PendulumWithFriction, spectrum: ElasticSpectrum, structure: 
         period=T_M,
         damping=beta_M,
         steps=steps,
-        remarks=several(known, D_M),
+        remarks=several(known, steps),
         conditions=conditions(pendulum, structure, D_M, T_M, beta_M),
         unconfirmed=(*spectrum.unconfirmed, *UNCONFIRMED),
     )

@@ -14,6 +14,8 @@ from dcfp.codes.structure import Structure
 _LONGEST, _MOST_DAMPING, _STIFFER, _SOFTENING, _HEIGHT = 5.0, 0.30, 3.0, 1.0 / 3.0, 65.0 * 304.8
 #: Rise of the force between half of D_M and D_M over the weight [-]: section 17.2.4.4.
 _RESTORING = 0.025
+#: Site classes on which the procedure may be used.
+_SITES = ("A", "B", "C", "D")
 _SECTION = "17.4.1"
 
 
@@ -42,10 +44,7 @@ def conditions(
         ),
         Condition(
             "T_M over the period of the fixed base",
-            at_least(T_M, _STIFFER * structure.fixed_base_period),
-            "rigid structure"
-            if structure.fixed_base_period == 0.0
-            else f"{T_M / structure.fixed_base_period:.1f}",
+            *structure.over_fixed_base(T_M, _STIFFER),
             "at least 3",
             _SECTION,
             confirmed=False,
@@ -78,7 +77,7 @@ def conditions(
             "site class",
             Verdict.NOT_KNOWN
             if structure.site_class is None
-            else (Verdict.MET if structure.site_class in "ABCD" else Verdict.NOT_MET),
+            else (Verdict.MET if structure.site_class in _SITES else Verdict.NOT_MET),
             structure.site_class or "not given",
             "A, B, C or D",
             _SECTION,

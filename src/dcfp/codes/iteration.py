@@ -17,6 +17,8 @@ _SETTLED, _ROUNDS, _HALVINGS = 1e-10, 60, 60
 _LEAST, _LARGEST = 1e-3, 1e5
 
 
+#: Ratio of two agreements from which on they are not the same [-].
+_OTHER = 1.02
 #: Displacements between which a change of sign is looked for [mm].
 _GRID = freeze(np.geomspace(0.5, 2e4, 160))
 #: Ratio of two of them.
@@ -32,8 +34,8 @@ def iterate(
 ) -> tuple[Step, ...]:
     """Return the rounds of D = S_d(T_eff(D)) times the reduction at the damping of D; the last is the solution.
 
-    The rounds are those of hand calculation, each from the displacement of the one before. Where they go to and fro without settling, only the
-    largest solution is returned.
+    The rounds are those of hand calculation, each from the displacement of the one before. Where the spectrum and the bearing agree at
+    several displacements the largest is the solution; where the rounds do not come to it, because they settle at another or go to and fro, it alone is returned.
 
     Parameters
     ----------
@@ -54,15 +56,17 @@ def iterate(
         If there is no solution.
     """
     round_from = _round(pendulum, spectrum, reduction, damping)
+    known = agreements(pendulum, spectrum, reduction, damping)
     steps: list[Step] = []
     at = start
     for _ in range(_ROUNDS):
         step, found = round_from(at)
         steps.append(step)
         if abs(found - at) <= _SETTLED * at:
+            if known and known[-1] > _OTHER * at:
+                break
             return tuple(steps)
         at = min(max(found, _LEAST), _LARGEST)
-    known = agreements(pendulum, spectrum, reduction, damping)
     if not known:
         msg = "The spectrum and the bearing agree at no displacement; look at the spectrum at long periods."
         raise AnalysisError(msg)
@@ -85,14 +89,19 @@ def agreements(
     return (_GRID[at] * (_GRID[at + 1] / _GRID[at]) ** share).tolist()
 
 
-def several(found: Sequence[float], taken: float) -> tuple[str, ...]:
-    """Return a remark where there is more than one agreement [mm] to choose from."""
-    if len(found) < 2:
-        return ()
-    words = ", ".join(f"{at:.0f}" for at in found)
-    return (
-        f"The spectrum and the bearing agree at {len(found)} displacements, {words} mm; the iteration comes to {taken:.0f} mm.",
-    )
+def several(found: Sequence[float], steps: Sequence[Step]) -> tuple[str, ...]:
+    """Return remarks where there is more than one agreement [mm] to choose from, and where the rounds did not come to the one taken."""
+    remarks: list[str] = []
+    if len(found) > 1:
+        words = ", ".join(f"{at:.0f}" for at in found)
+        remarks.append(
+            f"The spectrum and the bearing agree at {len(found)} displacements, {words} mm; the largest is taken."
+        )
+    if len(steps) == 1:
+        remarks.append(
+            "The rounds of the iteration do not come to this displacement; it was found by changes of sign."
+        )
+    return tuple(remarks)
 
 
 def _round(

@@ -18,7 +18,7 @@ from dcfp.bearing.checks import finite
 from dcfp.bearing.friction.constant import NOMINAL_COEFFICIENT
 from dcfp.codes.bilinear import MOST_DAMPING, Bilinear, equivalent_oscillator, secant
 from dcfp.codes.hadjian_1982 import harmonic_condition
-from dcfp.codes.result import Answer, Condition, Step, at_most
+from dcfp.codes.result import Answer, Condition, Step, Verdict, at_most
 from dcfp.errors import InputError
 from dcfp.record.ground_motion import GroundMotion
 from dcfp.spectrum import EnergySpectrum, input_energy_spectrum
@@ -28,7 +28,7 @@ NAME, SECANT = "Iwan (1980)", "secant stiffness"
 #: Factor and power of the period, and of the damping [-]; unconfirmed.
 PERIOD, DAMPED = (0.121, 0.939), (0.0587, 0.371)
 #: Largest ductility of the fit [-]; unconfirmed.
-LARGEST_DUCTILITY = 8.0
+LEAST_DUCTILITY, LARGEST_DUCTILITY = 2.0, 8.0
 UNCONFIRMED = (
     "the constants 0.121, 0.939, 0.0587 and 0.371 of Iwan (1980), and their range of ductility from 2 to 8",
 )
@@ -123,7 +123,7 @@ def equivalent_linear(
     conditions = (
         Condition(
             "ductility, displacement over yield displacement",
-            at_most(ductility, LARGEST_DUCTILITY),
+            Verdict.NOT_KNOWN if ductility < LEAST_DUCTILITY else at_most(ductility, LARGEST_DUCTILITY),
             f"{ductility:.3g}",
             "at most 8, fitted from 2 to 8",
             NAME,

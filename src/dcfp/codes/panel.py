@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from dcfp.codes import aij_2016, asce_2016, eurocode_8, iwan_1980
 from dcfp.codes.equivalent_linear import PendulumWithFriction
 from dcfp.codes.result import Answer
 from dcfp.codes.structure import Structure
-from dcfp.errors import AnalysisError
+from dcfp.errors import AnalysisError, InputError
 from dcfp.record.ground_motion import GroundMotion
 from dcfp.response import respond
 from dcfp.spectrum.elastic import ElasticSpectrum, velocity
@@ -31,6 +31,9 @@ NAMES = (
 ENERGY_DAMPING = 0.10
 #: Shortest period over which the velocity of a spectrum is averaged for the method of a constant velocity [s].
 _SHORTEST = 2.0
+#: Where the V_E of the energy balance comes from.
+_OF_RECORD = "largest relative input energy at the period of the pendulum and a damping of 10 %"
+_OF_SPECTRUM = "the largest pseudo-velocity of the spectrum, which is a lower bound"
 #: Number of periods of that mean.
 _PERIODS = 25
 
@@ -54,14 +57,15 @@ def answers_for_spectrum(
         V_E of the energy balance [mm/s]; by default the largest pseudo-velocity of the spectrum, below which the V_E of an oscillator hardly is.
     """
     level = constant_velocity(spectrum, pendulum)
-    largest = float(velocity(spectrum, PERIODS).max())
-    V_E = largest if equivalent_velocity is None else equivalent_velocity
+    given = equivalent_velocity is not None
+    V_E = equivalent_velocity if given else float(velocity(spectrum, PERIODS).max())
+    words = _OF_RECORD if given else _OF_SPECTRUM
     made = {
         asce_2016.NAME: lambda: asce_2016.equivalent_lateral_force(pendulum, spectrum, structure, bounds),
         eurocode_8.NAME: lambda: eurocode_8.simplified_linear_analysis(pendulum, spectrum, structure),
         aij_2016.METHOD_1: lambda: aij_2016.method_1(pendulum, spectrum),
-        aij_2016.METHOD_2: lambda: aij_2016.method_2(pendulum, level),
-        aij_2016.ENERGY_BALANCE: lambda: aij_2016.energy_balance(pendulum, V_E),
+        aij_2016.METHOD_2: lambda: _of_level(aij_2016.method_2(pendulum, level), level, pendulum),
+        aij_2016.ENERGY_BALANCE: lambda: _of_energy(aij_2016.energy_balance(pendulum, V_E), V_E, words),
     }
     found: dict[str, Answer] = {}
     for name, make in made.items():
@@ -70,6 +74,27 @@ def answers_for_spectrum(
         except AnalysisError:
             continue
     return found
+
+
+def _of_level(answer: Answer, level: float, pendulum: PendulumWithFriction) -> Answer:
+    """Return an answer of the method of a constant velocity with the level that it rests on [mm/s]."""
+    longest = max(pendulum.free_period, _SHORTEST)
+    remark = f"S_v {level:.0f} mm/s, the mean from {_SHORTEST:g} to {longest:.1f} s"
+    outside = answer.period is not None and not _SHORTEST <= answer.period <= longest
+    note = ", a band in which its own effective period is not" if outside else ""
+    return replace(answer, remarks=(*answer.remarks, f"{remark}{note}."))
+
+
+def _of_energy(answer: Answer, velocity: float, words: str) -> Answer:
+    """Return an answer of the energy balance with the V_E that it rests on [mm/s]."""
+    return replace(
+        answer,
+        remarks=(*answer.remarks, f"V_E {velocity:.0f} mm/s: {words}."),
+        unconfirmed=(
+            *answer.unconfirmed,
+            "two loops at the largest displacement, and which V_E belongs to them",
+        ),
+    )
 
 
 def answers_for_motion(
@@ -87,13 +112,18 @@ def answers_for_motion(
     if motion.peak_acceleration == 0.0:
         return {}
     spectrum = response_spectrum(motion)
-    energy = input_energy_spectrum(motion, np.array([pendulum.free_period]), ENERGY_DAMPING)
-    V_E = float(energy.equivalent_velocity[0])
+    V_E = input_velocity(motion, pendulum)
     found = answers_for_spectrum(spectrum, pendulum, structure, bounds, equivalent_velocity=V_E)
     if bearing is not None:
         with suppress(AnalysisError):
             found[iwan_1980.NAME] = iwan_1980.equivalent_linear(motion, bearing, pendulum.friction)
     return found
+
+
+def input_velocity(motion: GroundMotion, pendulum: PendulumWithFriction) -> float:
+    """Return V_E of the largest relative input energy at the period of the pendulum and a damping of 10 % [mm/s]: Akiyama (1985)."""
+    energy = input_energy_spectrum(motion, np.array([pendulum.free_period]), ENERGY_DAMPING)
+    return float(energy.equivalent_velocity[0])
 
 
 def constant_velocity(spectrum: ElasticSpectrum, pendulum: PendulumWithFriction) -> float:
@@ -120,6 +150,10 @@ class Panel:
         Of the record [mm/s], or None.
     displacement, base_shear
         y_max [mm] and the largest force over the weight [-] of the response history analysis, or None where there is no record.
+    equivalent_velocity
+        V_E of the energy balance [mm/s], or None where it was taken from the spectrum.
+    remarks
+        Sentences that a reader of the numbers must know, besides those of the answers.
     """
 
     name: str
@@ -129,6 +163,8 @@ class Panel:
     pgv: float | None = None
     displacement: float | None = None
     base_shear: float | None = None
+    equivalent_velocity: float | None = None
+    remarks: tuple[str, ...] = ()
 
     @property
     def missing(self) -> tuple[str, ...]:
@@ -167,6 +203,8 @@ def panel_of_motion(
         pgv=motion.peak_velocity,
         displacement=response.peak_displacement,
         base_shear=response.peak_force / bearing.vertical_force,
+        equivalent_velocity=input_velocity(motion, pendulum) if motion.peak_acceleration > 0.0 else None,
+        remarks=response.remarks,
     )
 
 
@@ -192,20 +230,43 @@ def panel_of_set(
     InputError
         If there is no record.
     """
+    moving = [one for one in panels if one.equivalent_velocity is not None]
+    if not moving:
+        msg = "The spectrum of a set needs a record in which the ground moves."
+        raise InputError(msg)
     spectrum = spectrum_of_set(
-        [one.spectrum for one in panels if isinstance(one.spectrum, ResponseSpectrum)], part
+        [one.spectrum for one in moving if isinstance(one.spectrum, ResponseSpectrum)], part
     )
-    pendulum = panels[0].pendulum
+    pendulum = moving[0].pendulum
 
     def measure(values: list[float | None]) -> float:
-        known = np.array([value for value in values if value is not None and value > 0.0])
-        return float(np.exp(np.log(known).mean()) if part is None else np.quantile(known, part))
+        known = np.array([value for value in values if value is not None])
+        return float(
+            np.exp(np.log(np.maximum(known, 1e-9)).mean()) if part is None else np.quantile(known, part)
+        )
 
+    V_E = measure([one.equivalent_velocity for one in moving])
+    silent = len(panels) - len(moving)
     return Panel(
         name=spectrum.name,
         spectrum=spectrum,
         pendulum=pendulum,
-        answers=answers_for_spectrum(spectrum, pendulum, structure, bounds),
-        displacement=measure([one.displacement for one in panels]),
-        base_shear=measure([one.base_shear for one in panels]),
+        answers=answers_for_spectrum(spectrum, pendulum, structure, bounds, V_E),
+        displacement=measure([one.displacement for one in moving]),
+        base_shear=measure([one.base_shear for one in moving]),
+        equivalent_velocity=V_E,
+        remarks=(f"{silent} records in which the ground does not move are left out.",) if silent else (),
+    )
+
+
+def capacity_remarks(panel: Panel, bearing: Bearing) -> tuple[str, ...]:
+    """Return a sentence where a method asks for more than the capacity of a bearing."""
+    capacity = bearing.displacement_capacity
+    beyond = [
+        f"{name} {said.displacement:.0f} mm"
+        for name, said in panel.answers.items()
+        if capacity is not None and said.displacement > capacity
+    ]
+    return (
+        (f"{panel.name}: beyond the capacity of {capacity:.0f} mm: {', '.join(beyond)}.",) if beyond else ()
     )

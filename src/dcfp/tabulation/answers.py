@@ -58,6 +58,7 @@ def panel_object(panel: "Panel") -> dict[str, Any]:
         else {"displacement_mm": panel.displacement, "base_shear_over_weight": panel.base_shear},
         "answers": [answer_object(said) for said in panel.answers.values()],
         "without_solution": list(panel.missing),
+        "remarks": list(panel.remarks),
     }
 
 
