@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from rich.console import Console
+    from rich.table import Table
 
     from dcfp.cli.inputs import Model
     from dcfp.codes.panel import Panel
@@ -92,30 +93,37 @@ def _answer_cells(said: "Answer", analysed: float | None) -> list[str]:
 
 def _print_details(out: "Console", panel: "Panel") -> None:
     for said in panel.answers.values():
-        if said.conditions:
-            table = new_table(["Condition"], [], ["Found", "Limit", "Where", "Verdict"])
-            for one in said.conditions:
-                where = one.source if one.confirmed else f"{one.source}, unconfirmed"
-                add_row(table, [one.name, one.found, one.limit, where, one.verdict.value])
-            out.print()
-            out.print(f"{panel.name}, {said.method}:")
-            out.print(table)
-        if said.steps:
-            table = new_table([], ["Round", "D\n[mm]", "T_eff\n[s]", "beta_eff\n[%]", "Reduction\n[-]"])
-            for number, step in enumerate(said.steps, 1):
-                add_row(
-                    table,
-                    [
-                        str(number),
-                        f"{step.displacement:.2f}",
-                        f"{step.period:.3f}",
-                        f"{100.0 * step.damping:.2f}",
-                        f"{step.reduction:.4f}",
-                    ],
-                )
-            out.print()
-            out.print(f"{panel.name}, {said.method}, iteration:")
-            out.print(table)
+        for words, table in (("", _conditions(said)), (", iteration", _rounds(said))):
+            if table.row_count:
+                out.print()
+                out.print(f"{panel.name}, {said.method}{words}:")
+                out.print(table)
+
+
+def _conditions(said: "Answer") -> "Table":
+    table = new_table(["Condition"], [], ["Found", "Limit", "Where", "Verdict"])
+    for one in said.conditions:
+        where = one.source if one.confirmed else f"{one.source}, unconfirmed"
+        add_row(table, [one.name, one.found, one.limit, where, one.verdict.value])
+    return table
+
+
+def _rounds(said: "Answer") -> "Table":
+    """Return the rounds up to the one from which on no printed digit changes."""
+    table = new_table([], ["Round", "D\n[mm]", "T_eff\n[s]", "beta_eff\n[%]", "Reduction\n[-]"])
+    before: list[str] = []
+    for number, step in enumerate(said.steps, 1):
+        cells = [
+            f"{step.displacement:.2f}",
+            f"{step.period:.3f}",
+            f"{100.0 * step.damping:.2f}",
+            f"{step.reduction:.4f}",
+        ]
+        if cells == before:
+            break
+        add_row(table, [str(number), *cells])
+        before = cells
+    return table
 
 
 def _remarks(panels: "Sequence[Panel]", model: "Model") -> list[str]:

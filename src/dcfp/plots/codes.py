@@ -23,10 +23,10 @@ _ROW, _HEAD = 2.3, 0.5
 
 
 def plot_codes(panels: "Sequence[Panel]") -> Figure:
-    """Draw for every demand the spectral displacement with the answers in it, and the capacity line of the bearing, on a new figure.
+    """Draw for every demand the answers in the displacement spectrum, and their displacements as bars, on a new figure.
 
-    Left the displacement spectrum at a damping of 5 % with effective period and displacement of every method that has both; right the displacements as
-    bars, those outside of the limits of their method hollow, with the analysis as a line.
+    Left the spectrum at a damping of 5 % with effective period and displacement of every method that has both; right the displacements beside the
+    analysis, a line. What is outside of the limits of its method is hollow, and hatched on the right.
     """
     with style():
         figure = Figure(figsize=(PAGE_WIDTH, _HEAD + _ROW * len(panels)), layout="constrained")
@@ -44,7 +44,9 @@ def _draw_spectrum(axes: "Axes", panel: "Panel") -> None:
     axes.plot(_PERIODS, demand, color=GREY, linewidth=1.0, label="5 %")
     for colour, (name, said) in zip(_COLOURS, panel.answers.items(), strict=False):
         if said.period is not None:
-            axes.plot([said.period], [said.displacement], "o", color=colour, markersize=4.0, label=name)
+            face = "white" if said.valid is False else colour
+            point = ([said.period], [said.displacement])
+            axes.plot(*point, "o", color=colour, markerfacecolor=face, markersize=4.0, label=name)
     axes.set_ylabel("$S_d$ [mm]")
     axes.set_ylim(bottom=0.0)
     axes.set_xlim(0.0, float(_PERIODS[-1]))
@@ -65,14 +67,23 @@ def _draw_bars(axes: "Axes", panel: "Panel") -> None:
             linewidth=1.0,
             hatch=None if inside else "////",
         )
-        axes.text(said.displacement, place, f"  {millimetres(said.displacement)}", va="center", size=6.5)
+        words = axes.annotate(
+            millimetres(said.displacement),
+            (said.displacement, place),
+            (4.0, 0.0),
+            textcoords="offset points",
+            va="center",
+            size=6.5,
+        )
+        # where the line of the analysis passes behind it
+        words.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 0.5})
     if panel.displacement is not None:
         axes.axvline(panel.displacement, color=INK, linewidth=1.0, linestyle=(0, (4, 2)))
         axes.set_title(
-            f"analysis {millimetres(panel.displacement)}; hatched: outside of its limits", loc="left"
+            f"analysis {millimetres(panel.displacement)}; hollow: outside of its limits", loc="left"
         )
     else:
-        axes.set_title("hatched: outside of its limits", loc="left")
+        axes.set_title("hollow: outside of its limits", loc="left")
     axes.set_yticks(range(len(names)), names)
     axes.invert_yaxis()
     axes.set_xlim(
