@@ -1,6 +1,5 @@
 """Response history analysis of a shear building on a bearing."""
 
-import math
 import time
 from typing import NamedTuple
 
@@ -12,14 +11,13 @@ from dcfp.bearing.plates import cold_plates, heat_of, structure_of
 from dcfp.building.response import BuildingResponse
 from dcfp.building.shear_building import ShearBuilding
 from dcfp.building.transition import building_of
-from dcfp.errors import AnalysisError, InputError
+from dcfp.errors import AnalysisError
 from dcfp.kernels import building as k
 from dcfp.record.ground_motion import GroundMotion
+from dcfp.record.stepping import check_step_and_tail, parts_in, with_tail
 
 #: Longest fine step, unless another is asked for [s]; and over the shortest period on a fixed base [-], but for steps that are short already [s].
 LONGEST_STEP, PERIOD_FRACTION, SHORT_STEP = 0.002, 0.1, 0.0002
-#: Longest free motion after the record that is waited for [s].
-LONGEST_TAIL = 120.0
 
 
 class _Run(NamedTuple):
@@ -78,12 +76,11 @@ def respond_building(
     """
     friction = Li2020() if friction is None else friction
     heating = SimplifiedHeating() if heating is None else heating
-    _check(step, tail)
+    check_step_and_tail(step, tail)
     longest = _longest_step(building) if step is None else step
-    parts = max(1, math.ceil(motion.time_step / longest * (1.0 - 1e-12)))
+    parts = parts_in(motion.time_step, longest)
     fine = motion.time_step / parts
-    samples = round((LONGEST_TAIL if tail is None else tail) / motion.time_step)
-    acceleration = np.concatenate((motion.acceleration, np.zeros(samples)))
+    acceleration = with_tail(motion, tail)
     # from one sample of the record after its last, where the ground has stopped accelerating
     free_from = motion.acceleration.size if tail is None else acceleration.size
     own = building_of(building, bearing, fine)
@@ -140,12 +137,3 @@ def _at_rest(heating: Heating) -> FloatArray:
     state[k.ROOM] = k.TICKS
     state[k.PEAK_TEMPERATURE] = heating.ambient
     return state
-
-
-def _check(step: float | None, tail: float | None) -> None:
-    if step is not None and not (math.isfinite(step) and step >= 1e-6):
-        msg = f"The step must be a positive number of seconds, at least a microsecond, not {step!r}."
-        raise InputError(msg)
-    if tail is not None and not (math.isfinite(tail) and tail >= 0.0):
-        msg = f"The tail must be zero or a positive number of seconds, not {tail!r}."
-        raise InputError(msg)

@@ -63,13 +63,7 @@ def add_arguments(parser: Parser) -> None:
 def run(chosen: argparse.Namespace) -> int:
     """Analyse the building and the rigid structure under every record at every PGV."""
     inputs.record_names(chosen)
-    outputs = Outputs.checked(
-        chosen.out,
-        None,
-        overwrite=chosen.overwrite,
-        inputs=inputs.input_files(chosen),
-        data_extensions=(".csv",),
-    )
+    outputs = Outputs.checked(chosen, inputs.input_files(chosen), (".csv",))
     if not 1 <= chosen.storeys <= _MOST_STOREYS:
         msg = f"--storeys must be a whole number from 1 to {_MOST_STOREYS}, not {chosen.storeys}."
         raise InputError(msg)

@@ -124,11 +124,9 @@ def run(chosen: argparse.Namespace) -> int:
     """Ask every method under every record or the spectrum."""
     _check(chosen)
     outputs = Outputs.checked(
-        chosen.out,
-        chosen.plot,
-        overwrite=chosen.overwrite,
-        inputs=[*inputs.input_files(chosen), *([Path(chosen.spectrum)] if chosen.spectrum else [])],
-        data_extensions=(".csv",),
+        chosen,
+        [*inputs.input_files(chosen), *([Path(chosen.spectrum)] if chosen.spectrum else [])],
+        (".csv",),
     )
     from dcfp.cli.codes_table import print_panels
     from dcfp.tabulation.answers import panel_object

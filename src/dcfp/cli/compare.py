@@ -45,13 +45,7 @@ def run(chosen: argparse.Namespace) -> int:
     if chosen.held_out and chosen.pgv is None:
         msg = "--held-out compares records at the same PGV; say which with --pgv, for example --pgv 0.25 0.5 0.75 1.0."
         raise InputError(msg)
-    outputs = Outputs.checked(
-        chosen.out,
-        chosen.plot,
-        overwrite=chosen.overwrite,
-        inputs=inputs.input_files(chosen),
-        data_extensions=(".csv",),
-    )
+    outputs = Outputs.checked(chosen, inputs.input_files(chosen), (".csv",))
     # late, so that a slip in the command is answered at once
     from dcfp.cli.compare_table import print_cases
     from dcfp.comparison.statistics import scatters

@@ -61,13 +61,7 @@ def run(chosen: argparse.Namespace) -> int:
     _refuse_other_laws(chosen)
     fixed = _fixed(chosen.fix)
     read = [*files, *chosen.hold_out, *([chosen.bearing] if chosen.bearing else [])]
-    outputs = Outputs.checked(
-        chosen.out,
-        chosen.plot,
-        overwrite=chosen.overwrite,
-        inputs=[Path(file) for file in read],
-        data_extensions=EXTENSIONS,
-    )
+    outputs = Outputs.checked(chosen, [Path(file) for file in read], EXTENSIONS)
     # late, so that a slip in the command is answered at once
     from dcfp.bearing import FittedFriction
     from dcfp.cli.identify_table import print_identification

@@ -1,5 +1,6 @@
 """Where a command's results go besides standard output."""
 
+import argparse
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -37,26 +38,33 @@ class Outputs:
     @classmethod
     def checked(
         cls,
-        data: str | None,
-        figure: str | None,
-        *,
-        overwrite: bool,
-        inputs: Iterable[Path] = (),
+        chosen: argparse.Namespace,
+        reads: Iterable[Path] = (),
         data_extensions: tuple[str, ...] = DATA_EXTENSIONS,
     ) -> "Outputs":
-        """Return the outputs once it is known that each can be written in a known format.
+        """Return the outputs of a command's options --out, --plot and --overwrite once it is known that each can be written in a known format.
+
+        Parameters
+        ----------
+        chosen
+            The options; a command may have no figure.
+        reads
+            Files that the command reads, and must not write over.
+        data_extensions
+            Formats of --out.
 
         Raises
         ------
         InputError
             If not.
         """
+        data, figure = chosen.out, getattr(chosen, "plot", None)
         outputs = cls(
             known_extension(data, data_extensions, "data") if data is not None else None,
             known_extension(figure, FIGURE_EXTENSIONS, "a figure") if figure is not None else None,
-            overwrite,
+            chosen.overwrite,
         )
-        check_outputs(outputs.paths, overwrite=overwrite, inputs=inputs)
+        check_outputs(outputs.paths, overwrite=chosen.overwrite, inputs=reads)
         return outputs
 
     @property

@@ -50,13 +50,7 @@ def add_arguments(parser: Parser) -> None:
 def run(chosen: argparse.Namespace) -> int:
     """Predict every record at every PGV, or every PGV."""
     _check(chosen)
-    outputs = Outputs.checked(
-        chosen.out,
-        chosen.plot,
-        overwrite=chosen.overwrite,
-        inputs=inputs.input_files(chosen),
-        data_extensions=(".csv",),
-    )
+    outputs = Outputs.checked(chosen, inputs.input_files(chosen), (".csv",))
     # late, so that a slip in the command is answered at once
     from dcfp.cli.predict_table import print_forecasts
     from dcfp.tabulation.forecasts import forecast_objects

@@ -45,9 +45,7 @@ def run(chosen: argparse.Namespace) -> int:
 
 
 def _outputs(chosen: argparse.Namespace, names: list[str]) -> Outputs:
-    outputs = Outputs.checked(
-        chosen.out, chosen.plot, overwrite=chosen.overwrite, inputs=inputs.input_files(chosen)
-    )
+    outputs = Outputs.checked(chosen, inputs.input_files(chosen))
     if not names and outputs.figure is not None:
         msg = "--plot draws the histories of records; name at least one RECORD."
         raise InputError(msg)

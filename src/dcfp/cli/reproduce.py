@@ -39,11 +39,7 @@ def run(chosen: argparse.Namespace) -> int:
     """Make the analyses, the findings and the figures."""
     files = _files(chosen.files)
     outputs = Outputs.checked(
-        chosen.out,
-        chosen.plot,
-        overwrite=chosen.overwrite,
-        inputs=[Path(file.rpartition("::")[0] or file) for file in files.values()],
-        data_extensions=(".html",),
+        chosen, [Path(file.rpartition("::")[0] or file) for file in files.values()], (".html",)
     )
     # late, so that a slip in the command is answered at once
     from dcfp.cli.progress import progress

@@ -28,9 +28,7 @@ def add_arguments(parser: Parser) -> None:
 def run(chosen: argparse.Namespace) -> int:
     """Analyse every record at every PGV."""
     inputs.record_names(chosen)
-    outputs = Outputs.checked(
-        chosen.out, chosen.plot, overwrite=chosen.overwrite, inputs=inputs.input_files(chosen)
-    )
+    outputs = Outputs.checked(chosen, inputs.input_files(chosen))
     # late, so that a slip in the command is answered at once
     from dcfp.cli.remarks import remarks_on
     from dcfp.cli.response_table import print_responses

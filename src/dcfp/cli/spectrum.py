@@ -44,13 +44,7 @@ def add_arguments(parser: Parser) -> None:
 def run(chosen: argparse.Namespace) -> int:
     """Make the spectra of every record at every PGV."""
     inputs.record_names(chosen)
-    outputs = Outputs.checked(
-        chosen.out,
-        chosen.plot,
-        overwrite=chosen.overwrite,
-        inputs=inputs.input_files(chosen),
-        data_extensions=(".csv",),
-    )
+    outputs = Outputs.checked(chosen, inputs.input_files(chosen), (".csv",))
     import numpy as np
 
     from dcfp.cli.progress import progress

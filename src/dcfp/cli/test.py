@@ -81,9 +81,7 @@ def run(chosen: argparse.Namespace) -> int:
     if chosen.later_records:
         msg = f"{chosen.later_records[0]!r} is one PROGRAM too many; name one."
         raise InputError(msg)
-    outputs = Outputs.checked(
-        chosen.out, chosen.plot, overwrite=chosen.overwrite, inputs=_input_files(chosen)
-    )
+    outputs = Outputs.checked(chosen, _input_files(chosen))
     # late, so that a slip in the command is answered at once
     from dcfp.cli import test_table
 

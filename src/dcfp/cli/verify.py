@@ -21,7 +21,7 @@ def add_arguments(parser: Parser) -> None:
 
 def run(chosen: argparse.Namespace) -> int:
     """Run the checks that come with the package; one that fails makes the status 1."""
-    outputs = Outputs.checked(chosen.out, chosen.plot, overwrite=chosen.overwrite, data_extensions=(".csv",))
+    outputs = Outputs.checked(chosen, data_extensions=(".csv",))
     # late, so that a slip in the command is answered at once
     from dcfp.cli.progress import progress
     from dcfp.verification import run_checks

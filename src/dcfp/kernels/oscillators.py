@@ -19,37 +19,38 @@ U, V, PEAK_U, PEAK_V, PEAK_A, INPUT, PEAK_INPUT, PEAK_ABSOLUTE, ROWS = range(9)
 
 
 @kernel
+def _stepped(
+    coefficients: NDArray[np.float64], j: int, u: float, v: float, a: float, c: float
+) -> tuple[float, float]:
+    """Return displacement and velocity of oscillator j after a step, from those before it, the acceleration and its change."""
+    return (
+        coefficients[UU, j] * u + coefficients[UV, j] * v + coefficients[UA, j] * a + coefficients[UC, j] * c,
+        coefficients[VU, j] * u + coefficients[VV, j] * v + coefficients[VA, j] * a + coefficients[VC, j] * c,
+    )
+
+
+@kernel
+def _furthest(u: float, v: float, next_u: float, next_v: float, step: float) -> float:
+    """Return the largest displacement of a step: at its end, or where the parabola of the two velocities turns."""
+    turning = u + (0.5 * step * v * v / (v - next_v) if v * next_v < 0.0 else 0.0)
+    return max(abs(next_u), abs(turning))
+
+
+@kernel
 def respond_all(
     coefficients: NDArray[np.float64],
     step: float,
     acceleration: NDArray[np.float64],
     state: NDArray[np.float64],
 ) -> None:
-    """Take every oscillator through the samples of `acceleration` [mm/s2], `step` [s] apart; note its largest displacement.
-
-    Between two samples the displacement is taken as the parabola of the two velocities where it turns.
-    """
+    """Take every oscillator through the samples of `acceleration` [mm/s2], `step` [s] apart; note its largest displacement."""
     for i in range(acceleration.size - 1):
         a = acceleration[i]
         c = acceleration[i + 1] - a
         for j in range(state.shape[1]):
             u, v = state[U, j], state[V, j]
-            next_u = (
-                coefficients[UU, j] * u
-                + coefficients[UV, j] * v
-                + coefficients[UA, j] * a
-                + coefficients[UC, j] * c
-            )
-            next_v = (
-                coefficients[VU, j] * u
-                + coefficients[VV, j] * v
-                + coefficients[VA, j] * a
-                + coefficients[VC, j] * c
-            )
-            turns = v * next_v < 0.0
-            turning = u + (0.5 * step * v * v / (v - next_v) if turns else 0.0)
-            furthest = max(abs(next_u), abs(turning))
-            state[PEAK_U, j] = max(state[PEAK_U, j], furthest)
+            next_u, next_v = _stepped(coefficients, j, u, v, a, c)
+            state[PEAK_U, j] = max(state[PEAK_U, j], _furthest(u, v, next_u, next_v, step))
             state[U, j], state[V, j] = next_u, next_v
 
 
@@ -66,18 +67,7 @@ def respond_slowly(
         c = acceleration[i + 1] - a
         for j in range(state.shape[1]):
             u, v = state[U, j], state[V, j]
-            next_u = (
-                coefficients[UU, j] * u
-                + coefficients[UV, j] * v
-                + coefficients[UA, j] * a
-                + coefficients[UC, j] * c
-            )
-            next_v = (
-                coefficients[VU, j] * u
-                + coefficients[VV, j] * v
-                + coefficients[VA, j] * a
-                + coefficients[VC, j] * c
-            )
+            next_u, next_v = _stepped(coefficients, j, u, v, a, c)
             state[PEAK_U, j] = max(state[PEAK_U, j], abs(next_u))
             state[U, j], state[V, j] = next_u, next_v
 
@@ -102,27 +92,14 @@ def respond_with_energy(
         g = ground[i + 1]
         for j in range(state.shape[1]):
             u, v = state[U, j], state[V, j]
-            next_u = (
-                coefficients[UU, j] * u
-                + coefficients[UV, j] * v
-                + coefficients[UA, j] * a
-                + coefficients[UC, j] * c
-            )
-            next_v = (
-                coefficients[VU, j] * u
-                + coefficients[VV, j] * v
-                + coefficients[VA, j] * a
-                + coefficients[VC, j] * c
-            )
+            next_u, next_v = _stepped(coefficients, j, u, v, a, c)
             square, damping = coefficients[SQUARE, j], coefficients[DAMPING, j]
             # the equation of motion, integrated over the step, gives the area under u
             area = -(step * (a + 0.5 * c) + (next_v - v) + damping * (next_u - u)) / square
             energy = state[INPUT, j] - (next_a * next_u - a * u) + c / step * area
             absolute = energy + g * (0.5 * g + next_v)
             total = damping * next_v + square * next_u
-            turns = v * next_v < 0.0
-            turning = u + (0.5 * step * v * v / (v - next_v) if turns else 0.0)
-            state[PEAK_U, j] = max(state[PEAK_U, j], max(abs(next_u), abs(turning)))
+            state[PEAK_U, j] = max(state[PEAK_U, j], _furthest(u, v, next_u, next_v, step))
             state[PEAK_V, j] = max(state[PEAK_V, j], abs(next_v))
             state[PEAK_A, j] = max(state[PEAK_A, j], abs(total))
             state[PEAK_INPUT, j] = max(state[PEAK_INPUT, j], energy)

@@ -17,6 +17,7 @@ from dcfp.kernels.heat_state import FINEST_LEVEL, NO_HEATING, PRESENT
 from dcfp.kernels.march import AT_REST, NO_PROGRESS, OUT_OF_CELLS, TEMPERATURE, march
 from dcfp.kernels.motion import Structure
 from dcfp.record.ground_motion import GroundMotion
+from dcfp.record.stepping import check_step_and_tail, parts_in, refined, with_tail
 from dcfp.response.kernel_input import State, heat_of, state_at_rest
 from dcfp.response.response import Histories, Response, Settings
 
@@ -26,8 +27,6 @@ TOLERANCE = 0.02
 LONGEST_STEP = 0.01
 #: Laws, or kinds of laws, for which the kernels are at hand.
 _compiled: set[object] = set()
-#: Longest free motion after the record that is waited for [s].
-LONGEST_TAIL = 120.0
 
 
 @dataclass
@@ -97,9 +96,9 @@ def respond(
     settings = _checked(tail, tolerance, step, profile_every, heating)
     structure = structure_of(bearing, friction)
     law = friction.at_pressure(bearing.pressure)
-    parts = 1 if step is None else max(1, math.ceil(motion.time_step / step * (1.0 - 1e-12)))
+    parts = 1 if step is None else parts_in(motion.time_step, step)
     interval = motion.time_step / parts
-    acceleration = _refined(_with_tail(motion, settings.tail), parts)
+    acceleration = refined(with_tail(motion, settings.tail), parts)
     # from one sample of the record after its last, where the ground has stopped accelerating
     free_from = motion.acceleration.size * parts if tail is None else acceleration.size
     _compile_for(law, structure)
@@ -142,14 +141,9 @@ def respond(
 def _checked(
     tail: float | None, tolerance: float, step: float | None, profile_every: int | None, heating: Heating
 ) -> Settings:
-    if tail is not None and not (math.isfinite(tail) and tail >= 0.0):
-        msg = f"The tail must be zero or a positive number of seconds, not {tail!r}."
-        raise InputError(msg)
+    check_step_and_tail(step, tail)
     if not (math.isfinite(tolerance) and 0.0 < tolerance < 1.0):
         msg = f"The tolerance must lie between 0 and 1, not {tolerance!r}."
-        raise InputError(msg)
-    if step is not None and not (math.isfinite(step) and step >= 1e-6):
-        msg = f"The step must be a positive number of seconds, at least a microsecond, not {step!r}."
         raise InputError(msg)
     if profile_every is not None and (heating.name != "precise" or profile_every < 1):
         msg = "The temperature along the plates needs the precise heating model and a positive number of samples."
@@ -160,21 +154,6 @@ def _checked(
 def _halvings(interval: float) -> int:
     """How often a sample interval [s] must be halved not to exceed the longest step."""
     return min(max(0, math.ceil(math.log2(interval / LONGEST_STEP * (1.0 - 1e-9)))), FINEST_LEVEL)
-
-
-def _refined(acceleration: FloatArray, parts: int) -> FloatArray:
-    """Return the same piecewise linear motion with `parts` steps in place of one."""
-    if parts == 1:
-        return acceleration
-    samples = acceleration.size
-    places = np.arange((samples - 1) * parts + 1) / parts
-    return np.asarray(np.interp(places, np.arange(samples), acceleration), dtype=np.float64)
-
-
-def _with_tail(motion: GroundMotion, tail: float | None) -> FloatArray:
-    """Return the record with the ground unaccelerated for `tail` [s], or for as long as may be waited."""
-    samples = round((LONGEST_TAIL if tail is None else tail) / motion.time_step)
-    return np.concatenate((motion.acceleration, np.zeros(samples)))
 
 
 def _ground_velocity(acceleration: FloatArray, interval: float) -> FloatArray:

@@ -7,7 +7,8 @@ import numpy as np
 from dcfp.arrays import FloatArray, freeze
 from dcfp.kernels import oscillators as k
 from dcfp.record.ground_motion import GroundMotion
-from dcfp.spectrum.oscillators import DAMPING, PERIODS, checked, coefficients, pieces, refined
+from dcfp.record.stepping import refined
+from dcfp.spectrum.oscillators import DAMPING, PERIODS, checked, coefficients, pieces
 
 
 @dataclass(frozen=True, eq=False)

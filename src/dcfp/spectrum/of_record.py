@@ -11,8 +11,9 @@ from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
 from dcfp.kernels import oscillators as k
 from dcfp.record.ground_motion import GroundMotion
+from dcfp.record.stepping import refined
 from dcfp.spectrum.elastic import TabulatedSpectrum
-from dcfp.spectrum.oscillators import DAMPING, PERIODS, checked, coefficients, pieces, refined
+from dcfp.spectrum.oscillators import DAMPING, PERIODS, checked, coefficients, pieces
 
 #: Acceleration in place of none, of which there is no logarithm [mm/s2].
 _LEAST = 1e-9

@@ -110,15 +110,3 @@ def pieces(motion: GroundMotion, periods: FloatArray) -> list[tuple[slice, int]]
     ends = -(-(np.flatnonzero(np.diff(parts)) + 1) // _AT_ONCE) * _AT_ONCE
     edges = [0, *np.unique(ends[ends < periods.size]).tolist(), periods.size]
     return [(slice(a, b), int(parts[a])) for a, b in pairwise(edges)]
-
-
-def refined(acceleration: FloatArray, parts: int) -> FloatArray:
-    """Return the same piecewise linear motion with `parts` steps in place of one."""
-    if parts <= 1:
-        return acceleration
-    change = np.diff(acceleration)
-    fine = np.empty(change.size * parts + 1)
-    for part in range(parts):
-        fine[part:-1:parts] = acceleration[:-1] + change * (part / parts)
-    fine[-1] = acceleration[-1]
-    return fine
