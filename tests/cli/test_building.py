@@ -41,7 +41,8 @@ def test_undamped_and_as_csv(run, tmp_path):
     ("words", "told"),
     [
         (("NCC", "--storeys", "0"), "--storeys"),
-        (("NCC", "--storeys", "five"), "--storeys"),
+        (("NCC", "--storeys", "five"), "--storeys must be a whole number from 1 to 60, not 'five'"),
+        (("NCC", "--storeys", "5.5"), "--storeys must be a whole number from 1 to 60, not '5.5'"),
         (("NCC", "--fixed-base-period", "-1"), "--fixed-base-period"),
         (("NCC", "--damping", "2"), "--damping"),
         ((), "RECORD"),

@@ -100,7 +100,7 @@ def test_the_codes_stand_in_the_comparison_with_their_verdicts(run):
         (("--asce", "1.5", "0.6", "--bounds", "0.7"), "lambda_min and lambda_max"),
         (("--eurocode", "3.0", "--ground", "X"), "A, B, C, D, E"),
         (("NCC", "--ground", "C"), "--ground"),
-        (("--japan", "7"), "1, 2 and 3"),
+        (("--japan", "7"), "--japan must be a whole number from 1 to 3, not"),
         (("--spectrum", "nowhere.csv"), "nowhere.csv"),
     ],
 )

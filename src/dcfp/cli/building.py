@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from dcfp.cli import inputs, options
 from dcfp.cli.outputs import Outputs
-from dcfp.cli.parser import Parser, number_from, positive
+from dcfp.cli.parser import Parser, number_from, positive, whole_number
 from dcfp.cli.response_table import bearing_line
 from dcfp.cli.tables import add_row, new_table, page, print_labelled, print_remarks
-from dcfp.errors import InputError
 
 if TYPE_CHECKING:
     from dcfp.building import BuildingResponse, ShearBuilding
@@ -37,7 +36,13 @@ def add_arguments(parser: Parser) -> None:
     """Add the options of the command."""
     options.add_records(parser, "+", "name of a record or set, or a file, FILE::COMPONENT")
     group = parser.add_argument_group("building: equal storeys on a base as heavy as a floor")
-    group.add_argument("--storeys", type=int, default=5, metavar="N", help="number of storeys; default 5")
+    group.add_argument(
+        "--storeys",
+        type=whole_number(1, _MOST_STOREYS),
+        default=5,
+        metavar="N",
+        help="number of storeys; default 5",
+    )
     group.add_argument(
         "--fixed-base-period",
         type=positive("s", 0.01, 10.0),
@@ -64,9 +69,6 @@ def run(chosen: argparse.Namespace) -> int:
     """Analyse the building and the rigid structure under every record at every PGV."""
     inputs.record_names(chosen)
     outputs = Outputs.checked(chosen, inputs.input_files(chosen), (".csv",))
-    if not 1 <= chosen.storeys <= _MOST_STOREYS:
-        msg = f"--storeys must be a whole number from 1 to {_MOST_STOREYS}, not {chosen.storeys}."
-        raise InputError(msg)
     from dcfp.building import StiffnessProportional, respond_building, uniform_building
     from dcfp.cli.progress import progress
     from dcfp.response import respond

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from dcfp.cli import inputs, options, prediction_inputs
 from dcfp.cli.outputs import Outputs
-from dcfp.cli.parser import Numbers, Parser, fraction, not_negative, number_from, positive
+from dcfp.cli.parser import Numbers, Parser, fraction, not_negative, number_from, positive, whole_number
 from dcfp.errors import InputError
 
 if TYPE_CHECKING:
@@ -61,14 +61,13 @@ def _add_spectra(parser: Parser) -> None:
     group.add_argument("--ground", metavar="TYPE", help="ground type of Eurocode 8, A to E; B unless given")
     group.add_argument(
         "--type",
-        type=int,
-        choices=(1, 2),
+        type=whole_number(1, 2),
         metavar="1|2",
         help="type of the spectrum of Eurocode 8; 1 unless given",
     )
     group.add_argument(
         "--japan",
-        type=int,
+        type=whole_number(1, 3),
         metavar="SOIL",
         help="very rare earthquake of Notification 1457 on soil class 1, 2 or 3",
     )

@@ -101,6 +101,13 @@ def number_from(least: float, most: float) -> Callable[[str], float]:
     return _number(f"must be a number from {least:g} to {most:g}", lambda value: least <= value <= most)
 
 
+def whole_number(least: int, most: int) -> Callable[[str], int]:
+    """Return a type for a whole number between limits."""
+    rule = f"must be a whole number from {least} to {most}"
+    number = _number(rule, lambda value: value.is_integer() and least <= value <= most)
+    return lambda text: int(number(text))
+
+
 def fraction() -> Callable[[str], float]:
     """Return a type for a number above 0 and below 1."""
     return _number("must lie between 0 and 1", lambda value: 0.0 < value < 1.0)
