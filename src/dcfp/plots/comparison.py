@@ -216,9 +216,10 @@ def _add_legend(axes: "Axes", cases: "Sequence[Case]", which: "Quantity", looks:
         if (view, which) in found:
             label = f"{look.method}: {_words(found[view, which])}"
             handles.append(Line2D([], [], **look.mark(4.0), color=look.colour, label=label))
+    limits = "; hollow: outside of its limits" if looks is _CODE_LOOKS else ""
     axes.legend(
         handles=handles,
-        title="bias, dispersion" if len(cases) > 1 else "predicted / analysed",
+        title=("bias, dispersion" if len(cases) > 1 else "predicted / analysed") + limits,
         title_fontsize=7.0,
         alignment="left",
         loc="lower left",
