@@ -19,5 +19,5 @@ from dcfp.bearing.heating import SimplifiedHeating as SimplifiedHeating
 from dcfp.bearing.heating import heating_model as heating_model
 from dcfp.bearing.heating import heating_names as heating_names
 from dcfp.bearing.heating import plates_of as plates_of
-from dcfp.bearing.read import BearingFile as BearingFile
+from dcfp.bearing.model import Model as Model
 from dcfp.bearing.read import read_bearing as read_bearing

@@ -102,8 +102,7 @@ def mean_temperature(bearing: Bearing, temperatures: FloatArray) -> FloatArray:
 
 def cell_width(bearing: Bearing, heating: Heating) -> float:
     """Width of a cell of the plate [mm]."""
-    across = heating.cells if isinstance(heating, PreciseHeating) else 1
-    return 2.0 * bearing.contact_half_side / across
+    return 2.0 * bearing.contact_half_side / cells_across(heating)
 
 
 def horizon_for(duration: float) -> float:
@@ -130,27 +129,49 @@ def cold_plates(
         Time within which the slowest mode of a half-space hardly fades [s]; see `fading_modes`.
     """
     plates = len(set(bearing.radii))
-    if heating.thickness is None:
-        rates, weights, instant = fading_modes(horizon)
-    else:
-        insulated = heating.back == INSULATED
-        rates, weights, instant = slab_modes(heating.diffusivity, heating.thickness, insulated=insulated)
+    rates, weights, instant = modes_of(heating, horizon)
     bank = np.zeros((BANK_ROWS, MODES))
     bank[RATES] = rates
     bank[WEIGHTS] = weights * heating.rise_factor
-    notes = np.zeros(NOTES)
-    notes[PRESENT:DOSE] = heating.ambient
-    notes[RATIO:PLATE_NOTE] = 1.0
-    notes[STEP_NOTE:] = math.nan  # no step is prepared
-    margin = 0
-    across = 1
-    if isinstance(heating, PreciseHeating):
-        across = heating.cells
-        margin = 1 + math.ceil(max(bearing.shares) * reach / cell_width(bearing, heating))
+    notes = cold_notes(heating.ambient)
+    margin = margin_for(bearing, heating, reach)
     for i in range(plates):
         notes[PLATE_NOTE + i * PLATE_NOTES + LEFT_CELL] = margin
-    cells = np.zeros((plates, across + 1 + 2 * margin, MODES + 1))
-    return PlateHeat(bank, notes, cells, instant)
+    return PlateHeat(bank, notes, no_heat(plates, heating, margin), instant)
+
+
+def modes_of(heating: Heating, horizon: float = HORIZON) -> tuple[FloatArray, FloatArray, float]:
+    """Return rates [1/s], weights [s^-1/2] and the instant weight [s^1/2] of the modes of a plate; `horizon` as for `cold_plates`."""
+    if heating.thickness is None:
+        return fading_modes(horizon)
+    insulated = heating.back == INSULATED
+    return slab_modes(heating.diffusivity, heating.thickness, insulated=insulated)
+
+
+def cold_notes(ambient: float) -> FloatArray:
+    """Return the notes of plates at an ambient temperature [degC], without the place of the slider."""
+    notes = np.zeros(NOTES)
+    notes[PRESENT:DOSE] = ambient
+    notes[RATIO:PLATE_NOTE] = 1.0
+    notes[STEP_NOTE:] = math.nan  # no step is prepared
+    return notes
+
+
+def cells_across(heating: Heating) -> int:
+    """Return the number of cells that the length of the contact is divided into."""
+    return heating.cells if isinstance(heating, PreciseHeating) else 1
+
+
+def margin_for(bearing: Bearing, heating: Heating, reach: float = FIRST_REACH) -> int:
+    """Return the number of cells on each side of the contact that a displacement of `reach` [mm] needs."""
+    if not isinstance(heating, PreciseHeating):
+        return 0
+    return 1 + math.ceil(max(bearing.shares) * reach / cell_width(bearing, heating))
+
+
+def no_heat(plates: int, heating: Heating, margin: int) -> FloatArray:
+    """Return the cells of `plates` cold plates with so many on each side of the contact."""
+    return np.zeros((plates, cells_across(heating) + 1 + 2 * margin, MODES + 1))
 
 
 def heat_of(plates: PlateHeat, bearing: Bearing, heating: Heating) -> Heat:

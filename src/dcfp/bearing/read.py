@@ -1,13 +1,13 @@
 """A bearing, its friction law and its heating model from a TOML file."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, cast
 
 from dcfp.bearing.bearing import LI_2020, Bearing
 from dcfp.bearing.friction import FrictionLaw, friction_law
 from dcfp.bearing.heating import Heating, heating_model
+from dcfp.bearing.model import Model
 from dcfp.errors import InputError
 from dcfp.reading import read_toml
 
@@ -16,17 +16,8 @@ _KILO = 1000.0
 _KEYS = ("name", "radius", "radii", "slider", "pressure", "stiffness", "capacity", "capacity_note")
 
 
-@dataclass(frozen=True)
-class BearingFile:
-    """What a bearing file holds; what it leaves out is that of Li et al. (2020)."""
-
-    bearing: Bearing
-    friction: FrictionLaw
-    heating: Heating
-
-
-def read_bearing(path: str | Path) -> BearingFile:
-    """Read a bearing file.
+def read_bearing(path: str | Path) -> Model:
+    """Read a bearing file; what it leaves out is that of Li et al. (2020).
 
     Parameters
     ----------
@@ -42,7 +33,26 @@ def read_bearing(path: str | Path) -> BearingFile:
         If the file cannot be read, or has an unknown key or a value out of range.
     """
     content = read_toml(path, "a bearing file is TOML with keys such as radius and slider")
-    where = str(path)
+    return model_from(content, str(path), Path(path).stem)
+
+
+def model_from(content: Mapping[str, Any], where: str, name: str | None) -> Model:
+    """Return the model that a bearing file holds; what it leaves out is that of Li et al. (2020).
+
+    Parameters
+    ----------
+    content
+        As `read_bearing` reads it.
+    where
+        What to begin a complaint with.
+    name
+        Of the bearing, unless it has one of its own; None for that of Li et al. (2020).
+
+    Raises
+    ------
+    InputError
+        If there is an unknown key or a value out of range.
+    """
     friction_table = _table(content, "friction", where)
     heating_table = _table(content, "heating", where)
     for key in content:
@@ -50,7 +60,9 @@ def read_bearing(path: str | Path) -> BearingFile:
             msg = f"{where}: {key!r} is not known; the keys are {', '.join(_KEYS)}, [friction] and [heating]."
             raise InputError(msg)
     try:
-        return BearingFile(_bearing(content, where), _friction(friction_table), _heating(heating_table))
+        return Model(
+            _bearing(content, where, name or LI_2020.name), _friction(friction_table), _heating(heating_table)
+        )
     except InputError as error:
         text = str(error)
         msg = text if text.startswith(where) else f"{where}: {text}"
@@ -65,7 +77,7 @@ def _table(content: Mapping[str, Any], key: str, where: str) -> dict[str, Any]:
     return dict(cast("dict[str, Any]", table))
 
 
-def _bearing(content: Mapping[str, Any], where: str) -> Bearing:
+def _bearing(content: Mapping[str, Any], where: str, name: str) -> Bearing:
     if "radius" in content and "radii" in content:
         msg = f"{where}: give either radius or radii, not both."
         raise InputError(msg)
@@ -88,7 +100,7 @@ def _bearing(content: Mapping[str, Any], where: str) -> Bearing:
                 "capacity_note", LI_2020.capacity_note if same_plates and "capacity" not in content else ""
             )
         ),
-        name=str(content.get("name", Path(where).stem)),
+        name=str(content.get("name", name)),
     )
 
 

@@ -71,6 +71,7 @@ def run(chosen: argparse.Namespace) -> int:
     outputs = Outputs.checked(chosen, inputs.input_files(chosen), (".csv",))
     from dcfp.building import StiffnessProportional, respond_building, uniform_building
     from dcfp.cli.progress import progress
+    from dcfp.record.measures import refuse_a_drift
     from dcfp.response import respond
 
     model = inputs.model(chosen)
@@ -80,7 +81,7 @@ def run(chosen: argparse.Namespace) -> int:
     rows: list[dict[str, Any]] = []
     with progress("analyses", len(motions)) as advance:
         for motion in motions:
-            inputs.refuse_a_drift(motion)
+            refuse_a_drift(motion)
             response = respond_building(motion, building, model.bearing, model.friction, model.heating)
             rows.append(_row(response, respond(motion, model.bearing, model.friction, model.heating)))
             advance()
@@ -132,7 +133,7 @@ def _beyond(response: "BuildingResponse") -> list[str]:
     return remarks
 
 
-def _print(rows: list[dict[str, Any]], building: "ShearBuilding", model: inputs.Model) -> None:
+def _print(rows: list[dict[str, Any]], building: "ShearBuilding", model: "inputs.Model") -> None:
     heads = (
         "PGV\n[m/s]",
         "y_max\n[mm]",

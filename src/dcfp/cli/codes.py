@@ -170,10 +170,11 @@ def _part(text: str) -> float:
     return 0.0 if text.strip().lower() == "mean" else positive("%", 1.0, 99.0)(text) / 100.0
 
 
-def _panels(chosen: argparse.Namespace, model: inputs.Model) -> "tuple[list[Panel], Any]":
+def _panels(chosen: argparse.Namespace, model: "inputs.Model") -> "tuple[list[Panel], Any]":
     from dcfp.cli.progress import progress
     from dcfp.codes.equivalent_linear import PendulumWithFriction
     from dcfp.codes.panel import panel_of_motion, panel_of_set, panel_of_spectrum
+    from dcfp.record.measures import refuse_a_drift
 
     nominal = prediction_inputs.nominal(chosen, model)
     pendulum = PendulumWithFriction(model.bearing.effective_radius, nominal.value)
@@ -185,7 +186,7 @@ def _panels(chosen: argparse.Namespace, model: inputs.Model) -> "tuple[list[Pane
     panels: list[Panel] = []
     with progress("records", len(motions)) as advance:
         for motion in motions:
-            inputs.refuse_a_drift(motion)
+            refuse_a_drift(motion)
             panels.append(
                 panel_of_motion(
                     motion, model.bearing, model.friction, model.heating, pendulum, structure, bounds

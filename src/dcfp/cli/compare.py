@@ -64,10 +64,11 @@ def run(chosen: argparse.Namespace) -> int:
 def _compare(chosen: argparse.Namespace, setting: "Setting") -> "list[Case]":
     from dcfp.cli.progress import progress
     from dcfp.comparison import compare
+    from dcfp.record.measures import refuse_a_drift
 
     motions = inputs.scaled(_different(inputs.load_motions(chosen)), chosen.pgv)
     for motion in motions:
-        inputs.refuse_a_drift(motion)
+        refuse_a_drift(motion)
     cases: list[Case] = []
     with progress("comparisons", len(motions)) as advance:
         for motion in motions:

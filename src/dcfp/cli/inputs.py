@@ -1,19 +1,17 @@
 """From options to motions, a bearing, its friction law and its heating model."""
 
 import argparse
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from dcfp.errors import InputError
 
 if TYPE_CHECKING:
-    from dcfp.bearing import Bearing, FrictionLaw, Heating
+    from dcfp.bearing import Bearing, FrictionLaw, Heating, Model
     from dcfp.record.ground_motion import GroundMotion
 
 _KILO = 1000.0
-#: Velocity at the end over PGV above which the PGV is that of the baseline [-].
-_LARGEST_DRIFT = 0.5
 
 
 def record_names(options: argparse.Namespace) -> list[str]:
@@ -34,20 +32,17 @@ def input_files(options: argparse.Namespace) -> list[Path]:
 
 def load_motions(options: argparse.Namespace) -> "list[GroundMotion]":
     """Return every record as it will be used but for the scale; the name of a set stands for all records in it."""
-    from dcfp.record.load import load_motion
-    from dcfp.record.named import record_set
+    from dcfp.record.load import load_motions as load
+    from dcfp.record.treatment import treated
 
-    motions: list[GroundMotion] = []
-    for name in record_names(options):
-        of_set = record_set(name)
-        if of_set is None:
-            of_set = [load_motion(name, options.component, units=options.units, time_step=options.time_step)]
-        motions += of_set
-    return [_treated(motion, options) for motion in motions]
+    motions = load(record_names(options), options.component, units=options.units, time_step=options.time_step)
+    return [treated(motion, baseline=options.baseline, corner=options.high_pass) for motion in motions]
 
 
 def scaled(motions: "list[GroundMotion]", pgvs: list[float] | None) -> "list[GroundMotion]":
     """Return every motion at every PGV [m/s]."""
+    from dcfp.record.measures import refuse_a_drift
+
     if pgvs is None:
         return motions
     for motion in motions:
@@ -55,56 +50,11 @@ def scaled(motions: "list[GroundMotion]", pgvs: list[float] | None) -> "list[Gro
     return [motion.scaled_to_pgv(pgv * _KILO) for motion in motions for pgv in pgvs]
 
 
-def refuse_a_drift(motion: "GroundMotion") -> None:
-    """Refuse a motion whose PGV is that of its baseline.
-
-    Raises
-    ------
-    InputError
-        If it ends at more than half of its PGV.
-    """
-    from dcfp.record.measures import baseline_drift
-
-    drift = baseline_drift(motion)
-    if drift > _LARGEST_DRIFT:
-        msg = (
-            f"{motion.name}: the ground still moves at {100.0 * drift:.0f} % of its PGV at the end, so that its PGV is"
-            " that of its baseline; treat the record with --high-pass 0.05 or --baseline."
-        )
-        raise InputError(msg)
-
-
-def _treated(motion: "GroundMotion", options: argparse.Namespace) -> "GroundMotion":
-    from dcfp.record import treatment
-
-    if options.baseline:
-        motion = treatment.remove_linear_velocity(motion)
-    if options.high_pass is not None:
-        if not options.baseline:
-            # the filter pads with zeros, between which a mean would be two steps
-            motion = treatment.remove_mean(motion)
-        motion = treatment.high_pass(motion, options.high_pass)
-    return motion
-
-
-@dataclass(frozen=True)
-class Model:
-    """What stands on the ground: a bearing, its friction law and its heating model."""
-
-    bearing: "Bearing"
-    friction: "FrictionLaw"
-    heating: "Heating"
-
-
-def model(options: argparse.Namespace) -> Model:
+def model(options: argparse.Namespace) -> "Model":
     """Return the bearing of the file, or of Li et al. (2020), with the options put before it."""
-    from dcfp.bearing import LI_2020, Li2020, SimplifiedHeating, read_bearing
+    from dcfp.bearing import Model, read_bearing
 
-    if options.bearing is not None:
-        file = read_bearing(options.bearing)
-        base = Model(file.bearing, file.friction, file.heating)
-    else:
-        base = Model(LI_2020, Li2020(), SimplifiedHeating())
+    base = Model() if options.bearing is None else read_bearing(options.bearing)
     return Model(
         _bearing(base.bearing, options), _friction(base.friction, options), _heating(base.heating, options)
     )

@@ -2,9 +2,10 @@
 
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from difflib import get_close_matches
 from importlib import import_module
+from types import ModuleType
 
 from dcfp.cli.parser import Parser
 from dcfp.errors import DcfpError, InputError
@@ -20,6 +21,7 @@ COMMANDS = {
     "reproduce": "the findings and figures of Li et al. (2020), section 6, beside our own",
     "respond": "response history analysis",
     "spectrum": "elastic response and input energy spectra of records",
+    "study": "many analyses: records, intensities and bearings, and what follows from them",
     "test": "virtual test machine: test programs, measures per cycle, checks of codes",
     "verify": "what is checked against what, and by how much it differs",
 }
@@ -28,6 +30,7 @@ COMMANDS = {
 TRACEBACK = "DCFP_TRACEBACK"
 
 INTERRUPTED = 130
+_ASK_HELP = ("-h", "--help", "help")
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -63,22 +66,33 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _run(words: list[str]) -> int:
-    if not words or words[0] in ("-h", "--help", "help"):
-        print(_help())
-        return 0
-    if words[0] in ("-V", "--version"):
+    if words and words[0] in ("-V", "--version"):
         from dcfp.version import version
 
         print(f"dcfp {version()}")
         return 0
+    if not words or words[0] in _ASK_HELP:
+        print(
+            _help("dcfp", "Double concave friction pendulum bearings under recorded earthquakes.", COMMANDS)
+        )
+        print("--version shows the version.")
+        return 0
+    return _dispatch("dcfp", "dcfp.cli", COMMANDS, words)
+
+
+def _dispatch(program: str, package: str, commands: Mapping[str, str], words: list[str]) -> int:
+    """Run the command that the first word names, with the other words; a command may have commands of its own."""
     command = words[0]
-    if command not in COMMANDS:
-        near = get_close_matches(command, COMMANDS, n=1)
-        meant = f"did you mean {near[0]!r}?" if near else f"the commands are {', '.join(COMMANDS)}."
+    if command not in commands:
+        near = get_close_matches(command, commands, n=1)
+        meant = f"did you mean {near[0]!r}?" if near else f"the commands are {', '.join(commands)}."
         msg = f"there is no command {command!r}; {meant}"
         raise InputError(msg)
-    module = import_module(f"dcfp.cli.{command}")  # only the one that is asked for
-    parser = Parser(prog=f"dcfp {command}", description=module.__doc__)
+    module = import_module(f"{package}.{command}")  # only the one that is asked for
+    own: Mapping[str, str] | None = getattr(module, "COMMANDS", None)
+    if own is not None:
+        return _dispatch_group(f"{program} {command}", module, own, words[1:])
+    parser = Parser(prog=f"{program} {command}", description=module.__doc__)
     module.add_arguments(parser)
     run: Callable[[object], int] = module.run
     try:
@@ -88,17 +102,26 @@ def _run(words: list[str]) -> int:
     return run(options)
 
 
-def _help() -> str:
-    lines = [f"  {name:<10} {words}" for name, words in COMMANDS.items()]
+def _dispatch_group(program: str, module: ModuleType, commands: Mapping[str, str], words: list[str]) -> int:
+    """Run a command of a group; a word that looks like a file is for the group's usual command."""
+    if not words or words[0] in _ASK_HELP:
+        print(_help(program, str(module.__doc__), commands))
+        return 0
+    is_file = words[0] not in commands and ("." in words[0] or "/" in words[0] or words[0].startswith("-"))
+    return _dispatch(program, module.__name__, commands, [module.USUAL, *words] if is_file else words)
+
+
+def _help(program: str, about: str, commands: Mapping[str, str]) -> str:
+    lines = [f"  {name:<11} {words}" for name, words in commands.items()]
     return "\n".join(
         [
-            "usage: dcfp COMMAND ...",
+            f"usage: {program} COMMAND ...",
             "",
-            "Double concave friction pendulum bearings under recorded earthquakes.",
+            about.strip(),
             "",
             *lines,
             "",
-            "dcfp COMMAND --help shows the options of a command; dcfp --version the version.",
+            f"{program} COMMAND --help shows the options of a command.",
         ]
     )
 

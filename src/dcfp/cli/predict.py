@@ -89,6 +89,7 @@ def _check(chosen: argparse.Namespace) -> None:
 
 def _forecasts(chosen: argparse.Namespace, setting: "Setting") -> "list[Forecast]":
     from dcfp.comparison.forecast import forecast, forecast_from_pgv
+    from dcfp.record.measures import refuse_a_drift
 
     if chosen.pgv_only is not None:
         pgvs = [pgv * _KILO for pgv in chosen.pgv_only]
@@ -96,7 +97,7 @@ def _forecasts(chosen: argparse.Namespace, setting: "Setting") -> "list[Forecast
         return [forecast_from_pgv(pgv, setting, calibrations.get(pgv)) for pgv in pgvs]
     motions = inputs.scaled(inputs.load_motions(chosen), chosen.pgv)
     for motion in motions:
-        inputs.refuse_a_drift(motion)
+        refuse_a_drift(motion)
     calibrations = _calibrations([_pgv(motion) for motion in motions], setting) if chosen.interval else {}
     return [forecast(motion, setting, calibrations.get(_pgv(motion))) for motion in motions]
 

@@ -4,10 +4,10 @@ import argparse
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from dcfp.cli import inputs
 from dcfp.cli.parser import Parser, fraction, number_from, positive
 
 if TYPE_CHECKING:
+    from dcfp.cli import inputs
     from dcfp.comparison import Setting
     from dcfp.comparison.nominal import Nominal
 
@@ -43,7 +43,7 @@ def add_method(parser: Parser) -> None:
     )
 
 
-def nominal(chosen: argparse.Namespace, model: inputs.Model) -> "Nominal":
+def nominal(chosen: argparse.Namespace, model: "inputs.Model") -> "Nominal":
     """Return the nominal coefficient and where it comes from."""
     from dcfp.comparison.nominal import Nominal, nominal_coefficient
 
@@ -52,7 +52,7 @@ def nominal(chosen: argparse.Namespace, model: inputs.Model) -> "Nominal":
     return nominal_coefficient(model.bearing, model.friction, model.heating)
 
 
-def setting(chosen: argparse.Namespace, model: inputs.Model) -> "tuple[Setting, Nominal]":
+def setting(chosen: argparse.Namespace, model: "inputs.Model") -> "tuple[Setting, Nominal]":
     """Return how records are predicted, and where the nominal coefficient comes from."""
     from dcfp.comparison import Setting
     from dcfp.prediction.li_2020 import LI_2020

@@ -46,7 +46,7 @@ def run(chosen: argparse.Namespace) -> int:
 
 
 def _analyse(
-    motions: "list[GroundMotion]", model: inputs.Model, chosen: argparse.Namespace
+    motions: "list[GroundMotion]", model: "inputs.Model", chosen: argparse.Namespace
 ) -> "list[Response]":
     from dcfp.cli.progress import progress
     from dcfp.response import respond
@@ -65,7 +65,9 @@ def _analyse(
     return responses
 
 
-def _profile_interval(motion: "GroundMotion", model: inputs.Model, chosen: argparse.Namespace) -> int | None:
+def _profile_interval(
+    motion: "GroundMotion", model: "inputs.Model", chosen: argparse.Namespace
+) -> int | None:
     wanted = str(chosen.out or "").lower().endswith(".nc") or chosen.plot is not None
     if model.heating.name != "precise" or not wanted:
         return None

@@ -48,6 +48,7 @@ def run(chosen: argparse.Namespace) -> int:
     import numpy as np
 
     from dcfp.cli.progress import progress
+    from dcfp.record.measures import refuse_a_drift
     from dcfp.spectrum import input_energy_spectrum
     from dcfp.spectrum.oscillators import PERIODS
 
@@ -56,7 +57,7 @@ def run(chosen: argparse.Namespace) -> int:
     spectra: list[EnergySpectrum] = []
     with progress("records", len(motions)) as advance:
         for motion in motions:
-            inputs.refuse_a_drift(motion)
+            refuse_a_drift(motion)
             spectra.append(input_energy_spectrum(motion, periods, chosen.damping))
             advance()
     rows = [row for motion, found in zip(motions, spectra, strict=True) for row in _rows(motion, found)]

@@ -58,13 +58,19 @@ class _KernelCache(FunctionCache):
             super().save_overload(sig, data)
 
 
+def source_digest() -> str:
+    """Return the SHA-256 of the sources of all kernels."""
+    digest = hashlib.sha256()
+    for source in sorted(Path(__file__).parent.glob("*.py")):
+        digest.update(source.name.encode() + hashlib.sha256(source.read_bytes()).digest())
+    return digest.hexdigest()
+
+
 def _digest() -> str:
     """Return a name for all that compiled code depends on, apart from the processor, which numba minds itself."""
     switches = (numba_config.OPT, numba_config.BOUNDSCHECK)
-    digest = hashlib.sha256(f"{numba.__version__} {llvmlite.__version__} {switches}".encode())
-    for source in sorted(Path(__file__).parent.glob("*.py")):
-        digest.update(source.name.encode() + hashlib.sha256(source.read_bytes()).digest())
-    return digest.hexdigest()[:16]
+    whole = f"{numba.__version__} {llvmlite.__version__} {switches} {source_digest()}"
+    return hashlib.sha256(whole.encode()).hexdigest()[:16]
 
 
 def _delete_disused(root: Path) -> None:

@@ -43,6 +43,8 @@ class CyclingLaw(NamedTuple):
     dose_power: float
 
 
+#: Most constants that a built-in law has.
+CONSTANTS = 6
 #: The constants of a built-in law, or a compiled function of pressure, speed and temperature.
 Law: TypeAlias = ExponentialLaw | CyclingLaw | Callable[[float, float, float], float]
 
@@ -120,6 +122,36 @@ def _compiled_with_reference(law: Any, reference: Any) -> Any:
 
 register_reference: Any = overload(with_reference)
 register_reference(_compiled_with_reference)
+
+
+def law_from(law: Law, constants: NDArray[np.float64]) -> Law:
+    """Return a built-in law of the same kind with these constants, in their order; a user's law as it is."""
+    if isinstance(law, ExponentialLaw):
+        return ExponentialLaw(*constants[:6].tolist())
+    if isinstance(law, CyclingLaw):
+        return CyclingLaw(*constants[:5].tolist())
+    return law
+
+
+def _exponential_from(law: Any, constants: Any) -> Any:
+    return ExponentialLaw(constants[0], constants[1], constants[2], constants[3], constants[4], constants[5])
+
+
+def _cycling_from(law: Any, constants: Any) -> Any:
+    return CyclingLaw(constants[0], constants[1], constants[2], constants[3], constants[4])
+
+
+def _unchanged_from(law: Any, constants: Any) -> Any:
+    return law
+
+
+def _compiled_law_from(law: Any, constants: Any) -> Any:
+    kind: Any = getattr(law, "instance_class", None)
+    return {ExponentialLaw: _exponential_from, CyclingLaw: _cycling_from}.get(kind, _unchanged_from)
+
+
+register_law_from: Any = overload(law_from)
+register_law_from(_compiled_law_from)
 
 
 @kernel

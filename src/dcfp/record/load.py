@@ -1,11 +1,12 @@
 """One door to all records: a name or a file."""
 
+from collections.abc import Iterable
 from os import PathLike, fspath
 from pathlib import Path
 
 from dcfp.errors import InputError
 from dcfp.record.ground_motion import GroundMotion
-from dcfp.record.named import named_motion
+from dcfp.record.named import named_motion, record_set
 from dcfp.record.read import read_motion
 
 #: Between a file and the component in it, as in ``tokyo.csv::NS``.
@@ -51,6 +52,26 @@ def load_motion(
             msg = f"{text}: a named record has its own component, unit and time step; leave out {given!r}."
             raise InputError(msg)
     return named_motion(path)
+
+
+def load_motions(
+    names: Iterable[str],
+    component: str | None = None,
+    *,
+    units: str | None = None,
+    time_step: float | None = None,
+) -> list[GroundMotion]:
+    """Return the ground motions of several names or files; the name of a set stands for all records in it.
+
+    Arguments and errors are those of `load_motion`.
+    """
+    motions: list[GroundMotion] = []
+    for name in names:
+        of_set = record_set(name)
+        if of_set is None:
+            of_set = [load_motion(name, component, units=units, time_step=time_step)]
+        motions += of_set
+    return motions
 
 
 def _split(text: str) -> tuple[str, str | None]:

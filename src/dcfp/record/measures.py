@@ -13,6 +13,8 @@ from dcfp.record.ground_motion import GroundMotion
 #: Velocity at the end, relative to PGV, from which on the baseline is in doubt [-]. In the hundred records of
 #: FEMA P-695, all of them corrected, it stays below 0.03.
 DRIFT_THRESHOLD = 0.05
+#: The same above which the PGV is that of the baseline [-].
+_LARGEST_DRIFT = 0.5
 
 
 @dataclass(frozen=True)
@@ -138,3 +140,20 @@ def _time_at(motion: GroundMotion, total: FloatArray, fraction: float) -> float:
     else:
         share = rest / first**2 if first else 0.0
     return (step + min(max(share, 0.0), 1.0)) * motion.time_step
+
+
+def refuse_a_drift(motion: GroundMotion) -> None:
+    """Refuse a motion whose PGV is that of its baseline.
+
+    Raises
+    ------
+    InputError
+        If it ends at more than half of its PGV.
+    """
+    drift = baseline_drift(motion)
+    if drift > _LARGEST_DRIFT:
+        msg = (
+            f"{motion.name}: the ground still moves at {100.0 * drift:.0f} % of its PGV at the end, so that its PGV is"
+            " that of its baseline; treat the record with --high-pass 0.05 or --baseline."
+        )
+        raise InputError(msg)

@@ -17,6 +17,24 @@ from dcfp.record.ground_motion import GroundMotion
 MAXIMUM_POINTS = 50_000_000
 
 
+def treated(motion: GroundMotion, *, baseline: bool = False, corner: float | None = None) -> GroundMotion:
+    """Return a motion without a linear baseline in velocity where `baseline` is wanted, and filtered where a `corner` [Hz] is given.
+
+    Raises
+    ------
+    InputError
+        If the corner cannot be; see `high_pass`.
+    """
+    if baseline:
+        motion = remove_linear_velocity(motion)
+    if corner is not None:
+        if not baseline:
+            # the filter pads with zeros, between which a mean would be two steps
+            motion = remove_mean(motion)
+        motion = high_pass(motion, corner)
+    return motion
+
+
 def remove_leading_mean(motion: GroundMotion, duration: float) -> GroundMotion:
     """Subtract the mean of the first part of the acceleration, as for an instrument's offset.
 

@@ -151,8 +151,8 @@ def _checked(
     return Settings(tail=tail, tolerance=tolerance, step=step, profile_every=profile_every)
 
 
-def _halvings(interval: float) -> int:
-    """How often a sample interval [s] must be halved not to exceed the longest step."""
+def halvings(interval: float) -> int:
+    """Return how often a sample interval [s] must be halved not to exceed the longest step."""
     return min(max(0, math.ceil(math.log2(interval / LONGEST_STEP * (1.0 - 1e-9)))), FINEST_LEVEL)
 
 
@@ -199,7 +199,7 @@ def _march(
             heat,
             acceleration[done : stop + 1],
             interval,
-            _halvings(interval),
+            halvings(interval),
             free_from - done,
             settings.tolerance,
             state.march,

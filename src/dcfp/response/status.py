@@ -9,3 +9,9 @@ class Status(Enum):
     OK = "ok"
     BEYOND_CAPACITY = "beyond capacity"
     STILL_MOVING = "still moving"
+
+
+#: The same as numbers, for arrays.
+NUMBERS = {Status.OK: 1, Status.BEYOND_CAPACITY: 2, Status.STILL_MOVING: 3}
+#: Numbers for what has no `Status`: not analysed yet, and an analysis that could not be finished.
+NOT_RUN, FAILED = 0, 4

@@ -1,0 +1,36 @@
+"""The response history analysis behind one case of a study: made again in a moment, with its histories and its figure."""
+
+import argparse
+import json
+from pathlib import Path
+
+from dcfp.cli import options
+from dcfp.cli.outputs import Outputs
+from dcfp.cli.parser import Parser
+from dcfp.cli.study.reading import add_selection, values_of_pairs
+
+
+def add_arguments(parser: Parser) -> None:
+    """Add the options of the command."""
+    parser.add_argument("study", metavar="STUDY.toml", help="the study file")
+    add_selection(parser)
+    options.add_output(parser)
+
+
+def run(chosen: argparse.Namespace) -> int:
+    """Analyse the case and show it."""
+    outputs = Outputs.checked(chosen, [Path(chosen.study)])
+    from dcfp.assessment.single import numbered_cases, response_at
+    from dcfp.cli.remarks import remarks_on
+    from dcfp.cli.response_table import print_responses
+    from dcfp.study import Plan, read_study
+
+    plan = Plan(read_study(chosen.study))
+    response = response_at(plan, values_of_pairs(numbered_cases(plan), chosen.at))
+    outputs.write([response])
+    if chosen.json:
+        rows = [{**response.summary(), "remarks": remarks_on(response)}]
+        print(json.dumps(rows, indent=2, allow_nan=False))
+    else:
+        print_responses([response])
+    return 0

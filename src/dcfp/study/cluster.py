@@ -1,0 +1,173 @@
+"""Runs a study on several machines, or in several processes: Dask gives the blocks to workers, this process writes them."""
+
+import logging
+import zlib
+from collections.abc import Generator, Iterator
+from contextlib import contextmanager
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import xarray
+
+from dcfp.errors import AnalysisError, InputError
+from dcfp.kernels._jit import source_digest
+from dcfp.study.plan import Block, Plan
+from dcfp.study.run import Report, missing_blocks
+from dcfp.study.store import StudyStore, store_on_disk
+from dcfp.study.study import Study
+from dcfp.study.work import Results, work_off
+from dcfp.version import version
+
+#: Blocks that wait for each worker, besides the one at work.
+_WAITING = 2
+#: Deaths of workers over the same block before it is given up: a block is small, and a cluster may lose many machines.
+_MOST_DEATHS = 20
+#: Time for which a scheduler is waited for [s].
+_PATIENCE = 10
+
+
+def run_on_cluster(
+    study: Study,
+    place: str | Path,
+    *,
+    address: str | None = None,
+    processes: int | None = None,
+    resume: bool = False,
+    overwrite: bool = False,
+    report: Report | None = None,
+) -> xarray.Dataset:
+    """Run a study on the workers of a Dask cluster; the numbers are those of `run_study`.
+
+    Parameters
+    ----------
+    study
+        The study.
+    place
+        Folder of the store, which only this process has to reach.
+    address
+        Of the scheduler, such as ``tcp://10.0.0.1:8786``; None starts workers on this machine.
+    processes
+        How many workers are started on this machine.
+    resume, overwrite, report
+        As for `run_study`.
+
+    Raises
+    ------
+    InputError
+        If Dask is not installed, the cluster cannot be reached or has another version, or as for `run_study`.
+    AnalysisError
+        If the cluster is lost; what is written stays, and `resume` goes on.
+    """
+    distributed = _distributed()
+    plan = Plan(study)
+    with store_on_disk(plan, Path(place), resume=resume, overwrite=overwrite) as store:
+        missing = missing_blocks(store, report)
+        if missing:
+            with _client(distributed, address, processes) as client:
+                _check_versions(client)
+                _run(distributed, client, store, iter(missing), report)
+        return store.dataset()
+
+
+def _distributed() -> Any:
+    try:
+        return import_module("distributed")
+    except ImportError as error:
+        msg = "a study on a cluster needs Dask; install it with pip install 'dcfp[studies]'."
+        raise InputError(msg) from error
+
+
+@contextmanager
+def _client(distributed: Any, address: str | None, processes: int | None) -> Generator[Any]:
+    """Give a client of a cluster that is there, or of one made for the time of the block."""
+    logging.getLogger("distributed").setLevel(
+        logging.CRITICAL
+    )  # what happens to a worker is told in one sentence here
+    dask: Any = import_module("dask")
+    quiet = {
+        "distributed.scheduler.allowed-failures": _MOST_DEATHS,
+        "distributed.comm.timeouts.connect": _PATIENCE,
+        "distributed.admin.large-graph-warning-threshold": "1 GiB",  # the records travel once, within a task
+    }
+    with dask.config.set(quiet):
+        if address is None:
+            options = {"n_workers": processes, "threads_per_worker": 1, "processes": True}
+            with (
+                distributed.LocalCluster(dashboard_address=None, **options) as cluster,
+                distributed.Client(cluster) as client,
+            ):
+                yield client
+            return
+        try:
+            client = distributed.Client(address, timeout=_PATIENCE)
+        except (OSError, ValueError) as error:
+            msg = f"{address}: there is no Dask scheduler; start one with dask scheduler, and workers with dask worker {address}."
+            raise InputError(msg) from error
+        try:
+            yield client
+        finally:
+            client.close(timeout=1)
+
+
+def _check_versions(client: Any) -> None:
+    """Refuse workers that would not give the same numbers."""
+    ours = _identity()
+    for worker, theirs in client.run(_identity, on_error="return").items():
+        if theirs != ours:
+            msg = f"the worker {worker} has another version of dcfp, or none; install the same on every machine."
+            raise InputError(msg)
+
+
+def _identity() -> tuple[str, str]:
+    return version(), source_digest()
+
+
+def _run(
+    distributed: Any, client: Any, store: StudyStore, left: Iterator[Block], report: Report | None
+) -> None:
+    packed = zlib.compress(cloudpickle().dumps(store.plan.study))
+    # a task, not data on a worker: should that worker die, another one unpacks it again
+    plan = client.submit(unpack, packed, pure=False)
+    pending: dict[Any, Block] = {}
+    try:
+        while _fill(client, plan, pending, left):
+            distributed.wait(list(pending), return_when="FIRST_COMPLETED")
+            for one in [future for future in pending if future.status != "pending"]:
+                block = pending[one]
+                results: Results = one.result()
+                del pending[one]
+                store.write(block, results)
+                if report is not None:
+                    report(block.size, store.plan.cost(block))
+    except distributed.KilledWorker as error:
+        msg = (
+            f"workers died {_MOST_DEATHS + 1} times over the same block; look at their memory. What is written stays, and"
+            " --resume goes on."
+        )
+        raise AnalysisError(msg) from error
+    except (distributed.CancelledError, OSError, TimeoutError) as error:
+        msg = "the cluster is lost; what is written stays, and --resume goes on."
+        raise AnalysisError(msg) from error
+
+
+def _fill(client: Any, plan: Any, pending: dict[Any, Block], left: Iterator[Block]) -> bool:
+    """Give the workers as much as they may have waiting; return whether anything is under way."""
+    most = max(1, len(client.ncores())) * (1 + _WAITING)
+    while len(pending) < most:
+        block = next(left, None)
+        if block is None:
+            break
+        pending[client.submit(work_off, plan, block, pure=False)] = block
+    return bool(pending)
+
+
+def cloudpickle() -> Any:
+    """Return what Dask itself pickles with: it also takes a law that a user wrote in a notebook."""
+    return import_module("cloudpickle")
+
+
+def unpack(packed: bytes) -> Plan:
+    """Return the plan of a study, on a worker."""
+    study: Study = cloudpickle().loads(zlib.decompress(packed))
+    return Plan(study)

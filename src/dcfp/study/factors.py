@@ -1,0 +1,278 @@
+"""What a study can vary: each factor with its unit, its limits, and what it changes."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields, replace
+from difflib import get_close_matches
+from enum import Enum
+from typing import Any, TypeAlias
+
+from dcfp.bearing import (
+    LI_2020,
+    Bearing,
+    Heating,
+    Model,
+    friction_law,
+    friction_names,
+    heating_model,
+    heating_names,
+    plates_of,
+    read_bearing,
+)
+from dcfp.errors import InputError
+
+Value: TypeAlias = float | str
+
+
+class Role(Enum):
+    """What a factor is part of."""
+
+    MOTION = "the ground motion"
+    MODEL = "the bearing, its friction or its heating"
+    METHOD = "the method"
+
+
+@dataclass(frozen=True)
+class Factor:
+    """Something that a study varies.
+
+    Attributes
+    ----------
+    name
+        As in a study file, and as the coordinate of the results.
+    words
+        What it is.
+    role
+        What it is part of.
+    unit
+        Inside the package, as a study file may write it; empty for a factor whose values are words.
+    cf_unit
+        The same as UDUNITS writes it.
+    limits
+        Smallest and largest value that a wrong unit would pass.
+    change
+        Returns a model with that value; None for what is not part of the model.
+    """
+
+    name: str
+    words: str
+    role: Role
+    unit: str
+    cf_unit: str
+    limits: tuple[float, float]
+    change: Callable[[Model, Any], Model] | None = None
+
+    @property
+    def is_number(self) -> bool:
+        """Whether its values are numbers."""
+        return bool(self.unit)
+
+    @property
+    def has_dimension(self) -> bool:
+        """Whether its values need a unit."""
+        return self.unit not in ("", "1")
+
+
+def _number(
+    name: str, words: str, units: tuple[str, str], limits: tuple[float, float], change: Any = None
+) -> Factor:
+    role = Role.MODEL if change is not None else Role.MOTION
+    return Factor(name, words, role, *units, limits, change)
+
+
+def _words(name: str, words: str, role: Role, change: Any = None) -> Factor:
+    return Factor(name, words, role, "", "", (0.0, 0.0), change)
+
+
+# ----- what a factor changes -----
+
+
+def _on_bearing(**names: Callable[[Bearing, Any], Any]) -> Callable[[Model, Any], Model]:
+    """Return a change of fields of the bearing; new plates do not have the capacity of the paper's."""
+
+    def change(model: Model, value: Any) -> Model:
+        bearing = model.bearing
+        changed: dict[str, Any] = {name: of(bearing, value) for name, of in names.items()}
+        plates = {"radii", "slider_diameter"} & set(changed)
+        if (
+            plates
+            and bearing.capacity_note == LI_2020.capacity_note
+            and replace(bearing, **changed) != bearing
+        ):
+            changed |= {"displacement_capacity": None, "capacity_note": ""}
+        return replace(model, bearing=replace(bearing, **changed))
+
+    return change
+
+
+def _of_plate(number: int) -> Callable[[Bearing, float], tuple[float, ...]]:
+    def radii(bearing: Bearing, value: float) -> tuple[float, ...]:
+        if len(bearing.radii) != 2:
+            msg = (
+                "lower_radius and upper_radius are of a double concave bearing; of a single one vary radius."
+            )
+            raise InputError(msg)
+        both = list(bearing.radii)
+        both[number] = value
+        return tuple(both)
+
+    return radii
+
+
+def _bearing(model: Model, name: str) -> Model:
+    del model
+    return read_bearing(name)
+
+
+def _law(model: Model, name: str) -> Model:
+    return replace(model, friction=model.friction if name == model.friction.name else friction_law(name))
+
+
+def _heating(model: Model, name: str) -> Model:
+    heating: Heating = model.heating
+    if name != heating.name:
+        heating = heating_model(name, **plates_of(heating))
+    return replace(model, heating=heating)
+
+
+def _reference(model: Model, value: float) -> Model:
+    return replace(model, friction=model.friction.with_reference(value))
+
+
+def _property_factor(model: Model, value: float) -> Model:
+    return _reference(model, value * model.friction.reference)
+
+
+def _heating_parameter(name: str) -> Callable[[Model, float], Model]:
+    return lambda model, value: replace(model, heating=replace(model.heating, **{name: value}))
+
+
+_MILLIMETRE, _SPEED, _NONE = ("mm", "mm"), ("mm/s", "mm s-1"), ("1", "1")
+_PRESSURE, _DEGREE = ("N/mm**2", "N mm-2"), ("degC", "degC")
+
+#: In the order in which they are applied: a whole bearing first, then the law, then what changes a law.
+CATALOGUE: tuple[Factor, ...] = (
+    _words("record", "ground motion", Role.MOTION),
+    _number("pgv", "peak ground velocity", _SPEED, (1.0, 2e4)),
+    _number("pga", "peak ground acceleration", ("mm/s**2", "mm s-2"), (1.0, 2e5)),
+    _number("scale", "factor on the ground motion", _NONE, (1e-3, 1e3)),
+    _words("bearing", "bearing file", Role.MODEL, _bearing),
+    _number(
+        "radius",
+        "effective radius of each plate",
+        _MILLIMETRE,
+        (100.0, 1e6),
+        _on_bearing(radii=lambda bearing, value: (value,) * len(bearing.radii)),
+    ),
+    _number(
+        "lower_radius",
+        "effective radius of the lower plate",
+        _MILLIMETRE,
+        (100.0, 1e6),
+        _on_bearing(radii=_of_plate(0)),
+    ),
+    _number(
+        "upper_radius",
+        "effective radius of the upper plate",
+        _MILLIMETRE,
+        (100.0, 1e6),
+        _on_bearing(radii=_of_plate(1)),
+    ),
+    _number(
+        "slider",
+        "diameter of the slider",
+        _MILLIMETRE,
+        (10.0, 1e4),
+        _on_bearing(slider_diameter=lambda _, value: value),
+    ),
+    _number(
+        "pressure",
+        "pressure on the slider",
+        _PRESSURE,
+        (0.1, 1000.0),
+        _on_bearing(pressure=lambda _, value: value),
+    ),
+    _number(
+        "stiffness",
+        "stiffness before sliding",
+        ("N/mm", "N mm-1"),
+        (1e3, 1e9),
+        _on_bearing(elastic_stiffness=lambda _, value: value),
+    ),
+    _words("law", "friction law", Role.MODEL, _law),
+    _number("mu", "reference coefficient of the friction law", _NONE, (1e-4, 0.9999), _reference),
+    _number("lambda", "property factor on the reference coefficient", _NONE, (0.05, 20.0), _property_factor),
+    _words("heating", "heating model", Role.MODEL, _heating),
+    _number("ambient", "temperature at the start", _DEGREE, (-60.0, 200.0), _heating_parameter("ambient")),
+    _number(
+        "conductivity",
+        "thermal conductivity of the plates",
+        ("N/(s*K)", "N s-1 K-1"),
+        (0.1, 1000.0),
+        _heating_parameter("conductivity"),
+    ),
+    _number(
+        "diffusivity",
+        "thermal diffusivity of the plates",
+        ("mm**2/s", "mm2 s-1"),
+        (0.01, 1000.0),
+        _heating_parameter("diffusivity"),
+    ),
+    _number(
+        "thickness",
+        "thickness of the plates",
+        _MILLIMETRE,
+        (10.0, 200.0),
+        _heating_parameter("thickness"),
+    ),
+    _words("method", "response history analysis, or a method of prediction", Role.METHOD),
+)
+_BY_NAME = {factor.name: factor for factor in CATALOGUE}
+#: How strong the ground motion is: at most one of these in a study.
+INTENSITIES = ("pgv", "pga", "scale")
+#: Before the name of a parameter of the friction law, in the units of this package.
+OF_LAW = "friction."
+#: Choices of the factors whose values are words out of a few.
+CHOICES: Mapping[str, tuple[str, ...]] = {"law": friction_names(), "heating": heating_names()}
+
+
+def factor(name: str) -> Factor:
+    """Return a factor by its name; ``friction.`` and a name is that parameter of the friction law.
+
+    Raises
+    ------
+    InputError
+        If there is none of that name.
+    """
+    if name in _BY_NAME:
+        return _BY_NAME[name]
+    if name.startswith(OF_LAW):
+        return _law_parameter(name.removeprefix(OF_LAW))
+    near = get_close_matches(name, _BY_NAME, n=1)
+    meant = (
+        f"did you mean {near[0]!r}?"
+        if near
+        else f"the factors are {', '.join(_BY_NAME)} and {OF_LAW}PARAMETER."
+    )
+    msg = f"there is no factor {name!r}; {meant}"
+    raise InputError(msg)
+
+
+def order_of(name: str) -> int:
+    """Return the place of a factor in the order in which they are applied; parameters of the law come right after the law."""
+    names = [one.name for one in CATALOGUE]
+    return 2 * names.index(name) if name in names else 2 * names.index("law") + 1
+
+
+def _law_parameter(name: str) -> Factor:
+    def change(model: Model, value: float) -> Model:
+        law: Any = model.friction
+        known = [item.name for item in fields(law) if item.init]
+        if name not in known:
+            msg = f"the friction law {law.name} has no parameter {name!r}; it has {', '.join(known)}."
+            raise InputError(msg)
+        return replace(model, friction=replace(law, **{name: value}))
+
+    limits = (-1e12, 1e12)
+    return Factor(
+        OF_LAW + name, f"parameter {name} of the friction law", Role.MODEL, "1", "1", limits, change
+    )

@@ -1,0 +1,68 @@
+"""Methods of prediction as a factor of a study, beside the analysis."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from dcfp.bearing import Model
+from dcfp.codes.panel import answers_for_motion
+from dcfp.comparison.case import (
+    Method,
+    Setting,
+    design_prediction,
+    march,
+    pendulum_of,
+    pulse_predictions,
+)
+from dcfp.comparison.nominal import nominal_coefficient
+from dcfp.prediction import NOTHING, Prediction, find_pulses
+from dcfp.prediction.li_2020 import LI_2020
+from dcfp.record.ground_motion import GroundMotion
+
+#: The analysis itself.
+ANALYSIS = "analysis"
+#: Names of the methods in a study, and what they stand for.
+_PREDICTIONS: dict[str, Method] = {
+    "pulse": Method.PULSE,
+    "simplified": Method.SIMPLIFIED,
+    "design": Method.DESIGN,
+    "march": Method.MARCH,
+    "asce7": Method.ASCE,
+    "eurocode8": Method.EUROCODE,
+    "aij1": Method.AIJ_1,
+    "aij2": Method.AIJ_2,
+    "aij-energy": Method.AIJ_ENERGY,
+    "iwan": Method.IWAN,
+}
+METHODS = (ANALYSIS, *_PREDICTIONS)
+_OF_PULSES = (Method.PULSE, Method.SIMPLIFIED)
+
+
+def setting_of(model: Model) -> Setting:
+    """Return how records are predicted on a model, with the nominal coefficient that stands for its law."""
+    nominal = nominal_coefficient(model.bearing, model.friction, model.heating)
+    constants = replace(LI_2020, nominal_friction=nominal.value)
+    return Setting(model.bearing, model.friction, model.heating, constants)
+
+
+def predict(motion: GroundMotion, setting: Setting, name: str) -> Prediction:
+    """Return what a method of that name says of a ground motion, without knowing the analysis."""
+    method = _PREDICTIONS[name]
+    if method in _OF_PULSES:
+        said = pulse_predictions(find_pulses(motion, setting.threshold), setting).get(method)
+        return NOTHING if said is None else said.largest
+    if method is Method.DESIGN:
+        return next(iter(design_prediction(motion, setting).values()), NOTHING)
+    if method is Method.MARCH:
+        return march(motion, setting).prediction
+    answers = answers_for_motion(motion, pendulum_of(setting), bearing=setting.bearing)
+    return replace(NOTHING, displacement=answers[method.value].displacement)
+
+
+def peaks_of(said: Prediction) -> dict[str, float]:
+    """Return what a prediction says of the quantities of a study; not a number where it says nothing."""
+    return {
+        "peak_displacement": said.bound,
+        "peak_change": said.displacement_change,
+        "input_velocity": np.nan if said.total_velocity is None else said.total_velocity,
+    }

@@ -1,0 +1,172 @@
+"""A study: which analyses, and what of each is kept."""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from dcfp.bearing import Model
+from dcfp.errors import InputError
+from dcfp.record.ground_motion import GroundMotion
+from dcfp.record.measures import refuse_a_drift
+from dcfp.response.respond import TOLERANCE
+from dcfp.study.factors import CHOICES, INTENSITIES, Factor, Value, factor
+from dcfp.study.methods import METHODS
+from dcfp.study.sampling import Choice, Distribution, Normal, Sampling, Uniform
+
+RECORD, SAMPLE = "record", "sample"
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How finely and how far each analysis goes; as for `dcfp.respond`."""
+
+    tail: float | None = None
+    tolerance: float = TOLERANCE
+    step: float | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Study:
+    """Analyses of every combination of the factors.
+
+    Parameters
+    ----------
+    motions
+        The ground motions, unscaled.
+    factors
+        Values of each factor of the grid in the units of the package, in the order of the dimensions of the results; ``record``
+        stands first unless it is named here (then with the names of the motions). Those of one value are a dimension too.
+    sampling
+        Factors that vary together instead of each with each.
+    model
+        The bearing, law and heating that the factors change.
+    title, name
+        For people, and for files.
+    settings
+        How each analysis goes.
+    histories
+        Names of the histories that are kept besides the peaks, over the length of each record.
+    text
+        The study file, where it came from one.
+
+    Raises
+    ------
+    InputError
+        If a factor is not known, has no value, has one twice, or a value that cannot be.
+    """
+
+    motions: Sequence[GroundMotion]
+    factors: Mapping[str, Sequence[Value]] = field(default_factory=dict[str, Sequence[Value]])
+    sampling: Sampling | None = None
+    model: Model = field(default_factory=Model)
+    title: str = "Study"
+    name: str = "study"
+    settings: Settings = field(default_factory=Settings)
+    histories: tuple[str, ...] = ()
+    text: str = ""
+
+    def __post_init__(self) -> None:
+        names = [motion.name for motion in self.motions]
+        if not names:
+            msg = "factor 'record' has no value; name at least one record, for example NCC."
+            raise InputError(msg)
+        _refuse_twice(self.motions)
+        given = dict(self.factors)
+        sampled: dict[str, Distribution] = {}
+        if self.sampling is not None:
+            sampled |= self.sampling.factors
+        grid = given if RECORD in given or RECORD in sampled else {RECORD: names, **given}
+        object.__setattr__(self, "factors", {name: _plain(values) for name, values in grid.items()})
+        both = sorted(set(grid) & set(sampled))
+        if both:
+            msg = f"factor {both[0]!r} is both in the grid and sampled; give it once."
+            raise InputError(msg)
+        chosen = [name for name in INTENSITIES if name in grid or name in sampled]
+        if len(chosen) > 1:
+            msg = f"{' and '.join(chosen)} both scale the ground motions; give one of them."
+            raise InputError(msg)
+        for name, values in self.factors.items():
+            _check(factor(name), values, names)
+        for name, distribution in sampled.items():
+            if isinstance(distribution, Choice):
+                _check(factor(name), distribution.values, names)
+            elif not factor(name).is_number:
+                msg = f"factor {name!r} takes words; sample it from a list of values."
+                raise InputError(msg)
+            else:
+                _check_ends(factor(name), distribution)
+        if chosen and chosen[0] != "scale":
+            for motion in self.motions:
+                refuse_a_drift(motion)
+                if motion.peak_velocity == 0.0:
+                    msg = f"{motion.name}: every value is zero, so the record cannot be scaled."
+                    raise InputError(msg)
+
+    @property
+    def intensity(self) -> str | None:
+        """Name of the factor that scales the ground motions."""
+        sampling = self.sampling
+        sampled = sampling.factors.keys() if sampling is not None else frozenset[str]()
+        return next((name for name in INTENSITIES if name in self.factors or name in sampled), None)
+
+
+def _plain(values: Any) -> list[Value]:
+    """Return values as a list of Python's own numbers, also those of an array."""
+    found: list[Value] = values.tolist() if isinstance(values, np.ndarray) else list(values)
+    return found
+
+
+def _refuse_twice(motions: Sequence[GroundMotion]) -> None:
+    seen: dict[str, str] = {}
+    names: set[str] = set()
+    for motion in motions:
+        other = seen.setdefault(motion.digest, motion.name)
+        if motion.name in names or other != motion.name:
+            what = "named twice" if motion.name in names else f"the same record as {other}"
+            msg = f"{motion.name}: this is {what}; name it once, or it would count twice."
+            raise InputError(msg)
+        names.add(motion.name)
+
+
+def _check(one: Factor, values: Sequence[Value], records: Sequence[str]) -> None:
+    if len(values) == 0:
+        msg = f"factor {one.name!r} has no value; give it at least one."
+        raise InputError(msg)
+    if len(set(values)) != len(values):
+        twice = next(value for value in values if list(values).count(value) > 1)
+        msg = f"factor {one.name!r} has the value {twice!r} twice; give it once."
+        raise InputError(msg)
+    for value in values:
+        if one.is_number:
+            _check_number(one, value)
+        elif not isinstance(value, str):
+            msg = f"factor {one.name!r} takes words, not {value!r}."
+            raise InputError(msg)
+    choices = {**CHOICES, "method": METHODS, RECORD: tuple(records)}.get(one.name)
+    for value in values:
+        if choices is not None and value not in choices:
+            msg = f"factor {one.name!r} cannot be {value!r}; the choices are {', '.join(choices)}."
+            raise InputError(msg)
+
+
+def _check_number(one: Factor, value: Any) -> None:
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
+        msg = f"factor {one.name!r} takes numbers, not {value!r}."
+        raise InputError(msg)
+    least, most = one.limits
+    if not least <= value <= most:
+        unit = f" {one.unit}" if one.has_dimension else ""
+        msg = (
+            f"factor {one.name!r} must be from {least:g} to {most:g}{unit}, not {value:g}; look at its unit."
+        )
+        raise InputError(msg)
+
+
+def _check_ends(one: Factor, distribution: Uniform | Normal) -> None:
+    """Check what a sample will hardly ever leave: the whole range, or four standard deviations."""
+    ends = np.array([0.0, 1.0]) if isinstance(distribution, Uniform) else np.array([3.2e-5, 1.0 - 3.2e-5])
+    for value in distribution.at(ends).tolist():
+        _check_number(one, value)
