@@ -68,9 +68,9 @@ def run(chosen: argparse.Namespace, setting: "Setting", outputs: "Outputs") -> i
 def _survey(pgvs: list[float], setting: "Setting") -> "list[DesignSpace]":
     from dcfp.cli.progress import progress
     from dcfp.comparison.calibration import calibration_set
-    from dcfp.comparison.design_space import COEFFICIENTS, RADII, survey
+    from dcfp.comparison.design_space import RADII, survey
 
-    with progress("bearings", len(pgvs) * RADII.size * COEFFICIENTS.size) as advance:
+    with progress("radii", len(pgvs) * RADII.size) as advance:
         return [survey(calibration_set(), pgv, setting, report=advance) for pgv in pgvs]
 
 

@@ -2,16 +2,19 @@
 
 import math
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from dcfp.arrays import FloatArray
+from dcfp.bearing import Model
 from dcfp.comparison.case import Setting
 from dcfp.comparison.earthquake import event_of
-from dcfp.errors import InputError
+from dcfp.errors import AnalysisError, InputError
 from dcfp.record.ground_motion import GroundMotion
-from dcfp.response import respond
+from dcfp.response.batch import GroundSet, Lanes, Peaks, available_threads, respond_in_batch
+from dcfp.response.status import FAILED
 
 #: Grid that is looked at unless another is given: radius of each plate [mm] and reference coefficient [-].
 RADII = np.array([1500.0, 2250.0, 3000.0, 4500.0, 6000.0])
@@ -135,24 +138,35 @@ def survey(
     radii, coefficients
         As in `DesignSpace`, increasing.
     report
-        Called after each bearing.
+        Called after each radius.
 
     Raises
     ------
     InputError
         If the friction law has no reference coefficient to vary.
+    AnalysisError
+        If an analysis cannot be finished.
     """
-    scaled = [motion.scaled_to_pgv(pgv) for motion in motions]
-    displacement = np.empty((radii.size, coefficients.size, len(scaled)))
-    force = np.empty_like(displacement)
-    for i, radius in enumerate(radii.tolist()):
+    grounds = GroundSet.of(motions)
+    scales = np.array([[pgv / motion.peak_velocity] for motion in motions])
+    laws = [setting.friction.with_reference(coefficient) for coefficient in coefficients.tolist()]
+
+    def analyse(radius: float) -> Peaks:
         plates = (radius,) * len(setting.bearing.radii)
         bearing = replace(setting.bearing, radii=plates, displacement_capacity=None, capacity_note="")
-        for j, coefficient in enumerate(coefficients.tolist()):
-            friction = setting.friction.with_reference(coefficient)
-            found = [respond(motion, bearing, friction, setting.heating) for motion in scaled]
-            displacement[i, j] = [one.peak_displacement for one in found]
-            force[i, j] = [one.peak_force / bearing.vertical_force for one in found]
+        models = [Model(bearing, law, setting.heating) for law in laws]
+        peaks = respond_in_batch(grounds, Lanes.grid(len(motions), scales, models))
+        if (peaks.status == FAILED).any():
+            msg = f"An analysis with a radius of {radius:g} mm cannot be finished; look at the friction law."
+            raise AnalysisError(msg)
+        return peaks
+
+    displacement = np.empty((radii.size, coefficients.size, len(motions)))
+    force = np.empty_like(displacement)
+    with ThreadPoolExecutor(available_threads()) as pool:
+        for i, peaks in enumerate(pool.map(analyse, radii.tolist())):
+            displacement[i] = peaks.peak_displacement.reshape(len(motions), -1).T
+            force[i] = peaks.force_ratio.reshape(len(motions), -1).T
             if report is not None:
                 report()
     return DesignSpace(pgv, radii, coefficients, displacement, force, tuple(map(event_of, motions)))

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
     from matplotlib.axes import Axes
 
+    from dcfp.arrays import FloatArray
     from dcfp.comparison.design_space import DesignSpace
 
 #: Probabilities of the two panels, and how to call them.
@@ -24,13 +25,15 @@ _FORCES = (0.04, 0.06, 0.08, 0.1, 0.125, 0.15, 0.2, 0.25, 0.3, 0.4)
 def plot_design_chart(spaces: "Sequence[DesignSpace]", allowed: float) -> Figure:
     """Draw lines of equal displacement and of equal force over friction and radius, on a new figure.
 
-    A row for each PGV; left the median of the records, right what 95 % of earthquakes do not exceed. What holds `allowed` [mm] is shaded.
+    A row for each PGV; left the median of the records, right what 95 % of earthquakes do not exceed, where there are enough records to say so.
+    What holds `allowed` [mm] is shaded.
     """
+    parts = [one for one in _PARTS if all(one[0] * (space.records + 1) <= space.records for space in spaces)]
     with style():
         figure = Figure(figsize=(PAGE_WIDTH, 0.7 + 2.6 * len(spaces)), layout="constrained")
-        axes = figure.subplots(len(spaces), len(_PARTS), squeeze=False, sharex=True, sharey=True)
+        axes = figure.subplots(len(spaces), len(parts), squeeze=False, sharex=True, sharey=True)
         for row, space in zip(axes, spaces, strict=True):
-            for one, (part, words) in zip(row, _PARTS, strict=True):
+            for one, (part, words) in zip(row, parts, strict=True):
                 _draw(one, space, allowed, part)
                 one.set_title(f"PGV {metres_per_second(space.pgv)}, {words}")
             row[0].set_ylabel("radius of each plate [m]")
@@ -49,13 +52,26 @@ def _draw(axes: "Axes", space: "DesignSpace", allowed: float, part: float) -> No
     displacement, force = space.displacement_at(part), space.force_at(part)
     drawing: Any = axes
     drawing.contourf(mu, radius, displacement, levels=[0.0, allowed], colors=[BLUE], alpha=0.12)
-    lines = drawing.contour(mu, radius, displacement, levels=_DISPLACEMENTS, colors=BLUE, linewidths=0.8)
-    drawing.clabel(lines, fmt="%g", fontsize=6.5)
+    _draw_lines(axes, space, displacement, _DISPLACEMENTS, {"colors": BLUE, "linewidths": 0.8}, 6.5)
     if displacement.min() < allowed < displacement.max():
         drawing.contour(mu, radius, displacement, levels=[allowed], colors=RED, linewidths=1.4)
-    loads = drawing.contour(
-        mu, radius, force, levels=_FORCES, colors=GREY, linewidths=0.7, linestyles="dashed"
-    )
-    drawing.clabel(loads, fmt="%g", fontsize=6.0)
+    look = {"colors": GREY, "linewidths": 0.7, "linestyles": "dashed"}
+    _draw_lines(axes, space, force, _FORCES, look, 6.0)
     axes.set_xlim(float(mu[0]), float(mu[-1]))
     axes.set_ylim(float(radius[0]), float(radius[-1]))
+
+
+def _draw_lines(
+    axes: "Axes",
+    space: "DesignSpace",
+    values: "FloatArray",
+    levels: "Sequence[float]",
+    look: dict[str, Any],
+    size: float,
+) -> None:
+    """Draw lines of equal values with their numbers, at those levels that are among the values."""
+    inside = [level for level in levels if values.min() < level < values.max()]
+    if inside:
+        drawing: Any = axes
+        lines = drawing.contour(space.coefficients, space.radii / 1e3, values, levels=inside, **look)
+        drawing.clabel(lines, fmt="%g", fontsize=size)

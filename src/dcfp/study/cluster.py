@@ -81,9 +81,7 @@ def _distributed() -> Any:
 @contextmanager
 def _client(distributed: Any, address: str | None, processes: int | None) -> Generator[Any]:
     """Give a client of a cluster that is there, or of one made for the time of the block."""
-    logging.getLogger("distributed").setLevel(
-        logging.CRITICAL
-    )  # what happens to a worker is told in one sentence here
+    _silence()
     dask: Any = import_module("dask")
     quiet = {
         "distributed.scheduler.allowed-failures": _MOST_DEATHS,
@@ -108,6 +106,12 @@ def _client(distributed: Any, address: str | None, processes: int | None) -> Gen
             yield client
         finally:
             client.close(timeout=1)
+
+
+def _silence() -> None:
+    """Keep Dask's tracebacks from the terminal: what happens to a cluster is told in one sentence here."""
+    for name in [name for name in logging.root.manager.loggerDict if name.startswith("distributed")]:
+        logging.getLogger(name).setLevel(logging.CRITICAL)
 
 
 def _check_versions(client: Any) -> None:

@@ -1,6 +1,5 @@
 """Runs a study on this machine: blocks on threads, each written as soon as it is done."""
 
-import os
 from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
@@ -9,6 +8,7 @@ from pathlib import Path
 import xarray
 
 from dcfp.errors import InputError
+from dcfp.response.batch import available_threads
 from dcfp.study.plan import Block, Plan
 from dcfp.study.store import StudyStore, store_in_memory, store_on_disk
 from dcfp.study.study import Study
@@ -64,11 +64,6 @@ def run_study(
     with store_on_disk(plan, Path(place), resume=resume, overwrite=overwrite) as store:
         run_blocks(store, missing_blocks(store, report), threads, report)
         return store.dataset()
-
-
-def available_threads() -> int:
-    """Return the number of processors that this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def missing_blocks(store: StudyStore, report: Report | None = None) -> list[Block]:

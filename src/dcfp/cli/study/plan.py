@@ -28,9 +28,9 @@ def add_arguments(parser: Parser) -> None:
 
 def run(chosen: argparse.Namespace) -> int:
     """Time some analyses and print what all of them come to."""
+    from dcfp.response.batch import available_threads
     from dcfp.study import Plan, read_study
     from dcfp.study.projection import project
-    from dcfp.study.run import available_threads
 
     plan = Plan(read_study(chosen.study))
     threads = chosen.threads or available_threads()

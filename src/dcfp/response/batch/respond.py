@@ -1,6 +1,7 @@
 """The batch: lanes sorted into families, each in one call of the kernel."""
 
 import math
+import os
 
 import numpy as np
 
@@ -51,6 +52,11 @@ def respond_in_batch(grounds: GroundSet, lanes: Lanes, *, tolerance: float = TOL
         chosen = np.flatnonzero(row >= 0)
         _march_family(grounds, lanes, family, chosen, row, tolerance, outcome)
     return Peaks.of(outcome, lanes)
+
+
+def available_threads() -> int:
+    """Return the number of processors that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _march_family(
