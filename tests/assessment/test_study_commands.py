@@ -37,7 +37,7 @@ def run(capfd: pytest.CaptureFixture[str]) -> Run:
 
 def stored(study: xarray.Dataset, place: Path) -> Path:
     """Write a study as a store; the digest is what a store is known by."""
-    study.assign_attrs(study_sha256="0" * 64).to_zarr(place, zarr_format=3, consolidated=False)
+    study.assign_attrs(study_sha256="0" * 64, version="0").to_zarr(place, zarr_format=3, consolidated=False)
     return place
 
 
@@ -99,6 +99,18 @@ def test_ida(run, stores, records):
     half = run("ida", stores["records"], "--quantity", "peak_force", "--quantiles", "0.5").out
     assert "50 %" in half
     assert "[kN]" in half
+
+
+def test_what_is_in_a_store_is_told_by_the_quantiles_of_the_curves(run, stores, records):
+    found = ida(records)["peak_displacement_quantile"]
+    rows = json.loads(run("show", stores["records"], "--json").out)["by_intensity"]
+    for i, row in enumerate(rows):
+        assert list(row["peak_displacement"].values()) == pytest.approx(found[:, i].to_numpy())
+
+
+def test_no_line_of_the_envelopes_is_broken(run, stores):
+    table = run("bounds", stores["properties"]).out
+    assert "residual displacement [mm]" in table
 
 
 def test_selection_in_the_units_that_are_shown(run, stores, bearings):
@@ -177,6 +189,10 @@ def test_chart(run, stores):
     table = run("chart", stores["bearings"], "--pgv", "1", "--allow", "300").out
     assert "which friction and radius hold y_max to 300 mm" in table
     assert "–" in table
+    assert "where none is enough, 0.15 counts, which is too low." in " ".join(table.split())
+    held = " ".join(run("chart", stores["bearings"], "--pgv", "0.5", "--allow", "400").out.split())
+    assert "mean of the radii, between" in held
+    assert "where none is enough" not in held
 
 
 def test_chart_of_few_records_and_a_property_factor(run, build, tmp_path):

@@ -41,7 +41,7 @@ def test_ida_draws_every_record_the_quantiles_and_the_capacity(records):
     found = ida(records)
     axes = plot_ida(found)
     assert_all_is_inside(figure_of(axes))
-    assert labels_of(axes) == ["600 mm", "40 records", "first beyond the capacity", "median"]
+    assert labels_of(axes) == ["capacity, 600 mm", "40 records", "first beyond the capacity", "median"]
     assert [text.get_text() for text in axes.texts] == ["16 %", "50 %", "84 %"]
     lines = [line for line in axes.lines if line.get_linewidth() == 0.4]
     assert len(lines) == 40
@@ -67,6 +67,8 @@ def test_fragility_draws_curve_band_and_fractions(records):
     median, beta = float(found["median"][1]) / 1e3, float(found["total_dispersion"][1])
     assert labels_of(axes)[1] == rf"600 mm: $\theta$ = {median:.3g} m/s, $\beta$ = {beta:.2f}"
     assert labels_of(axes)[2] == "9000 mm: no fit"
+    title = axes.get_legend().get_title().get_text()
+    assert title.startswith(r"$\theta$: median, $\beta$: dispersion; marks: observed in 40 records")
     squares = next(line for line in axes.lines if line.get_marker() == "s")
     np.testing.assert_array_equal(squares.get_ydata(), found["fraction"][1])
     assert len(axes.collections) == 3
@@ -97,6 +99,7 @@ def test_bounds_draw_a_panel_for_each_result(properties, names):
     told = [text.get_text() for text in figure.legends[0].get_texts()]
     assert told[:2] == ["nominal, lambda 1, ambient 20 °C", "envelope, median of the records"]
     assert set(told[2:]) == {"lambda 0.8, ambient 40 °C", "lambda 1.6, ambient -10 °C"}
+    assert "full the largest, hollow the least" in figure.legends[0].get_title().get_text()
 
 
 def test_bounds_of_another_quantile(properties):

@@ -1,6 +1,6 @@
 """Property bounds: the envelope of a response over the values that the properties of a bearing may take.
 
-ASCE 7-16, section 17.2.8, has an isolation system analysed with upper-bound and with lower-bound properties, because the one is expected to govern the
+ASCE 7-16 has an isolation system analysed with upper-bound and with lower-bound properties (section 17.2.8, *unconfirmed*); usually the one governs the
 forces and the other the displacements. Here every combination of the properties in a study is looked at, and it is said which one governs.
 """
 
@@ -167,7 +167,7 @@ def _told(found: xarray.Dataset, name: str) -> list[str]:
 
 
 def _governs(result: xarray.Dataset, properties: Sequence[str], quantities: Sequence[str]) -> list[str]:
-    """Return whether the bounds of the friction govern what ASCE 7-16, section 17.2.8, expects of them."""
+    """Return whether the bounds of the friction govern what they usually do: the lower the displacement, the upper the force."""
     name = next((one for one in properties if one in _FRICTION and is_number(result[one])), None)
     asked = [one for one in ("peak_displacement", "force_ratio") if one in quantities]
     if name is None or len(asked) < 2:
@@ -189,7 +189,5 @@ def _governs(result: xarray.Dataset, properties: Sequence[str], quantities: Sequ
         told.append(
             f"the {side} bound of {name} ({shown_value(result[name], bound)}) governs the {words} in {hits} of {whole}"
         )
-    verdict = "as" if every else "which is not everywhere as"
-    return [
-        f"Of all intensities and quantiles {' and '.join(told)}, {verdict} ASCE 7-16, section 17.2.8, expects."
-    ]
+    verdict = "as usual" if every else "which is not everywhere as usual"
+    return [f"Of all intensities and quantiles {' and '.join(told)}, {verdict}; ASCE 7-16 asks for both."]

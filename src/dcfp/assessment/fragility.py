@@ -54,7 +54,7 @@ def fragility(
         The result that is compared with it.
     further_dispersions
         Further dispersions by their names [-], for example of design and model, which are added to that between the records as the root of the sum of
-        squares, after FEMA P-695, section 7.3; the median stays.
+        squares, after FEMA P-695; the median stays.
     confidence
         Part of the draws inside the bounds [-].
     draws, seed

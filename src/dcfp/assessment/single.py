@@ -10,8 +10,8 @@ from dcfp.errors import InputError
 from dcfp.response import Response
 from dcfp.study import Plan
 from dcfp.study.coordinates import coordinates
-from dcfp.study.methods import ANALYSIS
 from dcfp.study.plan import Block
+from dcfp.study.procedures import ANALYSIS
 from dcfp.study.work import response_of
 
 
@@ -34,13 +34,13 @@ def response_at(plan: Plan, at: Mapping[str, float | str]) -> Response:
     Raises
     ------
     InputError
-        If there is no such case, or more than one, or it is one of a method of prediction.
+        If there is no such case, or more than one, or it is one of another procedure.
     """
     chosen = only(select(numbered_cases(plan), at), (), "A response history analysis")
     places = np.unravel_index(int(chosen["number"].item()), plan.shape)
     cases = plan.cases(Block(0, tuple(slice(int(place), int(place) + 1) for place in places)))
-    method = plan.methods[int(cases.methods[0])]
-    if method != ANALYSIS:
-        msg = f"The case is one of the method {method!r}, which has no histories; choose method={ANALYSIS}."
+    procedure = plan.procedures[int(cases.procedures[0])]
+    if procedure != ANALYSIS:
+        msg = f"The case is one of the procedure {procedure!r}, which has no histories; choose procedure={ANALYSIS}."
         raise InputError(msg)
     return response_of(plan, cases.lanes, 0)

@@ -2,6 +2,7 @@
 
 from dcfp.study.plan import Plan as Plan
 from dcfp.study.read import read_study as read_study
+from dcfp.study.run import run_study as run_study
 from dcfp.study.sampling import Choice as Choice
 from dcfp.study.sampling import Normal as Normal
 from dcfp.study.sampling import Sampling as Sampling

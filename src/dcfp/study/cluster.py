@@ -60,7 +60,7 @@ def run_on_cluster(
         If the cluster is lost; what is written stays, and `resume` goes on.
     """
     distributed = _distributed()
-    plan = Plan(study)
+    plan = study.plan
     with store_on_disk(plan, Path(place), resume=resume, overwrite=overwrite) as store:
         missing = missing_blocks(store, report)
         if missing:
@@ -174,4 +174,4 @@ def cloudpickle() -> Any:
 def unpack(packed: bytes) -> Plan:
     """Return the plan of a study, on a worker."""
     study: Study = cloudpickle().loads(zlib.decompress(packed))
-    return Plan(study)
+    return study.plan

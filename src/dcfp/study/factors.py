@@ -28,7 +28,7 @@ class Role(Enum):
 
     MOTION = "the ground motion"
     MODEL = "the bearing, its friction or its heating"
-    METHOD = "the method"
+    PROCEDURE = "the procedure"
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,9 @@ class Factor:
     limits
         Smallest and largest value that a wrong unit would pass.
     change
-        Returns a model with that value; None for what is not part of the model.
+        Returns a model with that value; None for what is not part of the model, or a part of the bearing.
+    part
+        Writes the value into fields of a bearing that are yet to be checked together; None for what is not a part of the bearing.
     """
 
     name: str
@@ -60,6 +62,7 @@ class Factor:
     cf_unit: str
     limits: tuple[float, float]
     change: Callable[[Model, Any], Model] | None = None
+    part: Callable[[dict[str, Any], Any], None] | None = None
 
     @property
     def is_number(self) -> bool:
@@ -79,6 +82,10 @@ def _number(
     return Factor(name, words, role, *units, limits, change)
 
 
+def _part(name: str, words: str, units: tuple[str, str], limits: tuple[float, float], part: Any) -> Factor:
+    return Factor(name, words, Role.MODEL, *units, limits, part=part)
+
+
 def _words(name: str, words: str, role: Role, change: Any = None) -> Factor:
     return Factor(name, words, role, "", "", (0.0, 0.0), change)
 
@@ -86,36 +93,29 @@ def _words(name: str, words: str, role: Role, change: Any = None) -> Factor:
 # ----- what a factor changes -----
 
 
-def _on_bearing(**names: Callable[[Bearing, Any], Any]) -> Callable[[Model, Any], Model]:
-    """Return a change of fields of the bearing; new plates do not have the capacity of the paper's."""
-
-    def change(model: Model, value: Any) -> Model:
-        bearing = model.bearing
-        changed: dict[str, Any] = {name: of(bearing, value) for name, of in names.items()}
-        plates = {"radii", "slider_diameter"} & set(changed)
-        if (
-            plates
-            and bearing.capacity_note == LI_2020.capacity_note
-            and replace(bearing, **changed) != bearing
-        ):
-            changed |= {"displacement_capacity": None, "capacity_note": ""}
-        return replace(model, bearing=replace(bearing, **changed))
-
-    return change
+def _both_radii(fields: dict[str, Any], value: float) -> None:
+    fields["radii"] = (value,) * len(fields["radii"])
 
 
-def _of_plate(number: int) -> Callable[[Bearing, float], tuple[float, ...]]:
-    def radii(bearing: Bearing, value: float) -> tuple[float, ...]:
-        if len(bearing.radii) != 2:
+def _radius_of(plate: int) -> Callable[[dict[str, Any], float], None]:
+    def part(fields: dict[str, Any], value: float) -> None:
+        radii = list(fields["radii"])
+        if len(radii) != 2:
             msg = (
                 "lower_radius and upper_radius are of a double concave bearing; of a single one vary radius."
             )
             raise InputError(msg)
-        both = list(bearing.radii)
-        both[number] = value
-        return tuple(both)
+        radii[plate] = value
+        fields["radii"] = tuple(radii)
 
-    return radii
+    return part
+
+
+def _field(name: str) -> Callable[[dict[str, Any], float], None]:
+    def part(fields: dict[str, Any], value: float) -> None:
+        fields[name] = value
+
+    return part
 
 
 def _bearing(model: Model, name: str) -> Model:
@@ -156,47 +156,47 @@ CATALOGUE: tuple[Factor, ...] = (
     _number("pga", "peak ground acceleration", ("mm/s**2", "mm s-2"), (1.0, 2e5)),
     _number("scale", "factor on the ground motion", _NONE, (1e-3, 1e3)),
     _words("bearing", "bearing file", Role.MODEL, _bearing),
-    _number(
+    _part(
         "radius",
         "effective radius of each plate",
         _MILLIMETRE,
         (100.0, 1e6),
-        _on_bearing(radii=lambda bearing, value: (value,) * len(bearing.radii)),
+        _both_radii,
     ),
-    _number(
+    _part(
         "lower_radius",
         "effective radius of the lower plate",
         _MILLIMETRE,
         (100.0, 1e6),
-        _on_bearing(radii=_of_plate(0)),
+        _radius_of(0),
     ),
-    _number(
+    _part(
         "upper_radius",
         "effective radius of the upper plate",
         _MILLIMETRE,
         (100.0, 1e6),
-        _on_bearing(radii=_of_plate(1)),
+        _radius_of(1),
     ),
-    _number(
+    _part(
         "slider",
         "diameter of the slider",
         _MILLIMETRE,
         (10.0, 1e4),
-        _on_bearing(slider_diameter=lambda _, value: value),
+        _field("slider_diameter"),
     ),
-    _number(
+    _part(
         "pressure",
         "pressure on the slider",
         _PRESSURE,
         (0.1, 1000.0),
-        _on_bearing(pressure=lambda _, value: value),
+        _field("pressure"),
     ),
-    _number(
+    _part(
         "stiffness",
         "stiffness before sliding",
         ("N/mm", "N mm-1"),
         (1e3, 1e9),
-        _on_bearing(elastic_stiffness=lambda _, value: value),
+        _field("elastic_stiffness"),
     ),
     _words("law", "friction law", Role.MODEL, _law),
     _number("mu", "reference coefficient of the friction law", _NONE, (1e-4, 0.9999), _reference),
@@ -224,7 +224,7 @@ CATALOGUE: tuple[Factor, ...] = (
         (10.0, 200.0),
         _heating_parameter("thickness"),
     ),
-    _words("method", "response history analysis, or a method of prediction", Role.METHOD),
+    _words("procedure", "response history analysis, or a method of prediction", Role.PROCEDURE),
 )
 _BY_NAME = {factor.name: factor for factor in CATALOGUE}
 #: How strong the ground motion is: at most one of these in a study.
@@ -257,7 +257,39 @@ def factor(name: str) -> Factor:
     raise InputError(msg)
 
 
-def order_of(name: str) -> int:
+def changed(model: Model, values: Mapping[str, Value]) -> Model:
+    """Return a model with the values of factors put before its own.
+
+    Raises
+    ------
+    InputError
+        If there cannot be such a model.
+    """
+    names = sorted(values, key=_order_of)
+    if "bearing" in values:
+        model = _bearing(model, str(values["bearing"]))
+    parts = {name: part for name in names if (part := factor(name).part) is not None}
+    if parts:
+        fields = vars(model.bearing).copy()
+        for name, part in parts.items():
+            part(fields, values[name])
+        model = replace(model, bearing=_new_bearing(model.bearing, fields))
+    for name in names:
+        change = factor(name).change
+        if change is not None and name != "bearing":
+            model = change(model, values[name])
+    return model
+
+
+def _new_bearing(bearing: Bearing, fields: dict[str, Any]) -> Bearing:
+    """Return a bearing with those fields; new plates do not have the capacity of the paper's."""
+    same = all(fields[name] == getattr(bearing, name) for name in ("radii", "slider_diameter"))
+    if not same and bearing.capacity_note == LI_2020.capacity_note:
+        fields |= {"displacement_capacity": None, "capacity_note": ""}
+    return Bearing(**fields)
+
+
+def _order_of(name: str) -> int:
     """Return the place of a factor in the order in which they are applied; parameters of the law come right after the law."""
     names = [one.name for one in CATALOGUE]
     return 2 * names.index(name) if name in names else 2 * names.index("law") + 1

@@ -13,8 +13,8 @@ from dcfp.arrays import FloatArray, IntArray
 from dcfp.bearing import Model
 from dcfp.errors import InputError
 from dcfp.response.batch import GroundSet, Lanes
-from dcfp.study.factors import INTENSITIES, Role, Value, factor, order_of
-from dcfp.study.methods import ANALYSIS
+from dcfp.study.factors import INTENSITIES, Role, Value, changed, factor
+from dcfp.study.procedures import ANALYSIS
 from dcfp.study.study import RECORD, SAMPLE, Study
 
 #: Analyses in a block at most, and blocks in a study at least, as far as it has so many analyses.
@@ -58,12 +58,12 @@ class Cases:
     ----------
     lanes
         What is analysed.
-    methods
-        Number of the method of each in `Plan.methods`, shape (analyses,).
+    procedures
+        Number of the procedure of each in `Plan.procedures`, shape (analyses,).
     """
 
     lanes: Lanes
-    methods: IntArray
+    procedures: IntArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,16 +152,16 @@ class Plan:
         keys, model = self._distinct_models(numbers)
         models = [self._model(key) for key in keys]
         lanes = Lanes(record, self._scales(numbers, record), model, models)
-        return Cases(lanes, numbers["method"])
+        return Cases(lanes, numbers["procedure"])
 
     def _numbers(self, block: Block) -> dict[str, IntArray]:
-        """Return the place of each analysis of a block along each dimension, and of its record and its method."""
+        """Return the place of each analysis of a block along each dimension, and of its record and its procedure."""
         inside = np.indices(block.shape, dtype=np.intp).reshape(len(block.shape), -1)
         found = {
             name: axis + part.start for name, axis, part in zip(self.sizes, inside, block.region, strict=True)
         }
         none = np.zeros(inside.shape[1], dtype=np.intp)
-        for name, known in ((RECORD, self.names), ("method", self.methods)):
+        for name, known in ((RECORD, self.names), ("procedure", self.procedures)):
             if name in self.samples:
                 places = {word: place for place, word in enumerate(known)}
                 drawn = np.array([places[word] for word in self.samples[name].tolist()], dtype=np.intp)
@@ -171,10 +171,12 @@ class Plan:
         return found
 
     @cached_property
-    def methods(self) -> list[str]:
-        """Names of the methods."""
-        drawn: list[str] = sorted(set(self.samples["method"].tolist())) if "method" in self.samples else []
-        return [str(name) for name in self.study.factors.get("method", drawn or [ANALYSIS])]
+    def procedures(self) -> list[str]:
+        """Names of the procedures."""
+        drawn: list[str] = (
+            sorted(set(self.samples["procedure"].tolist())) if "procedure" in self.samples else []
+        )
+        return [str(name) for name in self.study.factors.get("procedure", drawn or [ANALYSIS])]
 
     def _scales(self, numbers: dict[str, IntArray], record: IntArray) -> FloatArray:
         """Return the factor on each analysis's ground motion [-]."""
@@ -203,9 +205,8 @@ class Plan:
 
     @cached_property
     def _model_factors(self) -> list[str]:
-        """Factors that change the model, in the order in which they do."""
-        names = [*self.study.factors, *self.samples]
-        return sorted((name for name in names if factor(name).role is Role.MODEL), key=order_of)
+        """Factors that change the model."""
+        return [name for name in (*self.study.factors, *self.samples) if factor(name).role is Role.MODEL]
 
     def _distinct_models(self, numbers: dict[str, IntArray]) -> tuple[list[dict[str, int]], IntArray]:
         """Return the places of each model that differs along the dimensions of models, and which of them each analysis has."""
@@ -221,12 +222,7 @@ class Plan:
         return keys, which.astype(np.intp)
 
     def _model(self, key: dict[str, int]) -> Model:
-        model = self.study.model
-        for name in self._model_factors:
-            change = factor(name).change
-            if change is not None:
-                model = change(model, self._value(name, key))
-        return model
+        return changed(self.study.model, {name: self._value(name, key) for name in self._model_factors})
 
     def _value(self, name: str, key: dict[str, int]) -> Value:
         if name in self.samples:

@@ -56,7 +56,11 @@ def convert(
             )
             raise InputError(msg)
         zero = float(registry.Quantity(0.0, given).to(own).magnitude) if difference else 0.0
-        return [float(registry.Quantity(value, given).to(own).magnitude) - zero for value in values]
+        if given == own:
+            return values
+        found = [float(registry.Quantity(value, given).to(own).magnitude) - zero for value in values]
+        # 68 degF are 20 degC, not 20.000000000000057
+        return [float(f"{value:.13g}") for value in found]
     except InputError:
         raise
     except (

@@ -45,7 +45,9 @@ def read_study(path: str | Path) -> Study:
     content = read_toml(path, "a study is a TOML file; dcfp study new FILE.toml writes one to start from")
     place = Path(path)
     try:
-        return _study(content, place)
+        study = _study(content, place)
+        study.plan  # noqa: B018  what cannot be is found here, where the file is known
+        return study
     except InputError as error:
         text = str(error)
         msg = text if text.startswith(str(path)) else f"{path}: {text}"
@@ -207,9 +209,6 @@ def _model(table: dict[str, Any], place: Path) -> Model:
 def _settings(table: dict[str, Any]) -> Settings:
     _refuse_unknown(table, _ANALYSIS_KEYS, "[analysis]")
     tolerance = _option(table, "tolerance", float)
-    if tolerance is not None and not 0.0 < tolerance < 1.0:
-        msg = f"the tolerance must lie between 0 and 1, not {tolerance!r}."
-        raise InputError(msg)
     return Settings(
         tail=_option(table, "tail", float),
         tolerance=TOLERANCE if tolerance is None else tolerance,

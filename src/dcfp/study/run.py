@@ -56,7 +56,7 @@ def run_study(
     InputError
         If the study cannot be made, or the store cannot be used or written.
     """
-    plan = Plan(study)
+    plan = study.plan
     if place is None:
         store = store_in_memory(plan)
         run_blocks(store, missing_blocks(store, report), threads, report)

@@ -3,7 +3,8 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -11,10 +12,14 @@ from dcfp.bearing import Model
 from dcfp.errors import InputError
 from dcfp.record.ground_motion import GroundMotion
 from dcfp.record.measures import refuse_a_drift
+from dcfp.record.stepping import check_step_and_tail
 from dcfp.response.respond import TOLERANCE
 from dcfp.study.factors import CHOICES, INTENSITIES, Factor, Value, factor
-from dcfp.study.methods import METHODS
+from dcfp.study.procedures import PROCEDURES
 from dcfp.study.sampling import Choice, Distribution, Normal, Sampling, Uniform
+
+if TYPE_CHECKING:
+    from dcfp.study.plan import Plan
 
 RECORD, SAMPLE = "record", "sample"
 
@@ -26,6 +31,12 @@ class Settings:
     tail: float | None = None
     tolerance: float = TOLERANCE
     step: float | None = None
+
+    def __post_init__(self) -> None:
+        check_step_and_tail(self.step, self.tail)
+        if not 0.0 < self.tolerance < 1.0:
+            msg = f"the tolerance must lie between 0 and 1, not {self.tolerance!r}."
+            raise InputError(msg)
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,6 +116,23 @@ class Study:
                     msg = f"{motion.name}: every value is zero, so the record cannot be scaled."
                     raise InputError(msg)
 
+    @cached_property
+    def plan(self) -> "Plan":
+        """What the study comes to.
+
+        Raises
+        ------
+        InputError
+            If a bearing, law or heating that it needs cannot be.
+        """
+        from dcfp.study.plan import Plan
+
+        return Plan(self)
+
+    def __getstate__(self) -> dict[str, Any]:
+        # the plan is made again where the study is unpacked
+        return {name: value for name, value in vars(self).items() if name != "plan"}
+
     @property
     def intensity(self) -> str | None:
         """Name of the factor that scales the ground motions."""
@@ -145,7 +173,7 @@ def _check(one: Factor, values: Sequence[Value], records: Sequence[str]) -> None
         elif not isinstance(value, str):
             msg = f"factor {one.name!r} takes words, not {value!r}."
             raise InputError(msg)
-    choices = {**CHOICES, "method": METHODS, RECORD: tuple(records)}.get(one.name)
+    choices = {**CHOICES, "procedure": PROCEDURES, RECORD: tuple(records)}.get(one.name)
     for value in values:
         if choices is not None and value not in choices:
             msg = f"factor {one.name!r} cannot be {value!r}; the choices are {', '.join(choices)}."

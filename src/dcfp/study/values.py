@@ -113,7 +113,7 @@ def _converted(one: Factor, values: list[Any], unit: str | None) -> list[Value]:
         if isinstance(value, bool) or not isinstance(value, (int, float)):
             msg = f"factor {one.name!r} takes numbers, not {value!r}."
             raise InputError(msg)
-    return [float(f"{value:.15g}") for value in convert([float(value) for value in values], unit, one)]
+    return [*convert([float(value) for value in values], unit, one)]
 
 
 def _number(one: Factor, table: Mapping[str, Any], key: str) -> float:

@@ -8,8 +8,8 @@ from dcfp.errors import AnalysisError
 from dcfp.response import Response, respond
 from dcfp.response.batch import Lanes, respond_in_batch
 from dcfp.response.status import FAILED, NUMBERS, Status
-from dcfp.study.methods import ANALYSIS, peaks_of, predict, setting_of
 from dcfp.study.plan import Block, Cases, Plan
+from dcfp.study.procedures import ANALYSIS, peaks_of, predict, setting_of
 
 #: What is kept of each analysis: names in the nomenclature, in the order of the results.
 QUANTITIES = (
@@ -35,8 +35,8 @@ def work_off(plan: Plan, block: Block) -> Results:
     size = len(cases.lanes)
     results: Results = {name: np.full(size, np.nan) for name in QUANTITIES}
     results[STATUS] = np.full(size, FAILED, dtype=np.uint8)
-    for number, name in enumerate(plan.methods):
-        chosen = np.flatnonzero(cases.methods == number)
+    for number, name in enumerate(plan.procedures):
+        chosen = np.flatnonzero(cases.procedures == number)
         if chosen.size == 0:
             continue
         if name == ANALYSIS:
@@ -58,7 +58,7 @@ def _histories(plan: Plan, block: Block, cases: Cases) -> Results:
     shape = (len(cases.lanes), plan.longest_record)
     found: Results = {f"history_{name}": np.full(shape, np.nan) for name in names}
     for lane in range(len(cases.lanes)):
-        if plan.methods[int(cases.methods[lane])] != ANALYSIS:
+        if plan.procedures[int(cases.procedures[lane])] != ANALYSIS:
             continue
         try:
             response = response_of(plan, cases.lanes, lane)

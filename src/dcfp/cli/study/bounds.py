@@ -125,7 +125,7 @@ def _print(found: "xarray.Dataset", rows: list[dict[str, Any]]) -> None:
     intensity = found[str(found.attrs["intensity"])]
     table = new_table(
         ["Result", "Records"],
-        [reading.head(intensity), "least", "nominal", "largest", "largest /\nnominal"],
+        [reading.head(intensity), "least", "nominal", "largest", "over\nnominal"],
         ["largest at"],
     )
     before = ("", "")

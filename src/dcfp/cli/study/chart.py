@@ -5,6 +5,8 @@ import json
 import math
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from dcfp.cli.parser import Parser, positive
 from dcfp.cli.study import reading
 from dcfp.cli.tables import add_row, new_table, page, print_labelled, print_remarks
@@ -123,10 +125,13 @@ def _spread(space: "DesignSpace", allowed: float) -> str:
         low, high = space.spread(allowed, _PARTS[-1])
     except InputError:  # a draw of earthquakes has fewer records than the study
         return f"How sure mu, 95 %, is cannot be said from {space.records} records."
-    return (
-        f"Other earthquakes of the same kind would give a mu, 95 % between {low:.3g} and {high:.3g} (earthquakes drawn with"
-        " replacement, 5 to 95 %)."
+    told = (
+        f"Other earthquakes of the same kind would give a mu, 95 %, mean of the radii, between {low:.3g} and {high:.3g} (earthquakes drawn"
+        " with replacement, 5 to 95 %)"
     )
+    most = float(space.coefficients[-1])
+    enough = np.isfinite(space.holding(allowed, _PARTS[-1])[0]).all() and high < most
+    return f"{told}." if enough else f"{told}; where none is enough, {most:g} counts, which is too low."
 
 
 def _print(

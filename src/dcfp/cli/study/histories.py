@@ -23,9 +23,9 @@ def run(chosen: argparse.Namespace) -> int:
     from dcfp.assessment.single import numbered_cases, response_at
     from dcfp.cli.remarks import remarks_on
     from dcfp.cli.response_table import print_responses
-    from dcfp.study import Plan, read_study
+    from dcfp.study import read_study
 
-    plan = Plan(read_study(chosen.study))
+    plan = read_study(chosen.study).plan
     response = response_at(plan, values_of_pairs(numbered_cases(plan), chosen.at))
     outputs.write([response])
     if chosen.json:

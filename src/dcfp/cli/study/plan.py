@@ -29,10 +29,10 @@ def add_arguments(parser: Parser) -> None:
 def run(chosen: argparse.Namespace) -> int:
     """Time some analyses and print what all of them come to."""
     from dcfp.response.batch import available_threads
-    from dcfp.study import Plan, read_study
+    from dcfp.study import read_study
     from dcfp.study.projection import project
 
-    plan = Plan(read_study(chosen.study))
+    plan = read_study(chosen.study).plan
     threads = chosen.threads or available_threads()
     found = project(plan, threads)
     if chosen.json:

@@ -79,12 +79,11 @@ def _check(chosen: argparse.Namespace) -> None:
 def _run(study: "Study", place: Path, chosen: argparse.Namespace, done: list[int]) -> "xarray.Dataset":
     from dcfp.cli.study.bar import study_bar
     from dcfp.study.cluster import run_on_cluster
-    from dcfp.study.plan import Plan
     from dcfp.study.run import run_study
 
     options: dict[str, Any] = {"resume": chosen.resume, "overwrite": chosen.overwrite}
     try:
-        with study_bar(Plan(study)) as report:
+        with study_bar(study.plan) as report:
             if chosen.dask is None and chosen.processes is None:
                 return run_study(study, place, threads=chosen.threads, report=report, **options)
             return run_on_cluster(

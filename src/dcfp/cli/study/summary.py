@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dcfp.cli.tables import add_row, new_table, page, print_labelled, print_remarks
+from dcfp.comparison.intervals import quantile
 from dcfp.nomenclature import quantity
 from dcfp.study.factors import INTENSITIES
 from dcfp.study.store import MEANINGS
@@ -56,7 +57,7 @@ def _row(part: "xarray.Dataset", head: dict[str, float]) -> dict[str, Any]:
     for name in _SHOWN:
         values = np.abs(part[name].values.ravel())
         known = values[np.isfinite(values)]
-        found = np.quantile(known, _QUANTILES).tolist() if known.size else [None] * len(_QUANTILES)
+        found = [quantile(known, part) if known.size else None for part in _QUANTILES]
         row[name] = dict(zip(("q16", "median", "q84"), found, strict=True))
     return row
 

@@ -21,7 +21,7 @@ _MARKERS = ("o", "^", "s", "D", "v", "P", "X", "p", "h", "*")
 def plot_bounds(found: "xarray.Dataset", part: float | None = None) -> Figure:
     """Draw the envelope and the nominal line of every result over the intensity, on a new figure.
 
-    A mark on the edge of an envelope says which combination of the properties governs there.
+    A mark on the edge of an envelope says which combination of the properties governs there, full of the largest and hollow of the least.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ def plot_bounds(found: "xarray.Dataset", part: float | None = None) -> Figure:
     columns = min(2, len(names))
     rows = -(-len(names) // columns)
     with style():
-        height = 2.2 * rows + 0.5 + 0.15 * (len(looks) // 2)
+        height = 2.2 * rows + 0.7 + 0.15 * (len(looks) // 2)
         figure = Figure(figsize=(PAGE_WIDTH, height), layout="constrained")
         panels: Any = figure.subplots(rows, columns, squeeze=False)
         for axes in panels.flat[len(names) :]:
@@ -45,7 +45,12 @@ def plot_bounds(found: "xarray.Dataset", part: float | None = None) -> Figure:
         for axes, name in zip(panels.flat, names, strict=False):
             _draw(axes, one, name, looks)
         figure.legend(
-            handles=_handles(found, float(one["quantile"]), looks), loc="outside upper center", ncols=3
+            handles=_handles(found, float(one["quantile"]), looks),
+            loc="outside upper center",
+            ncols=3,
+            borderaxespad=0.3,
+            title="marks: which properties govern, full the largest, hollow the least",
+            title_fontsize=7.0,
         )
     return figure
 

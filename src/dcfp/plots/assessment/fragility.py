@@ -67,7 +67,8 @@ def plot_fragility(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes
         loc="lower left",
         bbox_to_anchor=(0.0, 1.02),
         ncols=2 if found.sizes["capacity"] > 1 else 1,
-        title=f"marks: observed in {found.attrs['records']} records; band: {100.0 * found.attrs['confidence']:g} % of draws of earthquakes",
+        title=rf"$\theta$: median, $\beta$: dispersion; marks: observed in {found.attrs['records']} records;"
+        f"\nband: {100.0 * found.attrs['confidence']:g} % of draws of earthquakes",
         title_fontsize=7.0,
         alignment="left",
     )

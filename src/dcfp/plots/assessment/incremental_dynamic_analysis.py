@@ -41,7 +41,7 @@ def plot_ida(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes":
             color=RED,
             linewidth=0.9,
             linestyle=(0, (5, 3)),
-            label=f"{millimetres(float(capacity))}",
+            label=f"capacity, {millimetres(float(capacity))}",
         )
     _draw_records(axes, shown(result), heights, found["beyond_capacity"].to_numpy())
     _draw_quantiles(axes, found, name, heights)

@@ -57,7 +57,7 @@ def plot_sensitivity(found: "xarray.Dataset") -> Figure:
         last.set_xticks([0.0, 0.5, 1.0])
         figure.supxlabel(f"part of the variance of the {_words(found)}", fontsize=7.5, color=INK)
         handles, labels = panels.flat[0].get_legend_handles_labels()
-        figure.legend(handles, labels, loc="outside upper center", ncols=2)
+        figure.legend(handles, labels, loc="outside upper center", ncols=2, borderaxespad=0.3)
     return figure
 
 

@@ -1,4 +1,4 @@
-"""Methods of prediction as a factor of a study, beside the analysis."""
+"""Procedures as a factor of a study: the analysis, and the methods that predict what it gives."""
 
 from dataclasses import replace
 
@@ -21,7 +21,7 @@ from dcfp.record.ground_motion import GroundMotion
 
 #: The analysis itself.
 ANALYSIS = "analysis"
-#: Names of the methods in a study, and what they stand for.
+#: Names of the procedures in a study, and what they stand for.
 _PREDICTIONS: dict[str, Method] = {
     "pulse": Method.PULSE,
     "simplified": Method.SIMPLIFIED,
@@ -34,7 +34,7 @@ _PREDICTIONS: dict[str, Method] = {
     "aij-energy": Method.AIJ_ENERGY,
     "iwan": Method.IWAN,
 }
-METHODS = (ANALYSIS, *_PREDICTIONS)
+PROCEDURES = (ANALYSIS, *_PREDICTIONS)
 _OF_PULSES = (Method.PULSE, Method.SIMPLIFIED)
 
 
@@ -49,14 +49,15 @@ def predict(motion: GroundMotion, setting: Setting, name: str) -> Prediction:
     """Return what a method of that name says of a ground motion, without knowing the analysis."""
     method = _PREDICTIONS[name]
     if method in _OF_PULSES:
-        said = pulse_predictions(find_pulses(motion, setting.threshold), setting).get(method)
-        return NOTHING if said is None else said.largest
+        predicted = pulse_predictions(find_pulses(motion, setting.threshold), setting).get(method)
+        return NOTHING if predicted is None else predicted.largest
     if method is Method.DESIGN:
         return next(iter(design_prediction(motion, setting).values()), NOTHING)
     if method is Method.MARCH:
         return march(motion, setting).prediction
     answers = answers_for_motion(motion, pendulum_of(setting), bearing=setting.bearing)
-    return replace(NOTHING, displacement=answers[method.value].displacement)
+    said = answers.get(method.value)
+    return NOTHING if said is None else replace(NOTHING, displacement=said.displacement)
 
 
 def peaks_of(said: Prediction) -> dict[str, float]:

@@ -1,0 +1,56 @@
+"""Small studies: records of a few seconds, so that a whole study takes milliseconds."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from dcfp import GroundMotion
+from dcfp.record.ground_motion import Origin
+from dcfp.study import Study
+
+
+def _motion(name: str, seconds: float, period: float) -> GroundMotion:
+    time = np.arange(int(seconds / 0.01) + 1) * 0.01
+    wave = 3000.0 * np.sin(2.0 * np.pi * time / period) * np.sin(np.pi * time / seconds)
+    return GroundMotion(wave - wave.mean(), 0.01, name, Origin(event=f"Event of {name}"))
+
+
+@pytest.fixture
+def motions() -> list[GroundMotion]:
+    return [_motion("short", 3.0, 0.8), _motion("long", 6.0, 1.5), _motion("middle", 4.0, 1.1)]
+
+
+@pytest.fixture
+def study(motions: list[GroundMotion]) -> Study:
+    """A grid of 3 records, 8 PGVs, 3 coefficients and 2 temperatures."""
+    factors = {
+        "pgv": np.linspace(100.0, 800.0, 8),
+        "mu": [0.04, 0.075, 0.1],
+        "ambient": [20.0, -10.0],
+    }
+    return Study(motions=motions, factors=factors, title="A grid")
+
+
+@pytest.fixture
+def content() -> Callable[[Path], dict[str, bytes]]:
+    """Every file of a folder, by its name in it."""
+
+    def files(folder: Path) -> dict[str, bytes]:
+        return {
+            str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()
+        }
+
+    return files
+
+
+@pytest.fixture
+def record_file(tmp_path: Path) -> Path:
+    """A plain file of time and acceleration [m/s2]."""
+    time = np.arange(301) * 0.01
+    wave = 3.0 * np.sin(2.0 * np.pi * time) * np.sin(np.pi * time / 3.0)
+    path = tmp_path / "pulse.txt"
+    rows = "".join(f"{t:.2f} {a:.9g}\n" for t, a in zip(time, wave, strict=True))
+    path.write_text(f"# time [s], acceleration [m/s2]\n{rows}", encoding="utf-8")
+    return path
