@@ -15,7 +15,9 @@ def test_the_least_friction_moves_most_and_the_largest_pushes_most(properties):
     assert set(found["force_ratio_largest_at"].to_numpy().ravel()) == {"lambda 1.6, ambient -10 °C"}
     told = remarks_of(found)[-1]
     assert "lower bound of lambda (0.8) governs the displacement in 8 of 8" in told
-    assert "upper bound of lambda (1.6) governs the force in 8 of 8, as usual; ASCE 7-16 asks for both." in told
+    assert (
+        "upper bound of lambda (1.6) governs the force in 8 of 8, as usual; ASCE 7-16 asks for both." in told
+    )
 
 
 def test_what_is_not_usual_is_said(build):

@@ -93,17 +93,19 @@ def _client(distributed: Any, address: str | None, processes: int | None) -> Gen
             options = {"n_workers": processes, "threads_per_worker": 1, "processes": True}
             with (
                 distributed.LocalCluster(dashboard_address=None, **options) as cluster,
-                distributed.Client(cluster) as client,
+                distributed.Client(cluster, set_as_default=False) as client,
+                client.as_current(),
             ):
                 yield client
             return
         try:
-            client = distributed.Client(address, timeout=_PATIENCE)
+            client = distributed.Client(address, timeout=_PATIENCE, set_as_default=False)
         except (OSError, ValueError) as error:
             msg = f"{address}: there is no Dask scheduler; start one with dask scheduler, and workers with dask worker {address}."
             raise InputError(msg) from error
         try:
-            yield client
+            with client.as_current():
+                yield client
         finally:
             client.close(timeout=1)
 

@@ -1,0 +1,91 @@
+"""kill -9 of the whole process at random moments: what is there is whole, and `--resume` makes the same store.
+
+``DCFP_KILLS`` sets how often; a few are enough to notice that something is wrong, many to believe that nothing is.
+"""
+
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from dcfp.study.store import open_store, share_done
+
+KILLS = int(os.environ.get("DCFP_KILLS", "3"))
+TEXT = """
+[factors]
+record = ["NCC", "KNA", "LPG"]
+pgv = { from = 0.1, to = 2.0, count = 32, unit = "m/s" }
+mu = { from = 0.02, to = 0.12, count = 60 }
+"""
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="kill -9 is of POSIX")
+
+
+def start(file: Path, place: Path) -> subprocess.Popen[bytes]:
+    words = [
+        sys.executable,
+        "-m",
+        "dcfp.cli.main",
+        "study",
+        str(file),
+        "--out",
+        str(place),
+        "--resume",
+        "--json",
+    ]
+    return subprocess.Popen(words, stdout=subprocess.DEVNULL)
+
+
+def wait_for_blocks(process: subprocess.Popen[bytes], place: Path, blocks: int) -> None:
+    """Wait until so many more blocks are written, or it ends."""
+    folder = place / "status" / "c"
+    before = len([one for one in folder.rglob("*") if one.is_file()])
+    while process.poll() is None and len([o for o in folder.rglob("*") if o.is_file()]) < before + blocks:
+        time.sleep(0.005)
+
+
+def test_killed_again_and_again(tmp_path: Path, content) -> None:
+    file = tmp_path / "study.toml"
+    file.write_text(TEXT, encoding="utf-8")
+    assert start(file, tmp_path / "whole.zarr").wait() == 0
+    whole = content(tmp_path / "whole.zarr")
+    chance = random.Random(4)
+    kills = 0
+    for attempt in range(20 * KILLS):
+        place = tmp_path / f"{attempt}.zarr"
+        for _ in range(4):
+            process = start(file, place)
+            wait_for_blocks(process, place, chance.randrange(1, 12))
+            time.sleep(chance.uniform(0.0, 0.05))
+            if process.poll() is None:
+                process.send_signal(signal.SIGKILL)
+                kills += 1
+            process.wait()
+            if place.exists():
+                assert 0.0 <= share_done(open_store(place)) <= 1.0  # readable at any moment
+        assert start(file, place).wait() == 0
+        assert content(place) == whole
+        if kills >= KILLS:
+            break
+    assert kills >= KILLS
+
+
+def test_ctrl_c_ends_with_a_sentence_and_the_status_of_an_interruption(tmp_path: Path, content) -> None:
+    file = tmp_path / "study.toml"
+    file.write_text(TEXT, encoding="utf-8")
+    place = tmp_path / "s.zarr"
+    words = [sys.executable, "-m", "dcfp.cli.main", "study", str(file), "--out", str(place)]
+    process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    wait_for_blocks(process, place, 5)
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate()
+    assert process.returncode == 130
+    assert out == ""
+    assert err == f"dcfp: stopped; {place} keeps what is done, and --resume goes on from it.\n"
+    done = share_done(open_store(place))
+    assert 0.0 < done < 1.0
