@@ -1,7 +1,7 @@
 """A structure on a bearing as OpenSees models it; run in a process of its own, because it prints on its exit.
 
-The arguments are the step [s], the number of timed runs and a file that holds the ground acceleration [mm/s2] and its step.
-On standard output: one JSON document with the times [s] and the peak displacement [mm].
+The arguments are the step [s], the number of timed runs and files that each hold a ground acceleration [mm/s2] and its step.
+On standard output: for each file one JSON document with the times [s] and the peak displacement [mm].
 """
 
 import json
@@ -92,13 +92,14 @@ def peak(acceleration: list[float], interval: float, step: float, steps: int) ->
 
 def main() -> None:
     """Run the analyses that the command line asks for."""
-    step, runs, path = float(sys.argv[1]), int(sys.argv[2]), sys.argv[3]
-    with np.load(path) as given:
-        acceleration, interval = given["acceleration"].tolist(), float(given["interval"])
-    steps = round((len(acceleration) - 1) * interval / step)
-    seconds = [timed(acceleration, interval, step, steps) for _ in range(runs)]
-    largest = peak(acceleration, interval, step, steps) if runs == 0 else None
-    print(json.dumps({"seconds": seconds, "peak": largest}))
+    step, runs = float(sys.argv[1]), int(sys.argv[2])
+    for path in sys.argv[3:]:
+        with np.load(path) as given:
+            acceleration, interval = given["acceleration"].tolist(), float(given["interval"])
+        steps = round((len(acceleration) - 1) * interval / step)
+        seconds = [timed(acceleration, interval, step, steps) for _ in range(runs)]
+        largest = peak(acceleration, interval, step, steps) if runs == 0 else None
+        print(json.dumps({"seconds": seconds, "peak": largest}))
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Measure every figure of speed that this package has a goal for, on one core; print one table."""
+"""Measure every figure of speed that this package has a goal for, on one core but for studies; print one table."""
 
 import argparse
 import json
@@ -11,7 +11,7 @@ from figure import Figure, table
 for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS"):
     os.environ[variable] = "1"  # read when the parts import numpy
 
-PARTS = ("opensees", "handwritten", "heating", "rig", "prediction", "spectrum", "length", "startup")
+PARTS = ("opensees", "handwritten", "heating", "rig", "prediction", "spectrum", "study", "length", "startup")
 
 
 def measure(part: str) -> list[Figure]:
