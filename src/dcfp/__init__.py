@@ -1,6 +1,6 @@
 """Double concave friction pendulum bearings under recorded earthquakes.
 
-The names below are in the order in which data flow: a record, a bearing, its response; a test program, its loops; pulses, a prediction, a comparison. Each is imported when it is
+The names below are in the order in which data flow: a record, a bearing, its response; a test program, its loops; pulses, a prediction, a comparison; a study of many. Each is imported when it is
 first used, so that ``dcfp --help`` does not wait for the compiler of the kernels.
 """
 
@@ -41,6 +41,11 @@ if TYPE_CHECKING:
     from dcfp.rig import load_program as load_program
     from dcfp.rig import read_measurement as read_measurement
     from dcfp.rig import run_program as run_program
+    from dcfp.study import Sampling as Sampling
+    from dcfp.study import Study as Study
+    from dcfp.study import open_store as open_store
+    from dcfp.study import read_study as read_study
+    from dcfp.study import run_study as run_study
 
 _HOMES = {
     "GroundMotion": "dcfp.record.ground_motion",
@@ -71,6 +76,11 @@ _HOMES = {
     "find_pulses": "dcfp.prediction",
     "march_through_pulses": "dcfp.prediction",
     "compare": "dcfp.comparison",
+    "Study": "dcfp.study",
+    "Sampling": "dcfp.study",
+    "read_study": "dcfp.study",
+    "run_study": "dcfp.study",
+    "open_store": "dcfp.study",
 }
 
 

@@ -7,5 +7,6 @@ from dcfp.study.sampling import Choice as Choice
 from dcfp.study.sampling import Normal as Normal
 from dcfp.study.sampling import Sampling as Sampling
 from dcfp.study.sampling import Uniform as Uniform
+from dcfp.study.store import open_store as open_store
 from dcfp.study.study import Settings as Settings
 from dcfp.study.study import Study as Study
