@@ -164,6 +164,7 @@ def compare(
     *,
     codes: bool = False,
     keep_response: bool = False,
+    response: Response | None = None,
 ) -> Case:
     """Analyse a ground motion, and predict the same by every method that can be used.
 
@@ -177,9 +178,12 @@ def compare(
         Whether the methods of codes are asked too, under the record's own spectrum.
     keep_response
         Whether the case keeps the analysis.
+    response
+        The analysis, where it is at hand.
     """
     setting = Setting() if setting is None else setting
-    response = respond(motion, setting.bearing, setting.friction, setting.heating)
+    if response is None:
+        response = respond(motion, setting.bearing, setting.friction, setting.heating)
     pulses = find_pulses(motion, setting.threshold)
     analysed = analysed_of(response, pulses)
     predicted = predictions(motion, setting, pulses, analysed.pulse)

@@ -54,7 +54,8 @@ class _KernelCache(FunctionCache):
 
     def save_overload(self, sig: Any, data: Any) -> None:
         """Keep the code `data`, compiled for the argument types `sig`."""
-        with contextlib.suppress(OSError):
+        # it reads the index first, which may name a law of a user that this process does not have
+        with contextlib.suppress(Exception):
             super().save_overload(sig, data)
 
 

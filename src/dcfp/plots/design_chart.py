@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from matplotlib.figure import Figure
 
 from dcfp.plots.style import BLUE, GREY, INK, PAGE_WIDTH, RED, style
@@ -20,6 +21,8 @@ _PARTS = ((0.5, "half of the earthquakes"), (0.95, "95 % of the earthquakes"))
 #: Displacements [mm] and forces over weight [-] at which lines are drawn.
 _DISPLACEMENTS = (25, 50, 75, 100, 150, 200, 300, 400, 500, 600, 800, 1000, 1500, 2000)
 _FORCES = (0.04, 0.06, 0.08, 0.1, 0.125, 0.15, 0.2, 0.25, 0.3, 0.4)
+#: Height at which the numbers of each stand, apart so that none covers another, and how near to the side a number still fits [-].
+_HEIGHT_OF_DISPLACEMENTS, _HEIGHT_OF_FORCES, _SIDE = 0.75, 0.3, 0.03
 
 
 def plot_design_chart(spaces: "Sequence[DesignSpace]", allowed: float) -> Figure:
@@ -52,13 +55,14 @@ def _draw(axes: "Axes", space: "DesignSpace", allowed: float, part: float) -> No
     displacement, force = space.displacement_at(part), space.force_at(part)
     drawing: Any = axes
     drawing.contourf(mu, radius, displacement, levels=[0.0, allowed], colors=[BLUE], alpha=0.12)
-    _draw_lines(axes, space, displacement, _DISPLACEMENTS, {"colors": BLUE, "linewidths": 0.8}, 6.5)
-    if displacement.min() < allowed < displacement.max():
-        drawing.contour(mu, radius, displacement, levels=[allowed], colors=RED, linewidths=1.4)
-    look = {"colors": GREY, "linewidths": 0.7, "linestyles": "dashed"}
-    _draw_lines(axes, space, force, _FORCES, look, 6.0)
     axes.set_xlim(float(mu[0]), float(mu[-1]))
     axes.set_ylim(float(radius[0]), float(radius[-1]))
+    others = [level for level in _DISPLACEMENTS if level != allowed]
+    at = _HEIGHT_OF_DISPLACEMENTS
+    _draw_lines(axes, space, displacement, others, {"colors": BLUE, "linewidths": 0.8}, 6.5, at)
+    _draw_lines(axes, space, displacement, [allowed], {"colors": RED, "linewidths": 1.4}, 6.5, at)
+    look = {"colors": GREY, "linewidths": 0.7, "linestyles": "dashed"}
+    _draw_lines(axes, space, force, _FORCES, look, 6.0, _HEIGHT_OF_FORCES)
 
 
 def _draw_lines(
@@ -68,10 +72,27 @@ def _draw_lines(
     levels: "Sequence[float]",
     look: dict[str, Any],
     size: float,
+    height: float,
 ) -> None:
-    """Draw lines of equal values with their numbers, at those levels that are among the values."""
+    """Draw lines of equal values with their numbers near a height of the panel [-], at those levels that are among the values."""
     inside = [level for level in levels if values.min() < level < values.max()]
     if inside:
         drawing: Any = axes
         lines = drawing.contour(space.coefficients, space.radii / 1e3, values, levels=inside, **look)
-        drawing.clabel(lines, fmt="%g", fontsize=size)
+        places = [place for parts in lines.allsegs if (place := _place(axes, parts, height)) is not None]
+        if places:
+            drawing.clabel(lines, fmt="%g", fontsize=size, manual=places)
+
+
+def _place(axes: "Axes", parts: "Sequence[FloatArray]", height: float) -> tuple[float, float] | None:
+    """Return the point of a line that is nearest to a height of the panel [-], not at its sides; None where there is none."""
+    left, right = axes.get_xlim()
+    low, high = axes.get_ylim()
+    found: list[tuple[float, float, float]] = []
+    for part in parts:
+        for (x0, y0), (x1, y1) in zip(part[:-1].tolist(), part[1:].tolist(), strict=True):
+            for share in np.linspace(0.0, 1.0, 9).tolist():
+                x, y = x0 + share * (x1 - x0), y0 + share * (y1 - y0)
+                if _SIDE < (x - left) / (right - left) < 1.0 - _SIDE:
+                    found.append((abs((y - low) / (high - low) - height), x, y))
+    return min(found)[1:] if found else None

@@ -14,7 +14,7 @@ from dcfp.comparison.case import (
     pendulum_of,
     pulse_predictions,
 )
-from dcfp.comparison.nominal import nominal_coefficient
+from dcfp.comparison.nominal import Nominal, nominal_coefficient
 from dcfp.prediction import NOTHING, Prediction, find_pulses
 from dcfp.prediction.li_2020 import LI_2020
 from dcfp.record.ground_motion import GroundMotion
@@ -38,11 +38,11 @@ PROCEDURES = (ANALYSIS, *_PREDICTIONS)
 _OF_PULSES = (Method.PULSE, Method.SIMPLIFIED)
 
 
-def setting_of(model: Model) -> Setting:
-    """Return how records are predicted on a model, with the nominal coefficient that stands for its law."""
+def setting_of(model: Model) -> tuple[Setting, Nominal]:
+    """Return how records are predicted on a model, and the nominal coefficient that stands for its law."""
     nominal = nominal_coefficient(model.bearing, model.friction, model.heating)
     constants = replace(LI_2020, nominal_friction=nominal.value)
-    return Setting(model.bearing, model.friction, model.heating, constants)
+    return Setting(model.bearing, model.friction, model.heating, constants), nominal
 
 
 def predict(motion: GroundMotion, setting: Setting, name: str) -> Prediction:

@@ -18,7 +18,7 @@ from dcfp.study.sampling import LATIN_HYPERCUBE, Choice, Distribution, Sampling
 from dcfp.study.study import RECORD, Settings, Study
 from dcfp.study.values import distribution_from, values_from
 
-_TABLES = ("title", "bearing", "motion", "factors", "sampling", "analysis", "keep")
+_TABLES = ("title", "bearing", "motion", "factors", "sampling", "analysis", "keep", "report")
 _MOTION_KEYS = ("component", "units", "time_step", "baseline", "high_pass")
 _ANALYSIS_KEYS = ("tail", "tolerance", "step")
 _SAMPLING_KEYS = ("method", "count", "seed", "factors")
@@ -34,7 +34,7 @@ def read_study(path: str | Path) -> Study:
     ----------
     path
         TOML with ``title`` and the tables ``[factors]``, of which ``record`` is a must, ``[bearing]`` (keys of a bearing file, or
-        ``file``), ``[sampling]``, ``[motion]``, ``[analysis]`` and ``[keep]``; see ``docs/studies.md``. Files named in it are looked for
+        ``file``), ``[sampling]``, ``[motion]``, ``[analysis]`` and ``[keep]``; ``[report]`` is for `dcfp.scenario`; see ``docs/studies.md``. Files named in it are looked for
         from the folder of the study file.
 
     Raises

@@ -97,7 +97,7 @@ def _part(lanes: Lanes, chosen: IntArray) -> Lanes:
 
 def _predicted(plan: Plan, cases: Cases, chosen: IntArray, name: str) -> Results:
     lanes = cases.lanes
-    settings = [setting_of(model) for model in lanes.models]
+    settings = [setting_of(model)[0] for model in lanes.models]
     found: dict[str, list[float]] = {}
     for lane in chosen.tolist():
         motion = plan.study.motions[int(lanes.record[lane])].scaled(float(lanes.scale[lane]))
