@@ -64,7 +64,7 @@ def run_on_cluster(
     with store_on_disk(plan, Path(place), resume=resume, overwrite=overwrite) as store:
         missing = missing_blocks(store, report)
         if missing:
-            with _client(distributed, address, processes) as client:
+            with _client(distributed, address, processes) as client, _told_in_a_sentence(distributed):
                 _check_versions(client)
                 _run(distributed, client, store, iter(missing), report)
         return store.dataset()
@@ -129,23 +129,11 @@ def _identity() -> tuple[str, str]:
     return version(), source_digest()
 
 
-def _run(
-    distributed: Any, client: Any, store: StudyStore, left: Iterator[Block], report: Report | None
-) -> None:
-    packed = zlib.compress(cloudpickle().dumps(store.plan.study))
-    # a task, not data on a worker: should that worker die, another one unpacks it again
-    plan = client.submit(unpack, packed, pure=False)
-    pending: dict[Any, Block] = {}
+@contextmanager
+def _told_in_a_sentence(distributed: Any) -> Generator[None]:
+    """Say what happened to a cluster that is lost."""
     try:
-        while _fill(client, plan, pending, left):
-            distributed.wait(list(pending), return_when="FIRST_COMPLETED")
-            for one in [future for future in pending if future.status != "pending"]:
-                block = pending[one]
-                results: Results = one.result()
-                del pending[one]
-                store.write(block, results)
-                if report is not None:
-                    report(block.size, store.plan.cost(block))
+        yield
     except distributed.KilledWorker as error:
         msg = (
             f"workers died {_MOST_DEATHS + 1} times over the same block; look at their memory. What is written stays, and"
@@ -155,6 +143,24 @@ def _run(
     except (distributed.CancelledError, OSError, TimeoutError) as error:
         msg = "the cluster is lost; what is written stays, and --resume goes on."
         raise AnalysisError(msg) from error
+
+
+def _run(
+    distributed: Any, client: Any, store: StudyStore, left: Iterator[Block], report: Report | None
+) -> None:
+    packed = zlib.compress(cloudpickle().dumps(store.plan.study))
+    # a task, not data on a worker: should that worker die, another one unpacks it again
+    plan = client.submit(unpack, packed, pure=False)
+    pending: dict[Any, Block] = {}
+    while _fill(client, plan, pending, left):
+        distributed.wait(list(pending), return_when="FIRST_COMPLETED")
+        for one in [future for future in pending if future.status != "pending"]:
+            block = pending[one]
+            results: Results = one.result()
+            del pending[one]
+            store.write(block, results)
+            if report is not None:
+                report(block.size, store.plan.cost(block))
 
 
 def _fill(client: Any, plan: Any, pending: dict[Any, Block], left: Iterator[Block]) -> bool:
