@@ -64,7 +64,7 @@ def run_on_cluster(
     with store_on_disk(plan, Path(place), resume=resume, overwrite=overwrite) as store:
         missing = missing_blocks(store, report)
         if missing:
-            with _client(distributed, address, processes) as client, _told_in_a_sentence(distributed):
+            with _told_in_a_sentence(distributed), _client(distributed, address, processes) as client:
                 _check_versions(client)
                 _run(distributed, client, store, iter(missing), report)
         return store.dataset()
@@ -90,9 +90,8 @@ def _client(distributed: Any, address: str | None, processes: int | None) -> Gen
     }
     with dask.config.set(quiet):
         if address is None:
-            options = {"n_workers": processes, "threads_per_worker": 1, "processes": True}
             with (
-                distributed.LocalCluster(dashboard_address=None, **options) as cluster,
+                _local_cluster(distributed, processes) as cluster,
                 distributed.Client(cluster, set_as_default=False) as client,
                 client.as_current(),
             ):
@@ -110,6 +109,16 @@ def _client(distributed: Any, address: str | None, processes: int | None) -> Gen
             client.close(timeout=1)
 
 
+def _local_cluster(distributed: Any, processes: int | None) -> Any:
+    try:
+        return distributed.LocalCluster(
+            n_workers=processes, threads_per_worker=1, processes=True, dashboard_address=None
+        )
+    except RuntimeError as error:  # what Dask raises where a worker dies while it starts
+        msg = "a worker died while it started; try again, with --resume."
+        raise AnalysisError(msg) from error
+
+
 def _silence() -> None:
     """Keep Dask's tracebacks from the terminal: what happens to a cluster is told in one sentence here."""
     for name in [name for name in logging.root.manager.loggerDict if name.startswith("distributed")]:
@@ -120,7 +129,8 @@ def _check_versions(client: Any) -> None:
     """Refuse workers that would not give the same numbers."""
     ours = _identity()
     for worker, theirs in client.run(_identity, on_error="return").items():
-        if theirs != ours:
+        # one that has died since is no reason to stop
+        if theirs != ours and not isinstance(theirs, OSError):
             msg = f"the worker {worker} has another version of dcfp, or none; install the same on every machine."
             raise InputError(msg)
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from dcfp.bearing import Model
 from dcfp.errors import InputError
+from dcfp.notebook import card
 from dcfp.record.ground_motion import GroundMotion
 from dcfp.record.measures import refuse_a_drift
 from dcfp.record.stepping import check_step_and_tail
@@ -139,6 +140,15 @@ class Study:
         sampling = self.sampling
         sampled = sampling.factors.keys() if sampling is not None else frozenset[str]()
         return next((name for name in INTENSITIES if name in self.factors or name in sampled), None)
+
+    def _repr_html_(self) -> str:
+        facts = {
+            "records": tuple(motion.name for motion in self.motions),
+            **{name: tuple(values) for name, values in self.factors.items() if name != RECORD},
+            "analyses": self.plan.count,
+            "bearing": self.model.bearing.name,
+        }
+        return card(self.title, facts)
 
 
 def _plain(values: Any) -> list[Value]:
