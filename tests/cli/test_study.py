@@ -9,7 +9,7 @@ import pytest
 import xarray
 
 import dcfp
-from dcfp.study.store import open_store
+from dcfp.study.results import open_store
 
 TEXT = """
 title = "A few"

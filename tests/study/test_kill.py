@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from dcfp.study.store import open_store, share_done
+from dcfp.study.results import open_store, share_done
 
 KILLS = int(os.environ.get("DCFP_KILLS", "3"))
 TEXT = """

@@ -14,8 +14,8 @@ from dcfp.response.status import FAILED, NOT_RUN
 from dcfp.study import Plan, Sampling, Settings, Study, Uniform, run_study
 from dcfp.study import run as engine
 from dcfp.study import store as stores
-from dcfp.study.store import open_store
-from dcfp.study.work import QUANTITIES
+from dcfp.study.place import alone
+from dcfp.study.results import QUANTITIES, open_store, share_done
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -84,7 +84,7 @@ def test_what_was_interrupted_is_taken_up_again(
     place = tmp_path / "part.zarr"
     with pytest.raises(type(error)):
         run_study(study, place, report=stop_after(blocks, error))
-    done = stores.share_done(open_store(place))
+    done = share_done(open_store(place))
     assert 0.0 < done < 1.0
     worked: list[int] = []
     work_off = engine.work_off
@@ -177,9 +177,9 @@ def test_a_store_that_is_there_is_not_touched(study: Study, motions, tmp_path: P
         run_study(study, place)
     with pytest.raises(InputError, match=r"this store is of another study; choose another name"):
         run_study(other, place, resume=True)
-    with pytest.raises(InputError, match="another process is writing into this store"), stores._alone(place):
+    with pytest.raises(InputError, match="another process is writing into this store"), alone(place):
         run_study(study, place, resume=True)
-    with pytest.raises(InputError, match="another process is writing into this store"), stores._alone(place):
+    with pytest.raises(InputError, match="another process is writing into this store"), alone(place):
         run_study(study, place, overwrite=True)
     assert content(place) == before
     run_study(other, place, overwrite=True)
@@ -194,6 +194,60 @@ def test_another_version_does_not_go_on(study: Study, tmp_path: Path, content, m
     with pytest.raises(InputError, match=r"this store is made by another version \(dcfp "):
         run_study(study, place, resume=True)
     assert content(place) == before
+
+
+def test_a_link_is_followed_and_stays(study: Study, tmp_path: Path) -> None:
+    (tmp_path / "real.zarr").symlink_to(tmp_path / "there.zarr")
+    run_study(study, tmp_path / "real.zarr")
+    run_study(study, tmp_path / "real.zarr", overwrite=True)
+    assert run_study(study, tmp_path / "real.zarr", resume=True).identical(run_study(study))
+    assert (tmp_path / "real.zarr").is_symlink()
+
+
+def test_what_a_killed_process_left_beside_is_not_in_the_way(study: Study, tmp_path: Path) -> None:
+    for name in (".s.zarr.new", ".s.zarr.old", ".s.zarr.other.part"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "zarr.json").write_text("half", encoding="utf-8")
+    (tmp_path / ".s.zarr.lock").touch()
+    run_study(study, tmp_path / "s.zarr")
+    assert sorted(path.name for path in tmp_path.iterdir()) == [".s.zarr.other.part", "s.zarr"]
+
+
+def test_a_store_that_cannot_be_replaced_is_still_there(
+    study: Study, tmp_path: Path, content, monkeypatch
+) -> None:
+    place = tmp_path / "s.zarr"
+    run_study(study, place)
+    before = content(place)
+
+    def full(store, plan) -> None:
+        store.mkdir()
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(stores, "_create", full)
+    with pytest.raises(InputError, match="No space left on device"):
+        run_study(study, place, overwrite=True)
+    assert content(tmp_path) == {f"s.zarr/{name}": data for name, data in before.items()}
+
+
+def test_only_one_of_several_starters_runs(study: Study, tmp_path: Path) -> None:
+    """Threads stand for processes here: the lock is on the file, not in the process."""
+    from concurrent.futures import ThreadPoolExecutor
+
+    place = tmp_path / "s.zarr"
+
+    def start(number: int) -> str:
+        try:
+            run_study(study, place, threads=1, resume=True)
+        except InputError as error:
+            return str(error)
+        return "done"
+
+    with ThreadPoolExecutor(4) as pool:
+        outcomes = list(pool.map(start, range(8)))
+    assert "done" in outcomes
+    assert all(one == "done" or "another process is writing" in one for one in outcomes)
+    assert run_study(study, place, resume=True).identical(run_study(study))
 
 
 @pytest.mark.parametrize("how", ["folder", "file", "zarr"])
@@ -307,6 +361,61 @@ def test_an_analysis_that_fails_is_marked_and_the_others_are_not(motions) -> Non
     status = dataset["status"].sel(record="long").values
     assert status.tolist() == [1, FAILED]
     assert np.isnan(dataset["peak_force"].sel(record="long").values).tolist() == [False, True]
+
+
+FACTOR = 0.05
+
+
+def of_global(pressure: float, speed: float, temperature: float) -> float:
+    return FACTOR
+
+
+def law_of(value: float, other=None):
+    """Return a law that takes its coefficient from around it."""
+
+    def mu(pressure: float, speed: float, temperature: float) -> float:
+        return value
+
+    return dcfp.UserFriction(mu)
+
+
+def test_laws_of_a_user_are_told_apart_by_what_they_use(motions, monkeypatch) -> None:
+    def digest(friction: dcfp.UserFriction) -> str:
+        return run_study(Study(motions[:1], model=dcfp.bearing.Model(friction=friction))).attrs[
+            "study_sha256"
+        ]
+
+    assert digest(law_of(0.05)) == digest(law_of(0.05))
+    assert digest(law_of(0.05)) != digest(law_of(0.15))
+    before = digest(dcfp.UserFriction(of_global))
+    monkeypatch.setitem(globals(), "FACTOR", 0.06)
+    assert digest(dcfp.UserFriction(of_global)) != before
+
+
+def test_a_bearing_file_is_known_by_what_is_in_it(tmp_path: Path, record_file: Path) -> None:
+    """From wherever and under whatever name the folder is looked at."""
+    import shutil
+
+    text = f'[factors]\nrecord = ["{record_file.name}"]\nbearing = ["b.toml"]\n[motion]\nunits = "m/s2"\n'
+    folder = tmp_path / "one"
+    folder.mkdir()
+    (folder / "s.toml").write_text(text, encoding="utf-8")
+    (folder / "b.toml").write_text("radius = 3000\n", encoding="utf-8")
+    shutil.copy(record_file, folder)
+    shutil.copytree(folder, tmp_path / "two")
+    one = run_study(dcfp.read_study(folder / "s.toml"))
+    two = run_study(dcfp.read_study(tmp_path / "two" / ".." / "two" / "s.toml"))
+    assert one.attrs["study_sha256"] == two.attrs["study_sha256"]
+    assert one["bearing"].values.tolist() == ["b.toml"]
+    (folder / "b.toml").write_text("radius = 3500\n", encoding="utf-8")
+    assert run_study(dcfp.read_study(folder / "s.toml")).attrs["study_sha256"] != one.attrs["study_sha256"]
+
+
+def test_blocks_with_histories_are_small(motions) -> None:
+    factors = {"pgv": np.linspace(10.0, 1000.0, 100), "mu": np.linspace(0.02, 0.1, 100)}
+    plan = Plan(Study([dcfp.load_motion("IVD")], factors, histories=("displacement", "force", "friction")))
+    sizes = {block.size for block in plan.blocks()}
+    assert max(sizes) * 3 * plan.longest_record <= 8 * 2**20
 
 
 @pytest.mark.parametrize("threads", [0, -2])

@@ -129,6 +129,7 @@ def _envelope(
         for one in product(*(values[one].to_numpy().tolist() for one in properties))
     ]
     least, largest = _extremes(table)
+    known = np.isfinite(table).any(axis=-1)
     at_nominal = select(single, nominal, keep=("quantile", intensity))[name].to_numpy()
     over = ("quantile", intensity)
     return {
@@ -137,8 +138,8 @@ def _envelope(
         f"{name}_largest": (over, _taken(table, largest), values.attrs),
         f"{name}_nominal": (over, at_nominal, values.attrs),
         f"{name}_ratio": (over, _ratio(values, _taken(table, largest), at_nominal), {"units": "1"}),
-        f"{name}_least_at": (over, np.array(told)[least]),
-        f"{name}_largest_at": (over, np.array(told)[largest]),
+        f"{name}_least_at": (over, np.where(known, np.array(told)[least], "")),
+        f"{name}_largest_at": (over, np.where(known, np.array(told)[largest], "")),
     }
 
 
@@ -173,7 +174,6 @@ def _governs(result: xarray.Dataset, properties: Sequence[str], quantities: Sequ
     if name is None or len(asked) < 2:
         return []
     lower, upper = float(result[name].min()), float(result[name].max())
-    place = result.sizes["quantile"]
     told: list[str] = []
     every = True
     for quantity, bound, words in (
@@ -181,9 +181,9 @@ def _governs(result: xarray.Dataset, properties: Sequence[str], quantities: Sequ
         ("force_ratio", upper, "force"),
     ):
         values = result[quantity].max([one for one in properties if one != name])
-        governing = values.fillna(-np.inf).argmax(name).to_numpy()
-        hits = int((values_of(result, name)[governing] == bound).sum())
-        whole = place * (governing.size // place)
+        known = values.notnull().any(name).to_numpy()
+        governing = values.fillna(-np.inf).argmax(name).to_numpy()[known]
+        hits, whole = int((values_of(result, name)[governing] == bound).sum()), governing.size
         every = every and hits == whole
         side = "lower" if bound == lower else "upper"
         told.append(

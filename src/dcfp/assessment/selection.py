@@ -7,9 +7,8 @@ import xarray
 
 from dcfp.assessment.described import is_number, names_of, shown_value, shown_values
 from dcfp.errors import InputError
+from dcfp.study.results import INTENSITIES
 
-#: Factors that say how strong a motion is, of which a study has one.
-INTENSITIES = ("pgv", "pga", "scale")
 #: How far a number may be off the value of a factor that it means, relative [-] and, at zero, absolute.
 _SAME, _SAME_AT_ZERO = 1e-6, 1e-9
 

@@ -1,6 +1,6 @@
 """What a study can vary: each factor with its unit, its limits, and what it changes."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields, replace
 from difflib import get_close_matches
 from enum import Enum
@@ -16,7 +16,6 @@ from dcfp.bearing import (
     heating_model,
     heating_names,
     plates_of,
-    read_bearing,
 )
 from dcfp.errors import InputError
 
@@ -118,11 +117,6 @@ def _field(name: str) -> Callable[[dict[str, Any], float], None]:
     return part
 
 
-def _bearing(model: Model, name: str) -> Model:
-    del model
-    return read_bearing(name)
-
-
 def _law(model: Model, name: str) -> Model:
     return replace(model, friction=model.friction if name == model.friction.name else friction_law(name))
 
@@ -155,7 +149,7 @@ CATALOGUE: tuple[Factor, ...] = (
     _number("pgv", "peak ground velocity", _SPEED, (1.0, 2e4)),
     _number("pga", "peak ground acceleration", ("mm/s**2", "mm s-2"), (1.0, 2e5)),
     _number("scale", "factor on the ground motion", _NONE, (1e-3, 1e3)),
-    _words("bearing", "bearing file", Role.MODEL, _bearing),
+    _words("bearing", "bearing file", Role.MODEL),
     _part(
         "radius",
         "effective radius of each plate",
@@ -227,8 +221,8 @@ CATALOGUE: tuple[Factor, ...] = (
     _words("procedure", "response history analysis, or a method of prediction", Role.PROCEDURE),
 )
 _BY_NAME = {factor.name: factor for factor in CATALOGUE}
-#: How strong the ground motion is: at most one of these in a study.
-INTENSITIES = ("pgv", "pga", "scale")
+#: Factors that make other plates.
+PLATES = frozenset({"radius", "lower_radius", "upper_radius", "slider"})
 #: Before the name of a parameter of the friction law, in the units of this package.
 OF_LAW = "friction."
 #: Choices of the factors whose values are words out of a few.
@@ -257,8 +251,8 @@ def factor(name: str) -> Factor:
     raise InputError(msg)
 
 
-def changed(model: Model, values: Mapping[str, Value]) -> Model:
-    """Return a model with the values of factors put before its own.
+def changed(model: Model, values: Mapping[str, Value], bearings: Mapping[str, Model]) -> Model:
+    """Return a model with the values of factors put before its own; `bearings` are those that the factor ``bearing`` names.
 
     Raises
     ------
@@ -267,24 +261,23 @@ def changed(model: Model, values: Mapping[str, Value]) -> Model:
     """
     names = sorted(values, key=_order_of)
     if "bearing" in values:
-        model = _bearing(model, str(values["bearing"]))
+        model = bearings[str(values["bearing"])]
     parts = {name: part for name in names if (part := factor(name).part) is not None}
     if parts:
         fields = vars(model.bearing).copy()
         for name, part in parts.items():
             part(fields, values[name])
-        model = replace(model, bearing=_new_bearing(model.bearing, fields))
+        model = replace(model, bearing=_new_bearing(model.bearing, fields, parts))
     for name in names:
         change = factor(name).change
-        if change is not None and name != "bearing":
+        if change is not None:
             model = change(model, values[name])
     return model
 
 
-def _new_bearing(bearing: Bearing, fields: dict[str, Any]) -> Bearing:
-    """Return a bearing with those fields; new plates do not have the capacity of the paper's."""
-    same = all(fields[name] == getattr(bearing, name) for name in ("radii", "slider_diameter"))
-    if not same and bearing.capacity_note == LI_2020.capacity_note:
+def _new_bearing(bearing: Bearing, fields: dict[str, Any], names: Iterable[str]) -> Bearing:
+    """Return a bearing with those fields; where its plates are varied, none has the capacity of the paper's."""
+    if PLATES & set(names) and bearing.capacity_note == LI_2020.capacity_note:
         fields |= {"displacement_capacity": None, "capacity_note": ""}
     return Bearing(**fields)
 

@@ -13,12 +13,16 @@ from dcfp.arrays import FloatArray, IntArray
 from dcfp.bearing import Model
 from dcfp.errors import InputError
 from dcfp.response.batch import GroundSet, Lanes
-from dcfp.study.factors import INTENSITIES, Role, Value, changed, factor
+from dcfp.study.factors import Role, Value, changed, factor
 from dcfp.study.procedures import ANALYSIS
 from dcfp.study.study import RECORD, SAMPLE, Study
 
 #: Analyses in a block at most, and blocks in a study at least, as far as it has so many analyses.
 LARGEST_BLOCK, FEWEST_BLOCKS = 4096, 64
+#: Values of histories in a block at most: 64 MiB.
+LARGEST_HISTORIES = 8 * 2**20
+#: Analyses that a study may have.
+MOST_ANALYSES = 1_000_000_000
 #: Models that are tried beforehand; of more only those with the smallest and largest values.
 _MOST_TRIED = 5000
 _FACTOR_OF_SCALE = "scale"
@@ -82,6 +86,9 @@ class Plan:
     def __post_init__(self) -> None:
         drawn = {} if self.study.sampling is None else self.study.sampling.values()
         object.__setattr__(self, "samples", drawn)
+        if self.count > MOST_ANALYSES:
+            msg = f"the study has {self.count:.3g} analyses, more than {MOST_ANALYSES:.0e}; give its factors fewer values."
+            raise InputError(msg)
         self.models_at_ends()  # so that nothing fails on the way
 
     # ----- dimensions -----
@@ -108,6 +115,9 @@ class Plan:
     def chunks(self) -> tuple[int, ...]:
         """Length of a block along each dimension: whole along the last ones, as far as a block may have so many analyses."""
         room = max(1, min(LARGEST_BLOCK, self.count // FEWEST_BLOCKS))
+        kept = len(self.study.histories) * self.longest_record
+        if kept:
+            room = max(1, min(room, LARGEST_HISTORIES // kept))
         found: list[int] = []
         for size in reversed(self.shape):
             parts = math.ceil(size / max(1, min(size, room)))
@@ -222,7 +232,8 @@ class Plan:
         return keys, which.astype(np.intp)
 
     def _model(self, key: dict[str, int]) -> Model:
-        return changed(self.study.model, {name: self._value(name, key) for name in self._model_factors})
+        values = {name: self._value(name, key) for name in self._model_factors}
+        return changed(self.study.model, values, self.study.bearings)
 
     def _value(self, name: str, key: dict[str, int]) -> Value:
         if name in self.samples:
@@ -276,8 +287,3 @@ def _is_number(name: str) -> bool:
 
 def _shown(value: Value) -> str:
     return value if isinstance(value, str) else f"{value:g}"
-
-
-def intensity_dimension(names: Sequence[str]) -> str | None:
-    """Return the dimension that is an intensity of the ground motion."""
-    return next((name for name in INTENSITIES if name in names), None)

@@ -8,7 +8,8 @@ from functools import partial
 import numpy as np
 
 from dcfp.study.plan import Block, Plan
-from dcfp.study.work import QUANTITIES, work_off
+from dcfp.study.results import QUANTITIES
+from dcfp.study.work import work_off
 
 #: Parts that are tried for each thread, and analyses in each at most.
 _TRIED, _MOST_ANALYSES = 12, 64

@@ -2,7 +2,7 @@
 
 import hashlib
 import json
-from dataclasses import asdict, fields, is_dataclass
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -11,11 +11,11 @@ from dcfp.bearing import friction_law
 from dcfp.citations import citations_of
 from dcfp.errors import InputError
 from dcfp.kernels._jit import source_digest
+from dcfp.study.identity import identity_of
 from dcfp.study.plan import Plan
+from dcfp.study.results import DIGEST
 from dcfp.version import version
 
-#: Attribute by which a store knows its study.
-DIGEST = "study_sha256"
 #: Form of the store, so that a later version knows what it has before it.
 FORM = 1
 
@@ -27,8 +27,7 @@ def provenance(plan: Plan) -> dict[str, Any]:
         "Conventions": "CF-1.11",
         "title": study.title,
         "source": f"dcfp {version()}",
-        "version": version(),
-        "kernels_sha256": source_digest(),
+        **makers(),
         "store_form": FORM,
         DIGEST: digest(plan),
         "study_name": study.name,
@@ -50,6 +49,11 @@ def provenance(plan: Plan) -> dict[str, Any]:
     return attributes
 
 
+def makers() -> dict[str, str]:
+    """Return which versions make the numbers."""
+    return {"version": version(), "kernels_sha256": source_digest()}
+
+
 def _capacity(plan: Plan) -> float | None:
     """Return the displacement capacity that all bearings of a study have [mm], if they have the same."""
     capacities = {model.bearing.displacement_capacity for model in plan.models_at_ends()}
@@ -60,15 +64,14 @@ def digest(plan: Plan) -> str:
     """Return a number that two studies share only if every analysis of them is the same, and every result the same to the last bit."""
     study = plan.study
     whole = {
-        "version": version(),
-        "kernels": source_digest(),
+        **makers(),
         "form": FORM,
         "grid": {name: _exactly(list(values)) for name, values in study.factors.items()},
         "samples": {name: _exactly(np.asarray(values).tolist()) for name, values in plan.samples.items()},
         "records": [(motion.name, motion.digest) for motion in study.motions],
-        "model": _content(study.model),
-        "bearing_files": _files(plan),
-        "settings": _content(study.settings),
+        "model": identity_of(study.model),
+        "bearings": {name: identity_of(model) for name, model in study.bearings.items()},
+        "settings": identity_of(study.settings),
         "histories": study.histories,
         "chunks": plan.chunks,
     }
@@ -78,27 +81,6 @@ def digest(plan: Plan) -> str:
 def _exactly(values: list[Any]) -> list[Any]:
     """Return values as they can be written without loss."""
     return [value.hex() if isinstance(value, float) else value for value in values]
-
-
-def _content(value: Any) -> Any:
-    """Return all that an object holds, in a form that is the same in every process."""
-    if is_dataclass(value) and not isinstance(value, type):
-        parts = {item.name: _content(getattr(value, item.name)) for item in fields(value)}
-        return {"kind": type(value).__name__, **parts}
-    if callable(value):  # a user's own law: what it does, not where it stands in memory
-        code: Any = getattr(getattr(value, "py_func", value), "__code__", None)
-        return (
-            repr(value) if code is None else [code.co_code.hex(), repr(code.co_consts), repr(code.co_names)]
-        )
-    return value.hex() if isinstance(value, float) else repr(value)
-
-
-def _files(plan: Plan) -> dict[str, Any]:
-    """Return what the bearing files of a study hold, for a file may change under its name."""
-    from dcfp.bearing import read_bearing
-
-    names = plan.study.factors.get("bearing", plan.samples.get("bearing", []))
-    return {str(name): _content(read_bearing(str(name))) for name in dict.fromkeys(names)}
 
 
 def _citations(plan: Plan) -> list[str]:

@@ -1,20 +1,23 @@
 """Numbers with units from a study file, in the units of the package."""
 
+import re
 from functools import cache
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from dcfp.errors import InputError
 
 if TYPE_CHECKING:
-    import pint
-
     from dcfp.study.factors import Factor
+
+#: What a unit is written with, and how many powers it may have.
+_UNIT = re.compile(r"[A-Za-z0-9_*/^. ()°µ²³%-]{0,60}")
+_MOST_POWERS = 4
 
 
 @cache
-def _registry() -> "pint.UnitRegistry[Any]":
-    import pint  # late: it takes a fifth of a second to import
-
+def _registry() -> Any:
+    pint: Any = import_module("pint")  # late: it takes a fifth of a second to import
     return pint.UnitRegistry(autoconvert_offset_to_baseunit=True)
 
 
@@ -44,32 +47,34 @@ def convert(
             msg = f"factor {factor.name!r} needs a unit, for example unit = {factor.unit!r}."
             raise InputError(msg)
         return values
-    import pint
-
-    registry: Any = _registry()
     try:
-        given, own = registry.Unit(unit), registry.Unit("" if factor.unit == "1" else factor.unit)
-        if not given.is_compatible_with(own):
-            msg = (
-                f"factor {factor.name!r} is in {factor.unit if factor.has_dimension else 'no unit'}, with which"
-                f" {unit!r} is not compatible."
-            )
-            raise InputError(msg)
-        zero = float(registry.Quantity(0.0, given).to(own).magnitude) if difference else 0.0
-        if given == own:
-            return values
-        found = [float(registry.Quantity(value, given).to(own).magnitude) - zero for value in values]
-        # 68 degF are 20 degC, not 20.000000000000057
-        return [float(f"{value:.13g}") for value in found]
-    except InputError:
-        raise
-    except (
-        pint.errors.PintError,
-        ValueError,
-        TypeError,
-        AttributeError,
-        AssertionError,
-        SyntaxError,
-    ) as error:
+        given, own = _parsed(unit), _parsed("" if factor.unit == "1" else factor.unit)
+        same_kind = given.is_compatible_with(own) and "bel" not in str(given)
+    except Exception as error:  # pint lets through whatever the parser below it raises
         msg = f"factor {factor.name!r}: {unit!r} is not a unit; write for example {factor.unit!r}."
         raise InputError(msg) from error
+    if not same_kind:
+        hint = "; the acceleration of gravity is 'g_0', and 'g' the gram" if unit == "g" else ""
+        msg = (
+            f"factor {factor.name!r} is in {factor.unit if factor.has_dimension else 'no unit'}, with which"
+            f" {unit!r} is not compatible{hint}."
+        )
+        raise InputError(msg)
+    if given == own:
+        return values
+    zero = _converted(0.0, given, own) if difference else 0.0
+    # 68 degF are 20 degC, not 20.000000000000057
+    return [float(f"{_converted(value, given, own) - zero:.13g}") for value in values]
+
+
+def _parsed(unit: str) -> Any:
+    if not _UNIT.fullmatch(unit) or unit.count("**") + unit.count("^") > _MOST_POWERS or "**" in unit[:1]:
+        raise ValueError(unit)
+    if re.search(r"\*\*\s*[0-9.]+\s*\*\*", unit):  # a tower of powers takes for ever
+        raise ValueError(unit)
+    # N/mm2 is how tables write N/mm**2
+    return _registry().Unit(re.sub(r"(?<=[A-Za-z])(?=[2-4]\b)", "**", unit))
+
+
+def _converted(value: float, given: Any, own: Any) -> float:
+    return float(_registry().Quantity(value, given).to(own).magnitude)

@@ -5,7 +5,7 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, cast
 
-from dcfp.bearing import Model
+from dcfp.bearing import Model, read_bearing
 from dcfp.bearing.read import model_from
 from dcfp.errors import InputError
 from dcfp.reading import read_toml
@@ -18,6 +18,7 @@ from dcfp.study.sampling import LATIN_HYPERCUBE, Choice, Distribution, Sampling
 from dcfp.study.study import RECORD, Settings, Study
 from dcfp.study.values import distribution_from, values_from
 
+BEARING = "bearing"
 _TABLES = ("title", "bearing", "motion", "factors", "sampling", "analysis", "keep", "report")
 _MOTION_KEYS = ("component", "units", "time_step", "baseline", "high_pass")
 _ANALYSIS_KEYS = ("tail", "tolerance", "step")
@@ -63,9 +64,10 @@ def _study(content: Mapping[str, Any], place: Path) -> Study:
     motions = _motions(grid, sampled, _table(content, "motion"), place.parent)
     return Study(
         motions=motions,
-        factors={name: _grid_values(name, given, motions, place.parent) for name, given in grid.items()},
-        sampling=_sampling(sampling, sampled, motions, place.parent),
+        factors={name: _grid_values(name, given, motions) for name, given in grid.items()},
+        sampling=_sampling(sampling, sampled, motions),
         model=_model(_table(content, "bearing"), place),
+        bearings=_bearings(grid, sampled, place.parent),
         title=_title(content, place),
         name=place.stem,
         settings=_settings(_table(content, "analysis")),
@@ -164,16 +166,20 @@ def _option(table: dict[str, Any], key: str, kind: type) -> Any:
 # ----- factors -----
 
 
-def _grid_values(name: str, given: Any, motions: list[GroundMotion], folder: Path) -> list[Value]:
+def _grid_values(name: str, given: Any, motions: list[GroundMotion]) -> list[Value]:
     if name == RECORD:
         return [motion.name for motion in motions]
-    values = values_from(factor(name), given)
-    return [str(folder / str(value)) for value in values] if name == "bearing" else values
+    return values_from(factor(name), given)
 
 
-def _sampling(
-    table: dict[str, Any], factors: dict[str, Any], motions: list[GroundMotion], folder: Path
-) -> Sampling | None:
+def _bearings(grid: dict[str, Any], sampled: dict[str, Any], folder: Path) -> dict[str, Model]:
+    """Read the files that the factor ``bearing`` names, each once."""
+    given = grid.get(BEARING, sampled.get(BEARING))
+    names = [] if given is None else values_from(factor(BEARING), given)
+    return {str(name): read_bearing(folder / str(name)) for name in names}
+
+
+def _sampling(table: dict[str, Any], factors: dict[str, Any], motions: list[GroundMotion]) -> Sampling | None:
     if not table:
         return None
     found: dict[str, Distribution] = {}
@@ -181,10 +187,7 @@ def _sampling(
         if name == RECORD:
             found[name] = Choice(tuple(motion.name for motion in motions))
         else:
-            one = distribution_from(factor(name), given)
-            if name == "bearing" and isinstance(one, Choice):
-                one = Choice(tuple(str(folder / str(value)) for value in one.values))
-            found[name] = one
+            found[name] = distribution_from(factor(name), given)
     if "count" not in table:
         msg = "[sampling] needs a count, the number of samples."
         raise InputError(msg)

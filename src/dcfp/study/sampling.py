@@ -13,6 +13,8 @@ from dcfp.errors import InputError
 from dcfp.study.factors import Value
 
 LATIN_HYPERCUBE, SOBOL, SALTELLI = "latin-hypercube", "sobol", "saltelli"
+#: Samples that a design may have.
+MOST_SAMPLES = 1_000_000
 DESIGNS = (LATIN_HYPERCUBE, SOBOL, SALTELLI)
 
 
@@ -116,8 +118,8 @@ class Sampling:
         if self.method not in DESIGNS:
             msg = f"the sampling method must be one of {', '.join(DESIGNS)}, not {self.method!r}."
             raise InputError(msg)
-        if type(self.count) is not int or self.count < 1:
-            msg = f"the number of samples must be a positive whole number, not {self.count!r}."
+        if type(self.count) is not int or not 1 <= self.count <= MOST_SAMPLES:
+            msg = f"the number of samples must be a positive whole number up to {MOST_SAMPLES}, not {str(self.count)[:60]}."
             raise InputError(msg)
         if self.method != LATIN_HYPERCUBE and self.count & (self.count - 1):
             near = 1 << (self.count.bit_length() - 1)

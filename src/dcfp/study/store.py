@@ -4,15 +4,11 @@ A block is written quantity by quantity and its status last, each file under ano
 there is whole; any other counts as not run, and is run again.
 """
 
-import os
-import shutil
-import tempfile
-from collections.abc import Generator, Iterator
-from contextlib import contextmanager, suppress
+from collections.abc import Generator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import filelock
 import numpy as np
 import xarray
 import zarr
@@ -22,15 +18,24 @@ from dcfp.errors import InputError
 from dcfp.nomenclature import quantity
 from dcfp.response.status import NOT_RUN
 from dcfp.study.coordinates import coordinates
+from dcfp.study.place import alone, followed, put_whole
 from dcfp.study.plan import Block, Plan
-from dcfp.study.provenance import DIGEST, digest, provenance
-from dcfp.study.work import QUANTITIES, STATUS, Results
+from dcfp.study.provenance import digest, makers, provenance
+from dcfp.study.results import (
+    DIGEST,
+    MEANINGS,
+    QUANTITIES,
+    STATUS,
+    exists,
+    open_store,
+    results_in,
+    share_done,
+)
+from dcfp.study.work import Results
 
 if TYPE_CHECKING:
     from zarr.abc.store import Store
 
-#: What the numbers of a status mean, in their order.
-MEANINGS = ("not_run", "ok", "beyond_capacity", "still_moving", "failed")
 #: End of the name under which Zarr writes a file before it is whole.
 _PARTIAL = "*.partial"
 
@@ -85,7 +90,7 @@ class StudyStore:
 
     def dataset(self) -> xarray.Dataset:
         """Return the results so far."""
-        return _dataset(self._group.store)
+        return results_in(self._group.store)
 
 
 def store_in_memory(plan: Plan) -> StudyStore:
@@ -116,47 +121,16 @@ def store_on_disk(plan: Plan, place: Path, *, resume: bool, overwrite: bool) -> 
         If a store is there and neither was asked for, it is that of another study, another process is writing into it, or
         nothing can be written there.
     """
-    if _exists(place):
-        _check_is_ours(place, plan, resume=resume, overwrite=overwrite)
-    if not (resume and _exists(place)):
-        _create_whole(plan, place, overwrite=overwrite)
-    with _alone(place):
-        for left in place.rglob(_PARTIAL):
+    there = followed(place)
+    with alone(there):
+        known = exists(there)
+        if known:
+            _check_is_ours(there, plan, resume=resume, overwrite=overwrite)
+        if not (known and resume):
+            put_whole(there, lambda new: _create(new, plan))
+        for left in there.rglob(_PARTIAL):
             left.unlink(missing_ok=True)
-        yield StudyStore(zarr.open_group(place, mode="r+"), plan, place)
-
-
-def open_store(path: str | Path) -> xarray.Dataset:
-    """Return the results of a study, from its store or from the NetCDF file that it was exported to; arrays are read when they are used.
-
-    Raises
-    ------
-    InputError
-        If there is no such store or file, or it is not that of a study.
-    """
-    place = Path(path)
-    if not _exists(place):
-        msg = f"{path}: there is no such store; dcfp study run STUDY.toml writes one."
-        raise InputError(msg)
-    try:
-        found = xarray.open_dataset(place, engine="h5netcdf") if place.is_file() else _dataset(place)
-    except Exception as error:  # whatever it is, xarray, h5py or Zarr have an exception of their own for it
-        msg = f"{path}: this is not the store of a study."
-        raise InputError(msg) from error
-    if DIGEST not in found.attrs or STATUS not in found:
-        msg = f"{path}: this is not the store of a study."
-        raise InputError(msg)
-    return found
-
-
-def _dataset(store: "Store | Path") -> xarray.Dataset:
-    found = xarray.open_zarr(store, consolidated=False, chunks=None)
-    # Zarr lists what it finds in the order of the file system
-    order = [name for name in (*QUANTITIES, STATUS) if name in found]
-    return found[[*order, *sorted(str(name) for name in found.data_vars if name not in order)]]
-
-
-# ----- a new store -----
+        yield StudyStore(zarr.open_group(there, mode="r+"), plan, there)
 
 
 def _create(store: "Store | Path", plan: Plan) -> None:
@@ -189,42 +163,6 @@ def _create(store: "Store | Path", plan: Plan) -> None:
         )
 
 
-def _create_whole(plan: Plan, place: Path, *, overwrite: bool) -> None:
-    """Create a store under another name first, so that there is all of it or nothing."""
-    try:
-        for left in place.parent.glob(f".{place.name}.*.part"):
-            shutil.rmtree(left, ignore_errors=True)
-        part = Path(tempfile.mkdtemp(dir=place.parent, prefix=f".{place.name}.", suffix=".part"))
-        try:
-            _create(part, plan)
-            part.chmod(0o777 & ~_umask())
-            if overwrite and _exists(place):
-                shutil.rmtree(place)
-            part.rename(place)
-        finally:
-            shutil.rmtree(part, ignore_errors=True)
-    except OSError as error:
-        msg = f"{place}: the store cannot be written ({error.strerror or error})."
-        raise InputError(msg) from error
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
-
-
-# ----- a store that is there -----
-
-
-def _exists(place: Path) -> bool:
-    try:
-        return place.exists()
-    except (OSError, ValueError) as error:
-        msg = f"{place}: this cannot be the name of a store ({error})."
-        raise InputError(msg) from error
-
-
 def _check_is_ours(place: Path, plan: Plan, *, resume: bool, overwrite: bool) -> None:
     """Check that a store may be gone on with, or replaced: nothing else is ever deleted."""
     found = open_store(place)
@@ -232,55 +170,16 @@ def _check_is_ours(place: Path, plan: Plan, *, resume: bool, overwrite: bool) ->
         msg = f"{place}: this is a file; name the folder of a store."
         raise InputError(msg)
     if overwrite:
-        with _alone(place):
-            return
+        return
     if not resume:
-        done = share_done(found)
         msg = (
-            f"{place}: the store exists, {100.0 * done:.3g} % of it done; go on with --resume, replace it with --overwrite, or choose"
+            f"{place}: the store exists, {100.0 * share_done(found):.3g} % of it done; go on with --resume, replace it with --overwrite, or choose"
             " another name."
         )
         raise InputError(msg)
     if found.attrs[DIGEST] != digest(plan):
-        made_by = found.attrs.get("version"), found.attrs.get("kernels_sha256")
-        ours = provenance(plan)
-        same = made_by == (ours["version"], ours["kernels_sha256"])
+        ours = makers()
+        same = all(found.attrs.get(name) == value for name, value in ours.items())
         what = "of another study" if same else f"made by another version ({found.attrs.get('source')})"
         msg = f"{place}: this store is {what}; choose another name for the store of this one."
         raise InputError(msg)
-
-
-def share_done(dataset: xarray.Dataset) -> float:
-    """Return which part of a study is done [-]."""
-    status = dataset[STATUS]
-    done = sum(int((part != NOT_RUN).sum()) for part in _parts(status))
-    return done / max(status.size, 1)
-
-
-def _parts(array: xarray.DataArray) -> "Iterator[np.ndarray[Any, Any]]":
-    """Return an array bit by bit along its first dimension, so that little of it is in memory at a time."""
-    first = array.dims[0]
-    for place in range(array.sizes[first]):
-        yield np.asarray(array.isel({first: place}))
-
-
-@contextmanager
-def _alone(place: Path) -> Generator[None]:
-    """Keep every other process from writing into a store."""
-    # beside the store: within it Zarr would take it for a part that it does not know
-    held = place.parent / f".{place.name}.lock"
-    lock = filelock.FileLock(held)
-    try:
-        lock.acquire(timeout=0)
-    except filelock.Timeout as error:
-        msg = f"{place}: another process is writing into this store; wait for it, or stop it."
-        raise InputError(msg) from error
-    except OSError as error:
-        msg = f"{place}: the store cannot be written ({error.strerror or error})."
-        raise InputError(msg) from error
-    try:
-        yield
-    finally:
-        lock.release()
-        with suppress(OSError):
-            held.unlink(missing_ok=True)

@@ -15,8 +15,9 @@ from dcfp.record.ground_motion import GroundMotion
 from dcfp.record.measures import refuse_a_drift
 from dcfp.record.stepping import check_step_and_tail
 from dcfp.response.respond import TOLERANCE
-from dcfp.study.factors import CHOICES, INTENSITIES, Factor, Value, factor
-from dcfp.study.procedures import PROCEDURES
+from dcfp.study.factors import CHOICES, Factor, Value, factor
+from dcfp.study.procedures import ANALYSIS, PROCEDURES
+from dcfp.study.results import INTENSITIES
 from dcfp.study.sampling import Choice, Distribution, Normal, Sampling, Uniform
 
 if TYPE_CHECKING:
@@ -55,6 +56,8 @@ class Study:
         Factors that vary together instead of each with each.
     model
         The bearing, law and heating that the factors change.
+    bearings
+        Models that the factor ``bearing`` names.
     title, name
         For people, and for files.
     settings
@@ -74,6 +77,7 @@ class Study:
     factors: Mapping[str, Sequence[Value]] = field(default_factory=dict[str, Sequence[Value]])
     sampling: Sampling | None = None
     model: Model = field(default_factory=Model)
+    bearings: Mapping[str, Model] = field(default_factory=dict[str, Model])
     title: str = "Study"
     name: str = "study"
     settings: Settings = field(default_factory=Settings)
@@ -96,26 +100,28 @@ class Study:
         if both:
             msg = f"factor {both[0]!r} is both in the grid and sampled; give it once."
             raise InputError(msg)
-        chosen = [name for name in INTENSITIES if name in grid or name in sampled]
-        if len(chosen) > 1:
-            msg = f"{' and '.join(chosen)} both scale the ground motions; give one of them."
-            raise InputError(msg)
         for name, values in self.factors.items():
-            _check(factor(name), values, names)
+            _check(factor(name), values, self._choices(name))
         for name, distribution in sampled.items():
-            if isinstance(distribution, Choice):
-                _check(factor(name), distribution.values, names)
-            elif not factor(name).is_number:
-                msg = f"factor {name!r} takes words; sample it from a list of values."
-                raise InputError(msg)
-            else:
-                _check_ends(factor(name), distribution)
-        if chosen and chosen[0] != "scale":
+            _check_distribution(factor(name), distribution, self._choices(name))
+        _refuse_without_effect(self)
+        if self.intensity in ("pgv", "pga"):
             for motion in self.motions:
-                refuse_a_drift(motion)
-                if motion.peak_velocity == 0.0:
-                    msg = f"{motion.name}: every value is zero, so the record cannot be scaled."
-                    raise InputError(msg)
+                _check_scalable(motion)
+
+    def _choices(self, name: str) -> tuple[str, ...] | None:
+        """Return the words that a factor may have, where they are known."""
+        if name == RECORD:
+            return tuple(motion.name for motion in self.motions)
+        known = {**CHOICES, "procedure": PROCEDURES, "bearing": tuple(self.bearings)}
+        return known.get(name)
+
+    def values_of(self, name: str) -> list[Value] | None:
+        """Return the values that a factor can have: of the grid, or of a choice that is sampled; None where it is not varied or has a range."""
+        if name in self.factors:
+            return list(self.factors[name])
+        one = None if self.sampling is None else self.sampling.factors.get(name)
+        return list(one.values) if isinstance(one, Choice) else None
 
     @cached_property
     def plan(self) -> "Plan":
@@ -169,13 +175,37 @@ def _refuse_twice(motions: Sequence[GroundMotion]) -> None:
         names.add(motion.name)
 
 
-def _check(one: Factor, values: Sequence[Value], records: Sequence[str]) -> None:
+def _refuse_without_effect(study: Study) -> None:
+    """Refuse factors that would change nothing, or undo each other."""
+    sampled = study.sampling.factors.keys() if study.sampling is not None else frozenset[str]()
+    names = {*study.factors, *sampled}
+    chosen = [name for name in INTENSITIES if name in names]
+    if len(chosen) > 1:
+        msg = f"{' and '.join(chosen)} both scale the ground motions; give one of them."
+        raise InputError(msg)
+    if "radius" in names and names & {"lower_radius", "upper_radius"}:
+        msg = "radius is that of each plate, so that lower_radius and upper_radius have no place beside it."
+        raise InputError(msg)
+    heatings = study.values_of("heating") or [study.model.heating.name]
+    idle = sorted(names & {"conductivity", "diffusivity", "thickness"})
+    if idle and heatings == ["none"] and not study.bearings:
+        msg = f"without heating {idle[0]!r} changes nothing; leave it out, or choose another heating."
+        raise InputError(msg)
+    if study.histories and ANALYSIS not in (study.values_of("procedure") or [ANALYSIS]):
+        msg = f"histories are of the procedure {ANALYSIS!r}, which is not among those of the study."
+        raise InputError(msg)
+
+
+def _check_scalable(motion: GroundMotion) -> None:
+    refuse_a_drift(motion)
+    if motion.peak_velocity == 0.0:
+        msg = f"{motion.name}: every value is zero, so the record cannot be scaled."
+        raise InputError(msg)
+
+
+def _check(one: Factor, values: Sequence[Value], choices: tuple[str, ...] | None) -> None:
     if len(values) == 0:
         msg = f"factor {one.name!r} has no value; give it at least one."
-        raise InputError(msg)
-    if len(set(values)) != len(values):
-        twice = next(value for value in values if list(values).count(value) > 1)
-        msg = f"factor {one.name!r} has the value {twice!r} twice; give it once."
         raise InputError(msg)
     for value in values:
         if one.is_number:
@@ -183,11 +213,28 @@ def _check(one: Factor, values: Sequence[Value], records: Sequence[str]) -> None
         elif not isinstance(value, str):
             msg = f"factor {one.name!r} takes words, not {value!r}."
             raise InputError(msg)
-    choices = {**CHOICES, "procedure": PROCEDURES, RECORD: tuple(records)}.get(one.name)
-    for value in values:
-        if choices is not None and value not in choices:
-            msg = f"factor {one.name!r} cannot be {value!r}; the choices are {', '.join(choices)}."
+        elif choices is not None and value not in choices:
+            msg = f"factor {one.name!r} cannot be {value!r}; the choices are {', '.join(choices) or 'none'}."
             raise InputError(msg)
+    if len(set(values)) != len(values):
+        twice = next(value for value in values if list(values).count(value) > 1)
+        shown = (
+            repr(twice)
+            if isinstance(twice, str)
+            else f"{twice:g} {one.unit if one.has_dimension else ''}".strip()
+        )
+        msg = f"factor {one.name!r} has the value {shown} twice; give it once."
+        raise InputError(msg)
+
+
+def _check_distribution(one: Factor, distribution: Distribution, choices: tuple[str, ...] | None) -> None:
+    if isinstance(distribution, Choice):
+        _check(one, distribution.values, choices)
+    elif not one.is_number:
+        msg = f"factor {one.name!r} takes words; sample it from a list of values."
+        raise InputError(msg)
+    else:
+        _check_ends(one, distribution)
 
 
 def _check_number(one: Factor, value: Any) -> None:

@@ -1,7 +1,8 @@
 """Values and distributions of a factor as a study file writes them."""
 
+import math
 from collections.abc import Mapping
-from typing import Any, cast
+from typing import Any, TypeGuard, cast
 
 import numpy as np
 
@@ -19,6 +20,7 @@ _DISTRIBUTIONS = {
     "lognormal": ("median", "dispersion"),
 }
 _MOST_VALUES = 1_000_000
+_LARGEST_WHOLE = 10**15
 
 
 def values_from(one: Factor, given: Any) -> list[Value]:
@@ -58,7 +60,7 @@ def distribution_from(one: Factor, given: Any) -> Distribution:
         return Choice(tuple(values_from(one, given)))
     table = cast("dict[str, Any]", given)
     name = table.get("distribution", "uniform")
-    if name not in _DISTRIBUTIONS:
+    if not isinstance(name, str) or name not in _DISTRIBUTIONS:
         msg = (
             f"factor {one.name!r}: the distribution must be one of {', '.join(_DISTRIBUTIONS)}, not {name!r}."
         )
@@ -110,17 +112,19 @@ def _converted(one: Factor, values: list[Any], unit: str | None) -> list[Value]:
             raise InputError(msg)
         return values
     for value in values:
-        if isinstance(value, bool) or not isinstance(value, (int, float)):
-            msg = f"factor {one.name!r} takes numbers, not {value!r}."
+        if not _is_number(value):
+            msg = f"factor {one.name!r} takes numbers, not {repr(value)[:60]}."
             raise InputError(msg)
     return [*convert([float(value) for value in values], unit, one)]
 
 
 def _number(one: Factor, table: Mapping[str, Any], key: str) -> float:
     value = table.get(key)
-    if isinstance(value, bool) or not isinstance(value, (int, float)):
+    if not _is_number(value):
         what = (
-            f"needs a number for {key!r}" if value is None else f"needs a number for {key!r}, not {value!r}"
+            f"needs a number for {key!r}"
+            if value is None
+            else f"needs a number for {key!r}, not {str(value)[:60]!r}"
         )
         msg = f"factor {one.name!r} {what}."
         raise InputError(msg)
@@ -128,6 +132,13 @@ def _number(one: Factor, table: Mapping[str, Any], key: str) -> float:
         msg = f"factor {one.name!r} takes words; give it a list of them."
         raise InputError(msg)
     return float(value)
+
+
+def _is_number(value: Any) -> TypeGuard[float]:
+    """Whether a value is a number that can be reckoned with: TOML has whole numbers of any length."""
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        return False
+    return math.isfinite(value) if isinstance(value, float) else abs(value) < _LARGEST_WHOLE
 
 
 def _unit(one: Factor, table: Mapping[str, Any]) -> str | None:

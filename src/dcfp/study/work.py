@@ -10,21 +10,7 @@ from dcfp.response.batch import Lanes, respond_in_batch
 from dcfp.response.status import FAILED, NUMBERS, Status
 from dcfp.study.plan import Block, Cases, Plan
 from dcfp.study.procedures import ANALYSIS, peaks_of, predict, setting_of
-
-#: What is kept of each analysis: names in the nomenclature, in the order of the results.
-QUANTITIES = (
-    "peak_displacement",
-    "peak_change",
-    "peak_velocity",
-    "peak_force",
-    "force_ratio",
-    "peak_temperature",
-    "least_friction",
-    "residual_displacement",
-    "input_velocity",
-    "hysteretic_velocity",
-)
-STATUS = "status"
+from dcfp.study.results import QUANTITIES, STATUS
 
 Results = dict[str, NDArray[np.float64] | NDArray[np.uint8]]
 

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import xarray
 
+from dcfp.study.results import parts_of
 from dcfp.tabulation.columns import compressed, head_of
 
 
@@ -32,11 +33,8 @@ def study_csv(dataset: xarray.Dataset, path: Path) -> None:
         writer = csv.writer(stream, lineterminator="\n")
         units = [str(dataset[name].attrs.get("units", "")) for name in names]
         writer.writerow([head_of(*one) if one[1] else one[0] for one in zip(names, units, strict=True)])
-        first = dimensions[0]
-        for place in range(
-            dataset.sizes[first]
-        ):  # part by part, so that little of a large store is in memory
-            writer.writerows(_lines(dataset.isel({first: [place]}), names, dimensions))
+        for part in parts_of(dataset):
+            writer.writerows(_lines(part, names, dimensions))
 
 
 def _lines(part: xarray.Dataset, names: list[str], dimensions: list[str]) -> "zip[tuple[Any, ...]]":

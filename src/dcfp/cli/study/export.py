@@ -21,7 +21,7 @@ def add_arguments(parser: Parser) -> None:
 def run(chosen: argparse.Namespace) -> int:
     """Write the file."""
     outputs = Outputs.checked(chosen, [Path(chosen.store)])
-    from dcfp.study.store import open_store
+    from dcfp.study.results import open_store
 
     dataset = open_store(chosen.store)
     outputs.write_with(lambda part, kind: _write(dataset, part, kind), lambda _, __: None)

@@ -64,8 +64,8 @@ def checked_outputs(chosen: argparse.Namespace) -> Outputs:
 
 def opened(chosen: argparse.Namespace) -> "xarray.Dataset":
     """Return what is chosen of a study."""
-    from dcfp.assessment.selection import INTENSITIES, select  # late: xarray takes long to import
-    from dcfp.study.store import open_store
+    from dcfp.assessment.selection import select  # late: xarray takes long to import
+    from dcfp.study.results import INTENSITIES, open_store
 
     dataset = open_store(Path(chosen.store))
     return select(dataset, values_of_pairs(dataset, chosen.at), keep=("record", "sample", *INTENSITIES))

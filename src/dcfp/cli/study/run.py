@@ -49,7 +49,7 @@ def add_machine(parser: Parser) -> None:
 def run(chosen: argparse.Namespace) -> int:
     """Run the study and show what came of it."""
     _check(chosen)
-    from dcfp.cli.study.summary import print_summary, summary_object
+    from dcfp.cli.study.summary import counts, print_summary, summary_object
     from dcfp.study import read_study
 
     study = read_study(chosen.study)
@@ -63,7 +63,7 @@ def run(chosen: argparse.Namespace) -> int:
         print(json.dumps(document, indent=2, allow_nan=False))
     else:
         print_summary(dataset, str(place), elapsed)
-    return 1 if summary_object(dataset)["analyses"]["failed"] else 0
+    return 1 if counts(dataset)["failed"] else 0
 
 
 def _check(chosen: argparse.Namespace) -> None:

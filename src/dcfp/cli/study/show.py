@@ -15,7 +15,7 @@ def add_arguments(parser: Parser) -> None:
 def run(chosen: argparse.Namespace) -> int:
     """Show a store."""
     from dcfp.cli.study.summary import print_summary, summary_object
-    from dcfp.study.store import open_store
+    from dcfp.study.results import open_store
 
     dataset = open_store(chosen.store)
     if chosen.json:

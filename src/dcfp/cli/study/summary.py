@@ -7,8 +7,7 @@ import numpy as np
 from dcfp.cli.tables import add_row, new_table, page, print_labelled, print_remarks
 from dcfp.comparison.intervals import quantile
 from dcfp.nomenclature import quantity
-from dcfp.study.factors import INTENSITIES
-from dcfp.study.store import MEANINGS
+from dcfp.study.results import INTENSITIES, MEANINGS, parts_of
 
 if TYPE_CHECKING:
     import xarray
@@ -16,6 +15,8 @@ if TYPE_CHECKING:
 #: What the table shows of each intensity.
 _SHOWN = ("peak_displacement", "force_ratio", "peak_temperature", "residual_displacement", "input_velocity")
 _QUANTILES = (0.16, 0.5, 0.84)
+#: Digits after the point, where it is not one.
+_DIGITS = {"force_ratio": 3, "input_velocity": 2, "peak_temperature": 0}
 #: Rows of the table at most.
 _MOST_ROWS = 12
 
@@ -23,10 +24,8 @@ _MOST_ROWS = 12
 def counts(dataset: "xarray.Dataset") -> dict[str, int]:
     """Return how many analyses ended in which way."""
     found = np.zeros(len(MEANINGS), dtype=np.int64)
-    status = dataset["status"]
-    first = status.dims[0]
-    for place in range(status.sizes[first]):
-        found += np.bincount(np.asarray(status.isel({first: place})).ravel(), minlength=len(MEANINGS))
+    for part in parts_of(dataset[["status"]]):
+        found += np.bincount(part["status"].to_numpy().ravel(), minlength=len(MEANINGS))
     return dict(zip(MEANINGS, found.tolist(), strict=True))
 
 
@@ -111,15 +110,7 @@ def _head(name: str) -> str:
 def _spread(values: dict[str, float | None], name: str) -> str:
     factor = quantity(name).factor
     shown = [None if value is None else value * factor for value in values.values()]
-    digits = (
-        3
-        if name == "force_ratio"
-        else 2
-        if name == "input_velocity"
-        else 0
-        if name == "peak_temperature"
-        else 1
-    )
+    digits = _DIGITS.get(name, 1)
     if None in shown:
         return "–"
     low, middle, high = (f"{value:.{digits}f}" for value in shown if value is not None)
@@ -129,10 +120,10 @@ def _spread(values: dict[str, float | None], name: str) -> str:
 def _remarks(found: dict[str, int]) -> list[str]:
     remarks = ["Each: median and, in brackets, 16 to 84 % of all that is done at the intensity."]
     if found["beyond_capacity"]:
-        remarks.append(f"{found['beyond_capacity']:,} analyses go beyond the displacement capacity.")
+        remarks.append(f"{found['beyond_capacity']:,} of the analyses go beyond the displacement capacity.")
     if found["still_moving"]:
         remarks.append(
-            f"{found['still_moving']:,} still move at the end, so that their residual is not final."
+            f"{found['still_moving']:,} of them still move at the end, so that their residual is not final."
         )
     if found["failed"]:
         remarks.append(f"{found['failed']:,} gave no result, and stand as not a number.")

@@ -58,7 +58,7 @@ def plot_bounds(found: "xarray.Dataset", part: float | None = None) -> Figure:
 def _governing(one: "xarray.Dataset", names: list[str]) -> list[str]:
     """Return the combinations that govern somewhere, each once."""
     told = [one[f"{name}_{side}_at"].to_numpy().tolist() for name in names for side in ("largest", "least")]
-    return list(dict.fromkeys(combination for line in told for combination in line))
+    return list(dict.fromkeys(combination for line in told for combination in line if combination))
 
 
 def _draw(axes: "Axes", one: "xarray.Dataset", name: str, looks: dict[str, str]) -> None:
@@ -75,6 +75,8 @@ def _draw(axes: "Axes", one: "xarray.Dataset", name: str, looks: dict[str, str])
         axes.plot(x, line, color=BLUE, linewidth=0.7)
         told = one[f"{name}_{side}_at"].to_numpy().tolist()
         for at, height, combination in zip(x, line, told, strict=True):
+            if not combination:  # nothing has been run there
+                continue
             axes.plot(
                 at,
                 height,
