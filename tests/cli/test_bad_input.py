@@ -108,7 +108,7 @@ def test_a_bearing_file_with_a_slip(run, tmp_path: Path) -> None:
     [
         ("--out", "no/such/folder/r.nc", "folder"),
         ("--plot", "no/such/folder/r.png", "folder"),
-        ("--out", "r.xlsx", ".nc, .csv"),
+        ("--out", "r.ods", ".nc, .csv, .xlsx, .py"),
         ("--plot", "r.bmp", ".png, .pdf, .svg"),
         ("--plot", "r", ".png, .pdf, .svg"),
     ],

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from dcfp.bearing.checks import positive
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
+from dcfp.notebook import fields_card
 
 
 @dataclass(frozen=True)
@@ -101,6 +102,10 @@ class Bearing:
     def shares(self) -> tuple[float, ...]:
         """Share of the relative displacement that each plate takes [-]."""
         return tuple(radius / self.effective_radius for radius in self.radii)
+
+    def _repr_html_(self) -> str:
+        facts = {"vertical_force [N]": self.vertical_force, "mass [t]": self.mass, "period [s]": self.period}
+        return fields_card(self, f"Bearing {self.name}", facts)
 
 
 #: The bearing of Li et al. (2020), sections 4 and 5.1. The paper prints no displacement capacity; its largest test

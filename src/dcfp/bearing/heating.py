@@ -12,6 +12,7 @@ from dcfp.bearing.checks import finite, positive
 from dcfp.bearing.choice import make_named
 from dcfp.errors import InputError
 from dcfp.kernels.heat_state import LINE, NO_HEATING, POINT
+from dcfp.notebook import fields_card
 
 #: Thermal conductivity k of steel [N/(s degC)]: 0.016 W/(mm degC), and 1 W is 1000 N mm/s; section 4.2.
 CONDUCTIVITY = 16.0
@@ -75,6 +76,9 @@ class _Steel:
     def rise_factor(self) -> float:
         """Factor before the integral of Eq. (11), sqrt(D) / (k sqrt(pi)) [degC mm s^(1/2) / N]."""
         return math.sqrt(self.diffusivity / math.pi) / self.conductivity
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, f"Heating model {self.name}")
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from dcfp.bearing.bearing import LI_2020, Bearing
 from dcfp.bearing.friction import FrictionLaw, Li2020
 from dcfp.bearing.heating import Heating, SimplifiedHeating
+from dcfp.notebook import fields_card
 
 
 @dataclass(frozen=True)
@@ -14,3 +15,7 @@ class Model:
     bearing: Bearing = LI_2020
     friction: FrictionLaw = field(default_factory=Li2020)
     heating: Heating = field(default_factory=SimplifiedHeating)
+
+    def _repr_html_(self) -> str:
+        facts = {"friction": repr(self.friction), "heating": repr(self.heating)}
+        return fields_card(self.bearing, self.bearing.name, facts)

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from dcfp.arrays import FloatArray
+from dcfp.notebook import fields_card
 
 
 @dataclass(frozen=True)
@@ -48,3 +49,6 @@ class BuildingEnergy:
         """Largest residual over the largest input energy [-]."""
         largest = float(np.abs(self.input).max())
         return float(np.abs(self.residual).max()) / largest if largest > 0.0 else 0.0
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, "Energies over time [N mm]")

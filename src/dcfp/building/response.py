@@ -12,6 +12,7 @@ from dcfp.bearing.plates import mean_temperature
 from dcfp.building.energy import BuildingEnergy
 from dcfp.building.shear_building import ShearBuilding
 from dcfp.kernels import building as k
+from dcfp.notebook import card
 from dcfp.record.ground_motion import GroundMotion
 
 
@@ -169,3 +170,15 @@ class BuildingResponse:
 
     def _line(self, column: int) -> FloatArray:
         return self._lines[:, 2 * self._floors + column]
+
+    def _repr_html_(self) -> str:
+        facts = {
+            "y_max [mm]": self.peak_displacement,
+            "largest drift [mm]": float(self.peak_drift.max()),
+            "largest acceleration [mm/s2]": float(self.peak_acceleration.max()),
+            "T_max [degC]": self.peak_temperature,
+            "V_E [mm/s]": self.input_velocity,
+            "V_Eh [mm/s]": self.hysteretic_velocity,
+            "comes to rest": self.rests,
+        }
+        return card(f"{self.building.storeys} storeys under {self.motion.name}", facts)

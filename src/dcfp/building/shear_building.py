@@ -11,6 +11,7 @@ from dcfp.arrays import FloatArray, freeze
 from dcfp.bearing.checks import positive
 from dcfp.building.damping import Damping, StiffnessProportional
 from dcfp.errors import InputError
+from dcfp.notebook import fields_card
 
 #: Damping unless another is chosen: 2 % in the first mode on a fixed base, in proportion to the stiffness.
 TWO_PERCENT = StiffnessProportional(0.02)
@@ -111,6 +112,10 @@ class ShearBuilding:
         """Return a matrix for the motion relative to the base as one for that of base and floors."""
         relative = np.hstack((-np.ones((self.storeys, 1)), np.eye(self.storeys)))
         return relative.T @ of_storeys @ relative
+
+    def _repr_html_(self) -> str:
+        facts = {"fixed_base_periods [s]": tuple(self.fixed_base_periods.tolist())}
+        return fields_card(self, f"Shear building of {self.storeys} storeys", facts)
 
 
 def uniform_building(

@@ -72,10 +72,10 @@ class Outputs:
         """Every file that is wanted."""
         return [path for path in (self.data, self.figure) if path is not None]
 
-    def write(self, responses: "Sequence[Response]") -> None:
-        """Write the analyses into every file, or leave all files as they were."""
+    def write(self, responses: "Sequence[Response]", data: Callable[[Path, str], None] | None = None) -> None:
+        """Write the analyses into every file, or leave all files as they were; `data` as for `write_with`, where a command knows more formats."""
         self.write_with(
-            lambda part, kind: write_data(part, responses, kind),
+            data or (lambda part, kind: write_data(part, responses, kind)),
             lambda part, form: write_figure(part, responses, form),
         )
 

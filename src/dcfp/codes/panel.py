@@ -12,6 +12,7 @@ from dcfp.codes.equivalent_linear import PendulumWithFriction
 from dcfp.codes.result import Answer
 from dcfp.codes.structure import Structure
 from dcfp.errors import AnalysisError, InputError
+from dcfp.notebook import card
 from dcfp.record.ground_motion import GroundMotion
 from dcfp.response import respond
 from dcfp.spectrum.elastic import ElasticSpectrum, velocity
@@ -170,6 +171,18 @@ class Panel:
     def missing(self) -> tuple[str, ...]:
         """Names of the methods that have no solution."""
         return tuple(name for name in NAMES if name not in self.answers)
+
+    def _repr_html_(self) -> str:
+        rows = [
+            {
+                "method": name,
+                "displacement [mm]": said.displacement,
+                "base shear over weight": said.base_shear,
+                "verdict": said.verdict,
+            }
+            for name, said in self.answers.items()
+        ]
+        return card(self.name, {"analysis [mm]": self.displacement}, rows=rows, remarks=self.remarks)
 
 
 def panel_of_spectrum(

@@ -3,6 +3,8 @@
 from dataclasses import dataclass
 from enum import StrEnum
 
+from dcfp.notebook import card, fields_card
+
 
 class Verdict(StrEnum):
     """Whether a condition holds."""
@@ -36,6 +38,9 @@ class Condition:
     limit: str
     source: str
     confirmed: bool = True
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, "Condition")
 
 
 @dataclass(frozen=True)
@@ -112,6 +117,20 @@ class Answer:
             return f"outside its limits ({broken})"
         open_ = sum(one.verdict is Verdict.NOT_KNOWN for one in self.conditions)
         return f"within its limits, {open_} not known" if open_ else "within its limits"
+
+    def _repr_html_(self) -> str:
+        facts = {
+            "verdict": self.verdict,
+            "displacement [mm]": self.displacement,
+            "base shear over weight": self.base_shear,
+            "effective period [s]": self.period,
+            "effective damping": self.damping,
+        }
+        rows = [
+            {"condition": one.name, "verdict": one.verdict.value, "found": one.found, "limit": one.limit}
+            for one in self.conditions
+        ]
+        return card(self.method, facts, rows=rows, remarks=self.remarks)
 
 
 def at_most(value: float, limit: float) -> Verdict:

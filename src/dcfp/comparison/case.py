@@ -10,6 +10,7 @@ from dcfp.codes.panel import answers_for_motion
 from dcfp.codes.result import Answer
 from dcfp.comparison.earthquake import event_of
 from dcfp.comparison.matching import pulse_behind
+from dcfp.notebook import card, fields_card
 from dcfp.prediction import (
     NOTHING,
     Prediction,
@@ -135,6 +136,19 @@ class Case:
     remarks: tuple[str, ...] = ()
     response: Response | None = None
 
+    def _repr_html_(self) -> str:
+        rows = [
+            {
+                "method": method.value,
+                "knows": basis.value,
+                "y_max [mm]": said.bound,
+                "verdict": self.answers[method].verdict if method in self.answers else "",
+            }
+            for (method, basis), said in self.predicted.items()
+        ]
+        facts = {"PGV [mm/s]": self.pgv, "y_max by analysis [mm]": self.analysed.whole.bound}
+        return card(f"Predictions of {self.record}", facts, rows=rows, remarks=self.remarks)
+
 
 @dataclass(frozen=True)
 class Setting:
@@ -156,6 +170,9 @@ class Setting:
     constants: paper.Constants = paper.LI_2020
     threshold: float = THRESHOLD
     march_threshold: float = MARCH_THRESHOLD
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, "How records are predicted")
 
 
 def compare(

@@ -10,6 +10,7 @@ from dcfp.bearing import Bearing, Heating
 from dcfp.errors import InputError
 from dcfp.identification.contact_temperature import contact_temperature
 from dcfp.identification.smoothing import Smoothed, find_strokes, smooth
+from dcfp.notebook import card
 from dcfp.rig import Measurement
 from dcfp.rig.load import check_load
 
@@ -73,6 +74,10 @@ class FrictionHistory:
     def time(self) -> FloatArray:
         """Time [s]."""
         return self.measurement.time
+
+    def _repr_html_(self) -> str:
+        facts = {"samples used": int(self.used.sum()), "of": self.used.size}
+        return card(f"Friction in {self.name}", facts)
 
 
 def friction_history(measurement: Measurement, bearing: Bearing, heating: Heating) -> FrictionHistory:

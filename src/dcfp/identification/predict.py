@@ -9,6 +9,7 @@ import numpy as np
 from dcfp.arrays import FloatArray
 from dcfp.bearing import Bearing, FrictionLaw, Heating
 from dcfp.identification.friction_history import FrictionHistory
+from dcfp.notebook import card, with_units
 from dcfp.rig import Cycle, Program, Recorded, RigTest, VerticalLoad, run_program
 from dcfp.rig.measures import measured_cycles
 
@@ -78,6 +79,10 @@ class Prediction:
                 zip(self.measured, self.predicted, strict=True), start=1
             )
         ]
+
+    def _repr_html_(self) -> str:
+        rows = [with_units(row) for row in self.rows()]
+        return card(f"Test {self.name} by the law", {"force_error": self.force_error}, rows=rows)
 
 
 def _compared(measured: Cycle, predicted: Cycle) -> dict[str, float | None]:

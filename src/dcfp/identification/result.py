@@ -10,6 +10,7 @@ from dcfp.bearing.friction import FittedFriction
 from dcfp.identification.friction_history import FrictionHistory
 from dcfp.identification.intervals import CONFIDENCE
 from dcfp.identification.predict import Prediction
+from dcfp.notebook import card
 
 
 @dataclass(frozen=True)
@@ -151,3 +152,16 @@ class Identification:
             "heating": {"model": self.heating.name, **asdict(self.heating)},
             "remarks": list(self.remarks),
         }
+
+    def _repr_html_(self) -> str:
+        rows = [
+            {
+                "constant": one.name,
+                "unit": one.unit,
+                "value": one.value,
+                "95 % from": one.lower,
+                "to": one.upper,
+            }
+            for one in self.estimates
+        ]
+        return card(f"Friction law of {self.bearing.name}", rows=rows, remarks=self.remarks)

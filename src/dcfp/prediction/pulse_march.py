@@ -18,6 +18,7 @@ from dcfp.bearing import LI_2020, Bearing, FrictionLaw, Heating, Li2020, Simplif
 from dcfp.bearing.plates import cold_plates, heat_of, structure_of
 from dcfp.errors import AnalysisError
 from dcfp.kernels import pulse_march as k
+from dcfp.notebook import fields_card
 from dcfp.prediction.pulses import Pulses, find_pulses
 from dcfp.prediction.result import Prediction
 from dcfp.record.ground_motion import GroundMotion
@@ -59,6 +60,10 @@ class PulseMarch:
     time: FloatArray
     displacement: FloatArray
     elapsed: float
+
+    def _repr_html_(self) -> str:
+        facts = {"comes to rest": self.rests, "peak_temperature [degC]": self.peak_temperature}
+        return fields_card(self.prediction, "March through the pulses", facts)
 
 
 def march_through_pulses(

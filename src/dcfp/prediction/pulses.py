@@ -8,6 +8,7 @@ import numpy as np
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
 from dcfp.kernels.turning_points import find_turning_points
+from dcfp.notebook import card
 from dcfp.record.ground_motion import GroundMotion
 
 #: How far the ground velocity must turn back, relative to PGV, for a peak to count [-]; see ``docs/prediction.md`` for the evidence.
@@ -99,6 +100,13 @@ class Pulses:
             msg = f"Pulses can be scaled by a finite number other than zero, not by {factor!r}."
             raise InputError(msg)
         return replace(self, velocities=self.velocities * factor)
+
+    def _repr_html_(self) -> str:
+        rows = [
+            {"peak [s]": time, "velocity [mm/s]": velocity}
+            for time, velocity in zip(self.times.tolist(), self.velocities.tolist(), strict=True)
+        ]
+        return card(f"{self.count} velocity pulses", {"threshold": self.threshold}, rows=rows)
 
 
 def velocity_change(before: FloatArray, peak: FloatArray) -> FloatArray:

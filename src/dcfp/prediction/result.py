@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from dcfp.arrays import FloatArray
+from dcfp.notebook import fields_card
 from dcfp.prediction.pulses import Pulses
 
 
@@ -37,6 +38,9 @@ class Prediction:
     def bound(self) -> float:
         """What the method offers for y_max [mm]: its own, or dy, which Li et al. (2020), section 6.1.2, take as conservative."""
         return self.displacement_change if self.displacement is None else self.displacement
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, "Prediction")
 
 
 #: What is said where there is nothing to say it of.
@@ -89,3 +93,7 @@ class PulsePrediction:
             float(self.input_velocity[pulse]),
             float(self.hysteretic_velocity[pulse]),
         )
+
+    def _repr_html_(self) -> str:
+        facts = {"pulses": self.pulses.count, "governing pulse": self.governing}
+        return fields_card(self.largest, "Prediction from pulses, the largest of all", facts)

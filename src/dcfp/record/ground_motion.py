@@ -8,6 +8,7 @@ import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
+from dcfp.notebook import card, fields_card
 
 
 @dataclass(frozen=True)
@@ -35,6 +36,9 @@ class Origin:
     file_format: str = ""
     processing: str = ""
     citation: str = ""
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, "Origin of a ground motion")
 
 
 @dataclass(frozen=True, eq=False)
@@ -150,3 +154,16 @@ class GroundMotion:
             msg = f"{self.name}: every value is zero, so the record cannot be scaled to a PGV."
             raise InputError(msg)
         return self.scaled(peak_velocity / self.peak_velocity)
+
+    def _repr_html_(self) -> str:
+        facts = {
+            "PGA [mm/s2]": self.peak_acceleration,
+            "PGV [mm/s]": self.peak_velocity,
+            "PGD [mm]": self.peak_displacement,
+            "duration [s]": self.duration,
+            "time_step [s]": self.time_step,
+            "values": self.acceleration.size,
+            **{name: value for name, value in vars(self.origin).items() if value},
+            "SHA-256": self.digest,
+        }
+        return card(f"Ground motion {self.name}", facts, remarks=self.treatment)

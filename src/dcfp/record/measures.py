@@ -8,6 +8,7 @@ import numpy as np
 from dcfp.arrays import FloatArray
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
+from dcfp.notebook import fields_card
 from dcfp.record.ground_motion import GroundMotion
 
 #: Velocity at the end, relative to PGV, from which on the baseline is in doubt [-]. In the hundred records of
@@ -46,6 +47,9 @@ class Measures:
     significant_duration: float
     cumulative_absolute_velocity: float
     baseline_drift: float
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, "Measures of a ground motion")
 
 
 def measure(motion: GroundMotion) -> Measures:

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from difflib import get_close_matches
 
 from dcfp.errors import InputError
+from dcfp.notebook import fields_card
 from dcfp.record.ground_motion import GroundMotion
 from dcfp.record.p695 import RecordKey, StoredRecord, all_keys, read_stored
 
@@ -62,6 +63,9 @@ class NamedRecord:
     peak_velocity: float | None = None
     available: bool = True
     note: str = ""
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, f"Record {self.name}")
 
 
 def _missing(

@@ -6,7 +6,7 @@ from pathlib import Path
 from dcfp.record.formats.component import Component
 from dcfp.record.formats.registry import read_components
 from dcfp.record.formats.selection import select_component
-from dcfp.record.formats.source import read_source
+from dcfp.record.formats.source import read_source, source_of
 from dcfp.record.ground_motion import GroundMotion
 
 
@@ -30,6 +30,29 @@ def read_motions(
         If the file cannot be read as a record; the sentence says where it fails and what would be right.
     """
     return [component.motion for component in _components(path, units, time_step)]
+
+
+def motions_of(
+    content: bytes, name: str, *, units: str | None = None, time_step: float | None = None
+) -> list[GroundMotion]:
+    """Return every component of a record file that is at hand as bytes; nothing is read from a disk.
+
+    Parameters
+    ----------
+    content
+        Of the file.
+    name
+        Of the file, for the names of the motions and for sentences.
+    units, time_step
+        As for `read_motions`.
+
+    Raises
+    ------
+    InputError
+        As for `read_motions`.
+    """
+    source = source_of(content, Path(name))
+    return [component.motion for component in read_components(source, units=units, time_step=time_step)]
 
 
 def read_motion(

@@ -7,6 +7,7 @@ import numpy as np
 
 from dcfp.arrays import FloatArray
 from dcfp.bearing import Bearing
+from dcfp.notebook import fields_card
 
 
 @dataclass(frozen=True)
@@ -73,6 +74,9 @@ class EnergyBalance:
         """Largest residual over the largest input energy [-]."""
         largest = float(np.abs(self.input).max())
         return float(np.abs(self.residual).max()) / largest if largest > 0.0 else 0.0
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, "Energies over time [N mm]")
 
 
 def equivalent_velocity(energy: float, mass: float) -> float:

@@ -11,6 +11,7 @@ from dcfp.bearing.plates import mean_temperature
 from dcfp.bearing.profiles import Profiles
 from dcfp.bearing.validity import LARGEST_ANGLE
 from dcfp.kernels import march as m
+from dcfp.notebook import card, with_units
 from dcfp.record.ground_motion import GroundMotion
 from dcfp.response.energy import EnergyBalance, equivalent_velocity
 from dcfp.response.kernel_input import State
@@ -241,3 +242,6 @@ class Response:
             f"{self.motion.name}: y_max {self.peak_displacement:.1f} mm, F_max {self.peak_force / 1e3:.0f} kN,"
             f" T_max {self.peak_temperature:.0f} degC, V_E {self.input_velocity:.0f} mm/s ({self.status.value})"
         )
+
+    def _repr_html_(self) -> str:
+        return card(f"Response to {self.motion.name}", with_units(self.summary()), remarks=self.remarks)

@@ -11,6 +11,7 @@ from dcfp.bearing import Bearing, FrictionLaw, Heating
 from dcfp.bearing.plates import mean_temperature
 from dcfp.bearing.profiles import Profiles
 from dcfp.kernels import drive as d
+from dcfp.notebook import card, with_units
 from dcfp.rig.measures import Cycle, cycles_of, zero_crossings
 from dcfp.rig.program import RigTest
 from dcfp.rig.validity import validity_remarks
@@ -146,3 +147,9 @@ class Loops:
             f"{self.test.name}: {len(self.cycles)} cycles, k_eff {first.effective_stiffness / 1e3:.3f} kN/mm,"
             f" beta_eff {first.effective_damping:.3f}, T_max {self.peak_temperature:.0f} degC"
         )
+
+    def _repr_html_(self) -> str:
+        from dcfp.rig.summary import cycle_rows
+
+        rows = [with_units(row) for row in cycle_rows(self)]
+        return card(f"Virtual test {self.test.name}", rows=rows, remarks=self.remarks)

@@ -13,6 +13,7 @@ import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
+from dcfp.notebook import fields_card
 from dcfp.reading import read_bytes
 from dcfp.rig.measures import Cycle, measured_cycles, zero_crossings
 from dcfp.rig.waveform import cycle_bounds
@@ -101,6 +102,9 @@ class Measurement:
             msg = f"{self.name}: the file has no column {head!r}, which is needed here."
             raise InputError(msg)
         return values
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, f"Measured test {self.name}")
 
 
 def read_measurement(path: str | Path) -> Measurement:

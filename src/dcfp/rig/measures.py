@@ -8,6 +8,7 @@ from typing import Protocol
 import numpy as np
 
 from dcfp.arrays import FloatArray, IntArray
+from dcfp.notebook import fields_card
 
 #: Displacement, relative to the amplitude, up to which a branch of a loop is fitted by a line [-].
 _BRANCH = 0.5
@@ -134,6 +135,9 @@ class Cycle:
     def effective_damping(self) -> float:
         """Return beta_eff = 2/pi E / (k_eff (|d+| + |d-|)^2) [-]: ASCE/SEI 7-16, Eq. (17.8-2)."""
         return effective_damping(self.energy, self.effective_stiffness, self.largest, self.least)
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, f"Cycle {self.number}")
 
 
 def effective_stiffness(

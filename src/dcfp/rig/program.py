@@ -7,6 +7,7 @@ from dcfp.bearing import Bearing
 from dcfp.bearing.checks import finite
 from dcfp.bearing.validity import LARGEST_ANGLE
 from dcfp.errors import InputError
+from dcfp.notebook import card, fields_card
 from dcfp.rig.load import VerticalLoad
 from dcfp.rig.waveform import Waveform
 
@@ -52,6 +53,9 @@ class RigTest:
             if not 0.0 <= self.pause <= _LONGEST_PAUSE:
                 msg = f"The pause before {self.name} must be from 0 to {_LONGEST_PAUSE:g} s, not {self.pause!r}."
                 raise InputError(msg)
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, f"Test {self.name}")
 
 
 @dataclass(frozen=True)
@@ -116,6 +120,13 @@ class Program:
             wanted = [place for place, test in enumerate(story) if test.name in names]
             kept.extend(story[: max(wanted) + 1] if wanted else ())
         return replace(self, tests=tuple(kept))
+
+    def _repr_html_(self) -> str:
+        rows = [
+            {"test": one.name, "waveform": one.waveform.kind, "pause [s]": one.pause, "purpose": one.purpose}
+            for one in self.tests
+        ]
+        return card(f"Test program {self.name}", {"source": self.source}, rows=rows)
 
 
 def check_stroke(test: RigTest, bearing: Bearing) -> None:

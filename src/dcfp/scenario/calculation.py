@@ -7,6 +7,7 @@ from typing import Any
 
 from dcfp.comparison import Case, Setting, compare
 from dcfp.comparison.nominal import Nominal
+from dcfp.notebook import card, with_units
 from dcfp.record.ground_motion import GroundMotion
 from dcfp.response import Response, respond
 from dcfp.scenario.scenario import Scenario
@@ -34,6 +35,10 @@ class Result:
     response: Response
     case: Case
 
+    def _repr_html_(self) -> str:
+        title = f"Response to {self.motion.name}"
+        return card(title, with_units(self.response.summary()), remarks=self.response.remarks)
+
 
 @dataclass(frozen=True, eq=False)
 class Calculation:
@@ -60,6 +65,13 @@ class Calculation:
     def summary(self) -> list[dict[str, Any]]:
         """The peaks of each analysis, as the JSON of ``dcfp respond`` has them, with its remarks."""
         return [{**one.response.summary(), "remarks": list(one.response.remarks)} for one in self.results]
+
+    def _repr_html_(self) -> str:
+        rows = [
+            with_units({key: value for key, value in row.items() if key != "remarks"}) for row in self.summary
+        ]
+        remarks = [remark for one in self.results for remark in one.response.remarks]
+        return card(self.scenario.title, rows=rows, remarks=remarks)
 
 
 def calculate(scenario: Scenario, report: Callable[[], None] | None = None) -> Calculation:

@@ -5,6 +5,7 @@ from functools import cached_property
 
 from dcfp.bearing import Model
 from dcfp.errors import InputError
+from dcfp.notebook import card
 from dcfp.record.ground_motion import GroundMotion
 from dcfp.study import Study
 
@@ -94,3 +95,12 @@ class Scenario:
                 motion = self.study.motions[int(record)]
                 found.append(motion if scale == 1.0 else motion.scaled(float(scale)))
         return found
+
+    def _repr_html_(self) -> str:
+        facts = {
+            "bearing": self.model.bearing.name,
+            "friction": repr(self.model.friction),
+            "heating": repr(self.model.heating),
+            "ground motions": tuple(motion.name for motion in self.motions),
+        }
+        return card(self.title, facts)

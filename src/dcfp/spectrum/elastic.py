@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
+from dcfp.notebook import fields_card
 
 
 class ElasticSpectrum(Protocol):
@@ -84,3 +85,6 @@ class TabulatedSpectrum:
         found = np.exp(np.interp(np.log(within), np.log(self.periods), np.log(self.accelerations)))
         beyond = np.maximum(wanted / self.periods[-1], 1.0)
         return np.asarray(found / beyond**2)
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, f"Spectrum {self.name}")

@@ -6,6 +6,7 @@ import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.kernels import oscillators as k
+from dcfp.notebook import fields_card
 from dcfp.record.ground_motion import GroundMotion
 from dcfp.record.stepping import refined
 from dcfp.spectrum.oscillators import DAMPING, PERIODS, checked, coefficients, pieces
@@ -45,6 +46,9 @@ class EnergySpectrum:
     def equivalent_velocity(self) -> FloatArray:
         """V_E = sqrt(2 E / m) of the largest relative input energy [mm/s], shape (n,): Akiyama (1985)."""
         return np.sqrt(2.0 * self.relative)
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, f"Input energy spectra of {self.name}")
 
 
 def input_energy_spectrum(

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
 from dcfp.kernels import oscillators as k
+from dcfp.notebook import fields_card
 from dcfp.record.ground_motion import GroundMotion
 from dcfp.record.stepping import refined
 from dcfp.spectrum.elastic import TabulatedSpectrum
@@ -58,6 +59,9 @@ class ResponseSpectrum:
     @cached_property
     def _table(self) -> TabulatedSpectrum:
         return TabulatedSpectrum(self.periods, np.maximum(self.pseudo_acceleration, _LEAST), self.name)
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, f"Response spectrum of {self.name}")
 
 
 def response_spectrum(

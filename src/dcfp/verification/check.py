@@ -4,6 +4,8 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from dcfp.notebook import fields_card
+
 
 @dataclass(frozen=True)
 class Check:
@@ -41,6 +43,9 @@ class Check:
     note: str
     source: str
     ratio: float | None = None
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, f"{self.group}: {self.name}")
 
 
 @dataclass(frozen=True)

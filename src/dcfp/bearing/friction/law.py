@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.kernels.friction import Law
+from dcfp.notebook import fields_card
 
 
 @dataclass(frozen=True)
@@ -128,3 +129,6 @@ class FrictionLaw(ABC):
             * self.temperature_factor(temperature)
             * self.dose_factor(dose)
         )
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, f"Friction law {self.name}", remarks=(self.caution,) if self.caution else ())

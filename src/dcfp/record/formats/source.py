@@ -40,7 +40,17 @@ def read_source(path: Path) -> SourceText:
     InputError
         If there is no such file, or it is empty, too large, not readable or not text.
     """
-    content = _read_bytes(path)
+    return source_of(_read_bytes(path), path)
+
+
+def source_of(content: bytes, path: Path) -> SourceText:
+    """Return the content of a file as text; `path` is only its name, nothing is read from there.
+
+    Raises
+    ------
+    InputError
+        If it is empty or not text.
+    """
     if not content.strip():
         msg = f"{path}: the file is empty; a record of ground acceleration was expected."
         raise InputError(msg)

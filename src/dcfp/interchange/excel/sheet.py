@@ -1,0 +1,182 @@
+"""A worksheet that is filled from above: headings, tables, remarks."""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+#: Longest text that a cell holds; longer ones are cut.
+_LONGEST_TEXT = 32_767
+#: Longest header or footer.
+_LONGEST_HEADER = 200
+
+#: How numbers are shown, by the unit of their column; the cell holds every digit.
+NUMBER_FORMATS = {
+    "mm": "0.0",
+    "mm/s": "0.0",
+    "m/s": "0.000",
+    "mm/s2": "0.0",
+    "m/s2": "0.000",
+    "kN": "0.0",
+    "N": "0",
+    "N/mm": "0",
+    "N/mm2": "0.00",
+    "degC": "0.0",
+    "°C": "0.0",
+    "s": "0.000",
+    "kN m": "0.00",
+    "–": "0.0000",
+}
+_OTHERWISE = "General"
+#: Numbers that count rather than measure.
+COUNT = "0"
+
+
+@dataclass(frozen=True)
+class Head:
+    """Head of a column.
+
+    Attributes
+    ----------
+    text
+        Its name.
+    unit
+        Empty for words.
+    width
+        Of the column [characters].
+    number_format
+        Of its numbers; empty for the one of the unit.
+    """
+
+    text: str
+    unit: str = ""
+    width: int = 11
+    number_format: str = ""
+
+    @property
+    def label(self) -> str:
+        """The name with the unit."""
+        return f"{self.text} [{self.unit}]" if self.unit else self.text
+
+
+class Formats:
+    """The formats of a workbook, each made once."""
+
+    def __init__(self, book: Any) -> None:
+        self._book = book
+        self._made: dict[str, Any] = {}
+
+    def named(self, name: str, **properties: Any) -> Any:
+        """Return a format, and make it when it is first asked for."""
+        if name not in self._made:
+            self._made[name] = self._book.add_format({"valign": "top", **properties})
+        return self._made[name]
+
+    @property
+    def title(self) -> Any:
+        """Of a heading."""
+        return self.named("title", bold=True, font_size=14)
+
+    @property
+    def head(self) -> Any:
+        """Of the head of a column."""
+        return self.named("head", bold=True, text_wrap=True, bottom=1)
+
+    @property
+    def words(self) -> Any:
+        """Of words, which go on in the next line."""
+        return self.named("words", text_wrap=True)
+
+    @property
+    def line(self) -> Any:
+        """Of words that stay on one line."""
+        return self.named("line")
+
+    def number(self, head: Head) -> Any:
+        """Return the format of the numbers in a column."""
+        shape = head.number_format or NUMBER_FORMATS.get(head.unit, _OTHERWISE)
+        return self.named(f"number {shape}", num_format=shape)
+
+
+class Sheet:
+    """A worksheet and the row that is to be written next."""
+
+    def __init__(self, book: Any, formats: Formats, name: str, title: str) -> None:
+        self.page = book.add_worksheet(name)
+        self.formats = formats
+        self.name = name
+        self.row = 0
+        self._frozen = False
+        self.page.set_landscape()
+        self.page.set_paper(9)  # A4
+        self.page.fit_to_pages(1, 0)
+        # an ampersand begins a code in a header
+        self.page.set_header(f"&L{title.replace('&', '&&')[:_LONGEST_HEADER]}&R&A")
+        self.page.set_footer("&RPage &P of &N")
+
+    def heading(self, text: str) -> None:
+        """Write a heading."""
+        self.page.write_string(self.row, 0, cut(text), self.formats.title)
+        self.row += 1
+
+    def note(self, text: str) -> None:
+        """Write a sentence on a line of its own."""
+        self.page.write_string(self.row, 0, cut(text), self.formats.line)
+        self.row += 1
+
+    def skip(self) -> None:
+        """Leave a line empty."""
+        self.row += 1
+
+    def table(
+        self,
+        heads: Sequence[Head],
+        rows: Sequence[Mapping[str, object] | Sequence[object]],
+        *,
+        frozen: int = 0,
+    ) -> None:
+        """Write a table below what is there.
+
+        Parameters
+        ----------
+        heads
+            Of the columns, which take their widths.
+        rows
+            Cells in the order of the heads, or by their texts.
+        frozen
+            How many columns, and the rows down to the head, stay in sight; of the first table on a sheet that asks for it.
+        """
+        for column, head in enumerate(heads):
+            self.page.set_column(column, column, head.width)
+            self.page.write_string(self.row, column, head.label, self.formats.head)
+        self.row += 1
+        if frozen and not self._frozen:
+            self.page.freeze_panes(self.row, frozen)
+            self.page.repeat_rows(self.row - 1)
+            self._frozen = True
+        for row in rows:
+            cells = [row.get(head.text) for head in heads] if isinstance(row, Mapping) else row
+            for column, (head, cell) in enumerate(zip(heads, cells, strict=True)):
+                self.cell(self.row, column, cell, head)
+            self.row += 1
+
+    def cell(self, row: int, column: int, value: object, head: Head) -> None:
+        """Write one value as what it is; words are never taken for a formula or a link."""
+        if value is None or (isinstance(value, float) and math.isnan(value)):
+            return
+        if isinstance(value, bool):
+            self.page.write_string(row, column, "yes" if value else "no", self.formats.words)
+        elif isinstance(value, (int, float)) and math.isfinite(value):
+            self.page.write_number(row, column, value, self.formats.number(head))
+        else:
+            self.page.write_string(row, column, cut(str(value)), self.formats.words)
+
+
+def cut(text: str) -> str:
+    """Return text as long as a cell can hold."""
+    return text if len(text) <= _LONGEST_TEXT else f"{text[: _LONGEST_TEXT - 3]}..."
+
+
+def shown_unit(unit: str) -> str:
+    """Return a unit as a reader knows it: ``"mm s-1"`` is ``"mm/s"``."""
+    return {"1": "–", "m s-1": "m/s", "mm s-1": "mm/s"}.get(unit, unit)
