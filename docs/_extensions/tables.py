@@ -1,0 +1,252 @@
+"""Tables from the package itself: symbols, references, checks and findings."""
+
+import platform
+import re
+from dataclasses import asdict
+from importlib.metadata import PackageNotFoundError
+from importlib.metadata import version as installed
+from typing import Any
+
+from docutils import nodes
+from kept import kept
+from sphinx.application import Sphinx
+from sphinx.util.docutils import SphinxDirective
+
+from dcfp.citations import bibliography
+from dcfp.nomenclature import nomenclature
+from dcfp.version import version
+
+_VERDICTS = {True: "agrees", False: "FAILS", None: "skipped"}
+_SIGNS = {True: "as printed", False: "differs", None: "not comparable"}
+
+
+def checks() -> list[dict[str, Any]]:
+    """Return the outcome of every check of ``dcfp verify``."""
+
+    def make() -> list[dict[str, Any]]:
+        from dcfp.verification import run_checks
+
+        return [asdict(check) for check in run_checks()]
+
+    return kept("verify", make)
+
+
+def findings() -> list[dict[str, Any]]:
+    """Return the findings of ``dcfp reproduce``."""
+
+    def make() -> list[dict[str, Any]]:
+        from dcfp.reproduction import analyse, findings_of
+        from dcfp.reproduction.analyses import paper_motions
+
+        return [
+            {**asdict(one), "outside": [str(case) for case in one.outside]}
+            for one in findings_of(analyse(paper_motions()))
+        ]
+
+    return kept("reproduce", make)
+
+
+def table(head: list[str], rows: list[list[list[nodes.Node]]], widths: list[int], kind: str) -> nodes.Node:
+    """Return a table whose cells are lists of nodes, in a box that scrolls sideways."""
+    group = nodes.tgroup("", *(nodes.colspec(colwidth=width) for width in widths), cols=len(head))
+    top = nodes.row("", *(nodes.entry("", _small(text)) for text in head))
+    body = nodes.tbody("", *(nodes.row("", *(nodes.entry("", *cell) for cell in row)) for row in rows))
+    group += [nodes.thead("", top), body]
+    return nodes.container("", nodes.table("", group, classes=[kind]), classes=["scroll"])
+
+
+_POWER = re.compile(r"(\d)e([+-])0*(\d+)")
+_UNITS = {"mm/s2": "mm/s²", "N/mm2": "N/mm²", "degC": "°C", "w2": "ω²"}
+_HIGH = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+
+
+def _shown(text: str) -> str:
+    """Return a text with its numbers and units as they are printed."""
+
+    def power(found: re.Match[str]) -> str:
+        sign = "-" if found[2] == "-" else ""
+        return f"{found[1]} · 10{(sign + found[3]).translate(_HIGH)}"
+
+    for plain, printed in _UNITS.items():
+        text = text.replace(plain, printed)
+    return _POWER.sub(power, text)
+
+
+def _small(text: str, kind: str = "") -> nodes.paragraph:
+    text = _shown(text)
+    return nodes.paragraph(text, text, classes=[kind] if kind else [])
+
+
+def _number(value: float | None) -> str:
+    return "–" if value is None else _signed(f"{value:.6g}")
+
+
+def _signed(text: str) -> str:
+    return re.sub(r"^-", "−", text)
+
+
+class Symbols(SphinxDirective):
+    """Every quantity of the nomenclature."""
+
+    def run(self) -> list[nodes.Node]:
+        """List them."""
+        rows = [
+            [
+                [nodes.paragraph("", "", nodes.math(one.symbol, one.symbol))],
+                [_small(one.words)],
+                [_small(_plain(one.unit))],
+                [_small(one.shown.replace("1", "–") if one.shown == "1" else one.shown)],
+                [nodes.paragraph("", "", nodes.literal(one.name, one.name))],
+            ]
+            for one in nomenclature().values()
+        ]
+        return [
+            table(
+                ["Symbol", "Quantity", "Unit inside", "Shown in", "Name in data sets"],
+                rows,
+                [10, 40, 14, 12, 24],
+                "symbols",
+            )
+        ]
+
+
+def _plain(unit: str) -> str:
+    return {"1": "–", "mm s-1": "mm/s", "mm s-2": "mm/s²", "degC": "°C"}.get(unit, unit)
+
+
+class References(SphinxDirective):
+    """The bibliography."""
+
+    def run(self) -> list[nodes.Node]:
+        """List it."""
+        items = nodes.bullet_list(classes=["references"])
+        for key, entry in sorted(bibliography().items()):
+            authors = [name.strip() for name in entry["author"].split(" and ")]
+            who = ", ".join(authors[:-1]) + f" and {authors[-1]}" if len(authors) > 1 else authors[0]
+            place = entry["journal"]
+            if "volume" in entry:
+                place += f" {entry['volume']}" + (f"({entry['number']})" if "number" in entry else "")
+            if "pages" in entry:
+                place += f", {entry['pages']}"
+            line = nodes.paragraph(
+                "", "", nodes.Text(f"{who} ({entry['year']}). "), nodes.emphasis("", entry["title"])
+            )
+            line += nodes.Text(f". {place.replace('--', '–')}.")
+            if "doi" in entry:
+                line += nodes.Text(" ")
+                line += nodes.reference("", f"doi:{entry['doi']}", refuri=f"https://doi.org/{entry['doi']}")
+            items += nodes.list_item("", line, ids=[nodes.make_id(f"reference-{key}")])
+        return [items]
+
+
+class Verification(SphinxDirective):
+    """The checks of one group; without a group, how many there are in each."""
+
+    optional_arguments = 1
+    final_argument_whitespace = True
+
+    def run(self) -> list[nodes.Node]:
+        """List the checks."""
+        found = checks()
+        if not self.arguments:
+            return self._summary(found)
+        chosen = [check for check in found if check["group"] == self.arguments[0]]
+        if not chosen:
+            msg = f"dcfp verify has no group {self.arguments[0]!r}."
+            raise self.error(msg)
+        rows = [self._row(check) for check in chosen]
+        return [
+            table(
+                ["Check", "Found", "Reference", "Difference", "Allowed", "Verdict"],
+                rows,
+                [44, 12, 12, 12, 12, 8],
+                "checks",
+            )
+        ]
+
+    def _row(self, check: dict[str, Any]) -> list[list[nodes.Node]]:
+        about: list[nodes.Node] = [_small(check["name"], "name")]
+        if check["source"]:
+            about.append(_small(f"Against: {check['source']}.", "source"))
+        if check["note"]:
+            about.append(_small(check["note"], "note"))
+        unit = "" if check["unit"] == "-" else f" {check['unit']}"
+        return [
+            about,
+            [_small(_number(check["computed"]) + unit)],
+            [_small(_number(check["expected"]) + unit)],
+            [_small(_signed(check["difference"]))],
+            [_small(_signed(check["tolerance"]))],
+            [_small(_VERDICTS[check["passed"]], f"verdict-{check['passed']}".lower())],
+        ]
+
+    def _summary(self, found: list[dict[str, Any]]) -> list[nodes.Node]:
+        lines = [
+            "| group | checks | agree | fail | skipped | nearest to its limit, difference over allowed |",
+            "|---|---:|---:|---:|---:|---|",
+        ]
+        for group in dict.fromkeys(check["group"] for check in found):
+            chosen = [check for check in found if check["group"] == group]
+            verdicts = [check["passed"] for check in chosen]
+            worst = max(chosen, key=lambda check: check["ratio"] or 0.0)
+            nearest = f"{100.0 * (worst['ratio'] or 0.0):.0f} %: {_shown(worst['name'])}"
+            place = nodes.make_id(group)
+            lines.append(
+                f"| [{group}](#{place}) | {len(chosen)} | {verdicts.count(True)} | {verdicts.count(False)} | {verdicts.count(None)} | {nearest} |"
+            )
+        return self.parse_text_to_nodes("\n".join(lines))
+
+
+class Made(SphinxDirective):
+    """How the numbers of a page were made, and with which versions."""
+
+    required_arguments = 1
+    final_argument_whitespace = True
+
+    def run(self) -> list[nodes.Node]:
+        """Say it."""
+        others = ", ".join(f"{name} {_installed(name)}" for name in ("numpy", "scipy", "numba", "openseespy"))
+        text = f"Made by `{self.arguments[0]}` when these pages were built: dcfp {version()}, Python {platform.python_version()}, {others}."
+        return self.parse_text_to_nodes(text)
+
+
+def _installed(name: str) -> str:
+    try:
+        return installed(name)
+    except PackageNotFoundError:
+        return "(not installed)"
+
+
+class Findings(SphinxDirective):
+    """What the paper finds and what is found here."""
+
+    def run(self) -> list[nodes.Node]:
+        """List the findings."""
+        rows = [
+            [
+                [
+                    _small(one["name"], "name"),
+                    _small(f"Printed in: {one['place']}.", "source"),
+                    *([_small(one["words"], "note")] if one["words"] else []),
+                    *(_small(case, "note") for case in one["outside"]),
+                ],
+                [_small(one["paper"])],
+                [_small(one["ours"])],
+                [_small(one["hundred"] or "–")],
+                [_small(_SIGNS[one["agrees"]], f"verdict-{one['agrees']}".lower())],
+            ]
+            for one in findings()
+        ]
+        return [
+            table(["Finding", "Printed", "Ours", "100 components", ""], rows, [40, 16, 16, 18, 10], "checks")
+        ]
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Register with Sphinx."""
+    app.add_directive("dcfp-symbols", Symbols)
+    app.add_directive("dcfp-references", References)
+    app.add_directive("dcfp-verification", Verification)
+    app.add_directive("dcfp-findings", Findings)
+    app.add_directive("dcfp-made", Made)
+    return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

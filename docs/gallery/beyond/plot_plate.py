@@ -1,0 +1,20 @@
+"""
+Temperature along the plate
+===========================
+
+The precise model in the test T06 of Table 2 (±400 mm, three cycles): the contact keeps entering plate that is cooler, which is why one point at the centre is not enough.
+"""
+
+import dcfp
+from dcfp.plots.rig_sheet import plot_test
+from dcfp.rig import run_program
+
+program = dcfp.load_program("asce")
+loops = run_program(
+    program.only(["T06"]),
+    dcfp.LI_2020,
+    dcfp.Li2020(),
+    dcfp.PreciseHeating(),
+    profile_every=20,
+)
+figure = plot_test(loops[0])

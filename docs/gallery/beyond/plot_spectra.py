@@ -1,0 +1,17 @@
+"""
+Spectra of a set of records
+===========================
+
+Elastic response and input energy of the four records at 0.5 m/s.
+"""
+
+import dcfp
+from dcfp.plots.spectra import plot_spectra
+from dcfp.spectrum import input_energy_spectrum
+
+motions = [
+    dcfp.load_motion(name).scaled_to_pgv(500.0) for name in ("NCC", "KNA", "LPG", "IVD")
+]
+figure = plot_spectra(
+    [input_energy_spectrum(motion) for motion in motions], [500.0] * 4
+)

@@ -1,0 +1,31 @@
+r"""
+Figure 26: energies from the PGV alone
+======================================
+
+**In the paper**: the largest V\ :sub:`dE` and V\ :sub:`dEhr` with the lines of Eqs (31) and (32).
+
+**Here**: the same lines, to the last printed digit, with our analyses. They run through the points, not above them.
+"""
+
+import dcfp
+from dcfp.comparison import printed
+from dcfp.comparison.quantities import HYSTERETIC, INPUT
+from dcfp.plots.li_2020 import paper_figures
+from dcfp.prediction.li_2020 import predict_from_pgv
+from dcfp.record.named import VELOCITIES
+
+records = [dcfp.load_motion(name) for name in ("NCC", "KNA", "LPG", "IVD")]
+cases = [
+    dcfp.compare(record.scaled_to_pgv(pgv), keep_response=True)
+    for record in records
+    for pgv in VELOCITIES
+]
+drawn = {one.number: one for one in paper_figures(cases, {})}
+figure = drawn["26"].figure
+
+for pgv, known in printed.DESIGN.items():
+    said = predict_from_pgv(pgv)
+    print(
+        f"PGV {pgv / 1e3:.2f} m/s: V_dE {said.input_velocity:.1f} (paper {known[INPUT][0]:.1f}),"
+        f" V_dEhr {said.hysteretic_velocity:.1f} (paper {known[HYSTERETIC][0]:.1f}) mm/s"
+    )
