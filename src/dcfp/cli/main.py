@@ -12,12 +12,15 @@ from dcfp.errors import DcfpError, InputError
 
 #: Each sub-command, the module of this package that it is in, and what it does.
 COMMANDS = {
+    "app": "the web page: response, test machine and design chart in a browser",
     "building": "a multi-storey shear building on the bearing, beside the rigid structure",
     "codes": "what ASCE 7, Eurocode 8 and the AIJ say, with their verdicts",
     "compare": "predictions against response history analysis: ratios, scatter, refitted constants",
+    "export": "a scenario for OpenSees, for spreadsheets, or as NetCDF and CSV",
     "identify": "friction law from measured tests",
     "predict": "displacement and energy from velocity pulses, or from the PGV alone",
     "records": "named records, or what is in a record file",
+    "report": "calculation report of a scenario, as PDF or HTML",
     "reproduce": "the findings and figures of Li et al. (2020), section 6, beside our own",
     "respond": "response history analysis",
     "spectrum": "elastic response and input energy spectra of records",
