@@ -30,7 +30,7 @@ class Projection:
     duration
         Of all analyses [s].
     size
-        Of the store, uncompressed [byte].
+        Of the results, uncompressed [byte].
     """
 
     analyses: int

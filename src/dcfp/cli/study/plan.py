@@ -65,7 +65,7 @@ def _print(plan: "Plan", threads: int, found: "Projection") -> None:
                     f"about {duration(found.duration)}: {found.rate:,.0f} analyses/s on {threads} threads, from {found.tried:,} that were"
                     " timed",
                 ),
-                ("Store", f"at most {found.size / 1e6:,.1f} MB"),
+                ("Results", f"{found.size / 1e6:,.3g} MB before they are compressed"),
             ],
         )
         out.print()
