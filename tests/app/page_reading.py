@@ -1,0 +1,44 @@
+"""What the tests read from a page, and do to it."""
+
+from pathlib import Path
+from typing import Any
+
+#: Tiles of the page in their order.
+DISPLACEMENT, SWING, RESIDUAL, INPUT, FORCE, RATIO, TEMPERATURE, FRICTION = range(8)
+
+
+def tile(page: Any, number: int) -> str:
+    """The number in a tile."""
+    return page.locator(f'[data-tile="{number}"]').inner_text()
+
+
+def wait_for_tile(page: Any, number: int, text: str) -> None:
+    """Wait until a tile shows a text."""
+    page.wait_for_function(
+        "([number, text]) => document.querySelector(`[data-tile='${number}']`)?.textContent === text",
+        arg=[number, text],
+        timeout=15_000,
+    )
+
+
+def send(page: Any, *paths: Path) -> None:
+    """Send files."""
+    page.locator("input[type=file]").set_input_files([str(path) for path in paths])
+
+
+def fill(page: Any, label: str, value: str) -> None:
+    """Write into a field."""
+    page.get_by_label(label, exact=True).first.fill(value)
+
+
+def show(page: Any, name: str) -> None:
+    """Go to one of the three pages."""
+    page.get_by_role("button", name=name, exact=True).click()
+
+
+def slide(page: Any, label: str, key: str, times: int = 1) -> None:
+    """Move a slider with the keyboard."""
+    slider = page.get_by_role("slider", name=label)
+    slider.focus()
+    for _ in range(times):
+        page.keyboard.press(key)

@@ -1,0 +1,123 @@
+"""The page for everyone: on a telephone, with the keyboard, in the dark."""
+
+import pytest
+
+from .page_reading import DISPLACEMENT, show, slide, tile
+
+PAGES = ("Response", "Test machine", "Design chart")
+
+
+@pytest.mark.parametrize("width", [375, 860, 1280])
+def test_nothing_sticks_out_at_the_side(open_page, width):
+    page = open_page(width, 760)
+    for name in PAGES:
+        show(page, name)
+        page.wait_for_timeout(400)
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+
+
+def focused_names(page, count: int) -> list[str]:
+    names: list[str] = []
+    for _ in range(count):
+        page.keyboard.press("Tab")
+        names.append(
+            page.evaluate(
+                """() => {
+                    const one = document.activeElement;
+                    const label = one.labels?.[0]?.textContent ?? '';
+                    return (one.getAttribute('aria-label') ?? label ?? '') || one.textContent.trim();
+                }"""
+            )
+        )
+    return names
+
+
+def test_every_control_can_be_reached_in_order(open_page):
+    page = open_page()
+    names = focused_names(page, 60)
+    expected = [
+        "Skip to the page",
+        "Unit of lengths",
+        "Theme: system",
+        "Response",
+        "Test machine",
+        "Design chart",
+        "Records",
+        "PGV of every record",
+        "As recorded, not scaled",
+        "Radius, lower plate [mm]",
+        "Slider diameter [mm]",
+        "Friction law",
+        "Reference µ [–]",
+        "Bearing of the paper",
+        "Play",
+        "Time in the record",
+        "Scenario (TOML)",
+        "Figure (PNG)",
+    ]
+    places = [next((i for i, name in enumerate(names) if name.startswith(one)), -1) for one in expected]
+    missing = [one for one, place in zip(expected, places, strict=True) if place < 0]
+    assert not missing, "; ".join(names)
+    assert places == sorted(places), list(zip(expected, places, strict=True))
+
+
+def test_the_focus_can_be_seen(open_page):
+    page = open_page()
+    for _ in range(6):
+        page.keyboard.press("Tab")
+    assert page.evaluate("getComputedStyle(document.activeElement).outlineStyle") == "solid"
+
+
+def test_the_first_link_skips_to_the_page(open_page):
+    page = open_page()
+    page.keyboard.press("Tab")
+    page.keyboard.press("Enter")
+    assert page.evaluate("document.activeElement.tagName") == "MAIN"
+
+
+def test_a_slider_says_what_it_is_and_where_it_stands(open_page):
+    page = open_page()
+    slider = page.get_by_role("slider", name="PGV of every record")
+    assert (slider.get_attribute("min"), slider.get_attribute("max")) == ("0.05", "1.5")
+    before = tile(page, DISPLACEMENT)
+    slide(page, "PGV of every record", "ArrowRight")
+    page.wait_for_function(
+        "before => document.querySelector('[data-tile=\"0\"]').textContent !== before", arg=before
+    )
+    assert slider.get_attribute("aria-valuetext") == "0.51 m/s"
+
+
+def background(page) -> int:
+    """How bright the page is, from 0 to 765."""
+    return page.evaluate(
+        "getComputedStyle(document.body).backgroundColor.match(/\\d+/g).slice(0, 3).reduce((a, b) => a + Number(b), 0)"
+    )
+
+
+def test_the_theme_follows_the_system_and_can_be_turned(open_page):
+    dark = open_page(color_scheme="dark")
+    assert background(dark) < 200
+    light = open_page(color_scheme="light")
+    assert background(light) > 600
+    button = light.get_by_role("button", name="Theme:")
+    button.click()
+    light.get_by_role("button", name="Theme: light").click()
+    light.get_by_role("button", name="Theme: dark").wait_for()
+    light.wait_for_function("document.body.classList.contains('body--dark')")
+    assert background(light) < 200
+
+
+#: Inputs that can be seen and have no name.
+NAMELESS = """() => [...document.querySelectorAll('input, select, textarea, button, [role=slider], [role=switch], canvas[role=img]')]
+    .filter((one) => one.offsetParent !== null)
+    .filter((one) => !one.getAttribute('aria-label') && !one.labels?.length && !one.textContent.trim())
+    .filter((one) => !one.closest('[role=switch], .q-chip'))
+    .map((one) => one.outerHTML.slice(0, 120))"""
+
+
+def test_every_input_has_a_name(open_page):
+    page = open_page()
+    for name in PAGES:
+        show(page, name)
+        page.wait_for_timeout(400)
+        assert page.evaluate(NAMELESS) == []
