@@ -16,6 +16,7 @@ def served(monkeypatch) -> list[tuple[str, int, bool]]:
     from dcfp.app import serve
 
     found: list[tuple[str, int, bool]] = []
+    monkeypatch.setattr(serve, "check_address", lambda host, port: None)
     monkeypatch.setattr(serve, "serve", lambda host, port, show: found.append((host, port, show)))
     return found
 
@@ -49,7 +50,10 @@ def test_without_nicegui_there_is_one_sentence(monkeypatch, capsys):
     monkeypatch.setitem(sys.modules, "nicegui", None)
     assert main(["app"]) == 2
     said = capsys.readouterr().err
-    assert said == "dcfp: the web page needs the package nicegui; pip install 'dcfp[app]'\n"
+    assert (
+        said
+        == "dcfp: the web page needs the package nicegui, which is not installed: pip install 'dcfp[app]' brings it.\n"
+    )
 
 
 def test_a_port_that_is_taken(capsys):

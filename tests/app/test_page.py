@@ -64,9 +64,11 @@ def test_another_bearing_gives_other_numbers(open_page):
     wait_for_tile(page, TEMPERATURE, f"{response.peak_temperature:.0f}")
     fill(page, "Radius, lower plate [mm]", "")
     page.get_by_role("alert").filter(has_text="The radius of the lower plate [mm] is missing.").wait_for()
+    page.get_by_text("of the last valid input").wait_for()
     page.get_by_role("button", name="Bearing of the paper").first.click()
     wait_for_tile(page, DISPLACEMENT, displacement(dcfp.respond(motion)))
     assert not page.get_by_role("alert").filter(has_text="missing").is_visible()
+    assert not page.get_by_text("of the last valid input").is_visible()
 
 
 def test_precise_heating_shows_the_plate(open_page):

@@ -35,7 +35,7 @@ def test_every_law_and_heating_can_be_chosen():
 def test_an_empty_field_and_one_out_of_range_are_said(name):
     with pytest.raises(InputError, match="is missing"):
         BearingForm(**{name: None}).model()
-    with pytest.raises(InputError, match=r"must be from .* to .*, not 1e\+09"):
+    with pytest.raises(InputError, match=r"must be from .* to .*, not 1000000000"):
         BearingForm(**{name: 1e9}).model()
 
 

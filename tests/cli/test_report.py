@@ -39,8 +39,8 @@ def test_json_holds_the_numbers_and_writes_a_file_only_where_one_is_named(
     assert list(folder.iterdir()) == []
     (case,) = json.loads(out)["cases"]
     respond = json.loads(run("respond", scenario.with_name("pulse.txt"), "--units", "m/s2", "--json").out)[0]
-    assert {key: case[key] for key in respond if key not in ("elapsed_s", "remarks")} == {
-        key: value for key, value in respond.items() if key not in ("elapsed_s", "remarks")
+    assert {key: case[key] for key in respond if key != "elapsed_s"} == {
+        key: value for key, value in respond.items() if key != "elapsed_s"
     }
     assert set(respond) <= set(case)
     status, again, err = run("report", scenario, "--json", "--out", "page.html")
@@ -59,6 +59,7 @@ def test_json_holds_the_numbers_and_writes_a_file_only_where_one_is_named(
         (("{study}",), "a scenario has one bearing, but factor 'mu' has 2 values"),
         (("{broken}",), "this is not TOML"),
         (("{unknown}",), "[report] has no 'colour'"),
+        (("{number}",), "[report] author must be words in quotes, not 5"),
         (("{silent}",), "there is no factor 'record'"),
     ],
 )
@@ -71,6 +72,7 @@ def test_what_is_wrong_gets_one_sentence(
         "study": SCENARIO.replace("[motion]", "mu = [0.05, 0.06]\n[motion]"),
         "broken": "title = ",
         "unknown": SCENARIO + 'colour = "red"\n',
+        "number": SCENARIO + "author = 5\n",
         "silent": 'title = "T"\n',
     }
     places = {name: scenario.with_name(f"{name}.toml") for name in files}

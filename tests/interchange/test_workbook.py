@@ -110,7 +110,7 @@ def test_predictions_and_codes_are_those_of_the_json_with_their_verdicts(book, c
                 condition["limit"],
                 condition["source"],
             )
-            assert str(row["Confirmed in the source"]).startswith("yes" if condition["confirmed"] else "no")
+            assert row["Confirmed in the source"] == ("yes" if condition["confirmed"] else "unconfirmed")
 
 
 def test_the_inputs_say_what_and_from_where(book, calculation) -> None:

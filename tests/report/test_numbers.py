@@ -37,7 +37,12 @@ def test_numbers_are_those_of_the_analyses(calculation: Calculation, document: D
             "design",
             "pulse march",
         }
-        assert case["record_sha256"] == one.motion.digest
+        (record,) = (m for m in calculation.scenario.study.motions if m.name == one.motion.name)
+        assert (case["record_sha256"], case["scaled_record_sha256"]) == (record.digest, one.motion.digest)
+        assert case["remarks"] == [
+            f"{one.motion.name}: {'; '.join(one.motion.treatment)}.",
+            *one.response.remarks,
+        ]
     assert numbers["kernels_sha256"]
     assert numbers["version"] == dcfp.version()
 
@@ -53,11 +58,17 @@ def test_predictions_and_codes_are_in_the_text(document: Document, text: str) ->
     for case in document.numbers["cases"]:
         for said in case["predictions"]:
             values = [written(key, said[key]) for key in ("dy_mm", "V_dE_mm_s", "V_dEhr_mm_s", "y_mm")]
-            assert " ".join([said["method"], bases[said["basis"]], *values]) in text
+            march = said["method"] == "pulse march"
+            bound = said["y_mm"] if march else said["dy_mm"]
+            change, largest = said["ratios"]["dy"], bound / case["y_max_mm"]
+            values += [written("ratio", change), written("ratio", largest)]
+            word = "above analysis" if (largest if march else change) >= 1.0 else "below analysis"
+            assert " ".join([said["method"], bases[said["basis"]], *values, word]) in text
         for said in case["codes"]:
             keys = ("displacement_mm", "base_shear_over_weight", "effective_period_s", "effective_damping")
             ratio = written("ratio", said["displacement_mm"] / case["y_max_mm"])
-            row = " ".join([said["method"], *(written(key, said[key]) for key in keys), ratio])
+            word = "above analysis" if said["displacement_mm"] >= case["y_max_mm"] else "below analysis"
+            row = " ".join([said["method"], *(written(key, said[key]) for key in keys), ratio, word])
             assert row in text
             assert said["verdict"] in text
 
@@ -96,6 +107,22 @@ def test_the_head_says_who_and_what(document: Document, text: str, reading) -> N
         assert reading.plain(word) in text
     assert f"dcfp {dcfp.version()}" in text
     assert document.numbers["kernels_sha256"] in text
+    for name, version in document.numbers["versions"].items():
+        assert f"{name} {version}" in text
+
+
+def test_sources_are_those_of_the_methods(document: Document, text: str, reading) -> None:
+    references = document.numbers["references"]
+    assert any("Applied Sciences, 10(15), 5259. doi:" in line for line in references)
+    for word in ("EN 1998-1", "EN 1998-2", "Architectural Institute", "Akiyama", "Iwan", "Hadjian", "P-695"):
+        assert any(word in line for line in references)
+    for line in references:
+        assert reading.plain(line).split(" doi:")[0] in text
+
+
+def test_the_record_printed_is_the_one_before_scaling(document: Document, text: str) -> None:
+    for case in document.numbers["cases"]:
+        assert f"before scaling {case['record_sha256']}" in text
 
 
 def test_what_could_not_be_confirmed_says_so(document: Document, text: str, reading) -> None:

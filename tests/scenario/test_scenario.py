@@ -71,6 +71,10 @@ def test_what_is_written_reads_back_as_the_same(tmp_path, model: Model) -> None:
     assert scenario.study.factors == {"record": ["NCC"], "pgv": [250.0, 500.0]}
 
 
+def test_a_date_of_toml_is_its_own_text(tmp_path) -> None:
+    assert read_scenario(write(tmp_path, TEXT + "date = 2026-01-31\n")).heading.date == "2026-01-31"
+
+
 @pytest.mark.parametrize(
     ("text", "words"),
     [
@@ -79,6 +83,8 @@ def test_what_is_written_reads_back_as_the_same(tmp_path, model: Model) -> None:
         (TEXT.replace("[bearing]", 'procedure = ["analysis"]\n[bearing]'), "leave out the factor 'procedure'"),
         (TEXT.replace("values = [0.25, 0.5]", "from = 0.1, to = 1, count = 21"), "at most 40 analyses, not 42"),
         (TEXT + 'colour = "red"\n', "[report] has no 'colour'; it has project, client"),
+        (TEXT.replace('"A. Engineer"', "5"), "[report] author must be words in quotes, not 5."),
+        (TEXT.replace('"A. Engineer"', "2026-01-31"), "[report] author must be words in quotes, not 2026-01-31."),
         ("report = 3\n" + TEXT.split("[report]")[0], "'report' must be a table"),
     ],
 )  # fmt: skip

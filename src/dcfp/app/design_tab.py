@@ -69,7 +69,9 @@ class DesignTab:
             self._chart = Chart("Displacement over friction and radius", "middle")
         with card("Least friction that holds", "h3"):
             self._table = Grid("Least coefficient of friction that holds the displacement, by radius")
-        with card("Displacement against friction", "h3", "A line for each radius, the strongest the smallest."):
+        with card(
+            "Displacement against friction", "h3", "A line for each radius, the strongest the smallest."
+        ):
             self._curves = Chart("Displacement against friction for each radius")
         with card("Take it away", "h3"), ui.element("div").classes("actions"):
             action("Figure (PNG)", self._give_figure)

@@ -134,7 +134,8 @@ class BearingForm:
             raise InputError(msg)
         limits = LIMITS[name]
         if not limits.least <= value <= limits.most:
-            msg = f"The {words} must be from {limits.least:g} to {limits.most:g} {unit}, not {value:g}."
+            shown = "" if unit == "-" else f" {unit}"
+            msg = f"The {words} must be from {limits.least:g} to {limits.most:g}{shown}, not {value:.12g}."
             raise InputError(msg)
         return float(value)
 

@@ -80,6 +80,11 @@ class ResponseResults:
         """Say whether something is being calculated."""
         self._busy.text = "Calculating …" if busy else ""
 
+    def say_old(self) -> None:
+        """Say that what is shown is not of the input that was refused since."""
+        self._status.text = "of the last valid input"
+        self._status.classes(replace="status old")
+
     def show(self, responses: list[Response], number: int, units: Units) -> None:
         """Show analyses, one of them in all detail."""
         one = responses[number]

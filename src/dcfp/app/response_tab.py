@@ -98,6 +98,7 @@ class ResponseTab:
     def _complain(self, sentence: str) -> None:
         if not self._client.is_deleted:
             self._alert.say(sentence)
+            self._results.say_old()
             self._results.say_busy(False)
 
     def _pick(self, number: int) -> None:
@@ -122,7 +123,7 @@ class ResponseTab:
                 self._add_download(label, name, make)
         Text(
             "p",
-            "Your files stay in the memory of this page and are gone when you close it. A scenario names them as beside itself.",
+            "Your files stay in the memory of this page and are gone when you close it. A scenario file looks for them in its own folder.",
         ).classes("note")
 
     def _add_download(self, label: str, name: str, make: Callable[[], bytes]) -> None:

@@ -36,13 +36,7 @@ def serve(host: str, port: int, *, show: bool) -> None:
         Where.
     show
         Whether a browser is opened.
-
-    Raises
-    ------
-    InputError
-        If the port cannot be used.
     """
-    _check(host, port)
     surveys = Surveys()
 
     @ui.page("/", title="dcfp", response_timeout=30.0)
@@ -67,8 +61,14 @@ def serve(host: str, port: int, *, show: bool) -> None:
     )
 
 
-def _check(host: str, port: int) -> None:
-    """Find out in time whether the port can be used."""
+def check_address(host: str, port: int) -> None:
+    """Find out in time whether the page can be served there.
+
+    Raises
+    ------
+    InputError
+        If not.
+    """
     try:
         family, _, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
         with socket.socket(family, socket.SOCK_STREAM) as test:

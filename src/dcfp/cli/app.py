@@ -25,12 +25,13 @@ def run(chosen: argparse.Namespace) -> int:
     """Serve the page until the process is interrupted."""
     try:
         # late, so that a slip in the command is answered at once
-        from dcfp.app.serve import is_local, serve
+        from dcfp.app.serve import check_address, is_local, serve
     except ModuleNotFoundError as error:
         if error.name != "nicegui":
             raise
-        msg = "the web page needs the package nicegui; pip install 'dcfp[app]'"
+        msg = "the web page needs the package nicegui, which is not installed: pip install 'dcfp[app]' brings it."
         raise InputError(msg) from error
+    check_address(chosen.host, chosen.port)
     if not is_local(chosen.host):
         print(
             f"dcfp: anyone who can reach port {chosen.port} of this machine can use the page; it asks for no password.",

@@ -2,9 +2,10 @@
 
 from typing import TYPE_CHECKING
 
-from dcfp.cli.remarks import grouped, motion_remarks
+from dcfp.cli.remarks import grouped
 from dcfp.cli.response_table import bearing_line
 from dcfp.cli.tables import add_row, new_table, page, print_labelled, print_remarks
+from dcfp.record.remarks import motion_remarks
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

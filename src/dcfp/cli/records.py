@@ -66,8 +66,8 @@ class Described:
     @classmethod
     def of(cls, motion: "GroundMotion") -> "Described":
         """Measure a motion."""
-        from dcfp.cli.remarks import motion_remarks
         from dcfp.record.measures import measure
+        from dcfp.record.remarks import motion_remarks
 
         return cls(motion, measure(motion), motion_remarks(motion))
 

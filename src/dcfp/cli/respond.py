@@ -41,8 +41,8 @@ def run(chosen: argparse.Namespace) -> int:
     inputs.record_names(chosen)
     outputs = Outputs.checked(chosen, inputs.input_files(chosen), (*DATA_EXTENSIONS, _WORKBOOK, _SCRIPT))
     # late, so that a slip in the command is answered at once
-    from dcfp.cli.remarks import remarks_on
     from dcfp.cli.response_table import print_responses
+    from dcfp.response.remarks import remarks_on
 
     model = inputs.model(chosen)
     records = inputs.load_motions(chosen)

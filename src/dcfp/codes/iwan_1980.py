@@ -124,7 +124,7 @@ def equivalent_linear(
         Condition(
             "ductility, displacement over yield displacement",
             Verdict.NOT_KNOWN if ductility < LEAST_DUCTILITY else at_most(ductility, LARGEST_DUCTILITY),
-            f"{ductility:.3g}",
+            f"{ductility:.0f}" if ductility >= 100.0 else f"{ductility:.3g}",
             "at most 8, fitted from 2 to 8",
             NAME,
             confirmed=False,

@@ -29,7 +29,7 @@ def bearing_formulas(calculation: Calculation) -> tuple[Formula, ...]:
         Formula("Period of the pendulum", "T = 2 pi sqrt(R / g)", f"2 pi sqrt({number(radius, 1)} / (1000 times {g}))", bearing.period, 3, "s", f"{_PAPER}, section 5.1"),
         Formula("The same from mass and stiffness", 'T = 2 pi sqrt(m / k_"ra")', f"2 pi sqrt({mass} / (1000 times {number(bearing.restoring_stiffness / _KILO, 4)}))", 2.0 * math.pi * math.sqrt(bearing.mass / bearing.restoring_stiffness), 3, "s", "mechanics"),
         Formula("Displacement at yield, with the nominal coefficient", "r_f = (mu_n N) / k_f", f"({mu_n:.5f} times {number(load, 2)}) / {k_f}", mu_n * bearing.vertical_force / bearing.elastic_stiffness, 4, "mm", f"{_PAPER}, section 5.1"),
-        Formula("Largest displacement at rest, with the nominal coefficient", "d_r = mu_n R", f"{mu_n:.5f} times {number(radius, 1)}", mu_n * radius, 1, "mm", "mechanics"),
+        Formula("Largest displacement at rest, with the nominal coefficient (the check of the residual takes the coefficient at the end of each analysis)", "d_r = mu_n R", f"{mu_n:.5f} times {number(radius, 1)}", mu_n * radius, 1, "mm", "mechanics"),
         Formula("Half side of the square with the area of the contact", "(sqrt(pi) phi) / 4", f"(sqrt(pi) times {phi}) / 4", bearing.contact_half_side, 2, "mm", f"{_PAPER}, Eq. (12)"),
-        *(() if heating.name == "none" else (Formula("Factor before the integral of the temperature, in °C mm √s / N", "sqrt(D) / (k sqrt(pi))", f"sqrt({heating.diffusivity:.10g}) / ({heating.conductivity:.10g} sqrt(pi))", heating.rise_factor, 5, "", f"{_PAPER}, Eq. (11)"),)),
+        *(() if heating.name == "none" else (Formula("Factor before the integral of the temperature, in °C mm √s / N", "sqrt(D) / (k sqrt(pi))", f"sqrt({heating.diffusivity:.10g}) / ({heating.conductivity:.10g} times sqrt(pi))", heating.rise_factor, 5, "", f"{_PAPER}, Eq. (11)"),)),
     )  # fmt: skip

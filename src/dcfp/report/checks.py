@@ -104,7 +104,7 @@ def _residual(response: Response) -> Condition:
         "residual displacement one that friction can hold",
         at_most(abs(response.residual_displacement), most),
         f"{written('residual_mm', response.residual_displacement)} mm of {written('residual_mm', most)} mm",
-        "at most the friction at rest times the effective radius",
+        "at most the coefficient of friction at the end times the effective radius",
         "mechanics; no code's limit is set",
     )
 

@@ -1,10 +1,10 @@
 """What a reader must know besides the numbers: remarks, limits, sources, provenance, and the scenario itself."""
 
-from dcfp.citations import citations_of
 from dcfp.kernels._jit import source_digest
-from dcfp.record.measures import baseline_warning
+from dcfp.record.remarks import motion_remarks
 from dcfp.report.document import Block, Bullets, Code, Listing, Section, Table, cells, words
-from dcfp.report.references import citation_keys, record_citations
+from dcfp.report.references import record_citations, sources_of
+from dcfp.report.versions import versions
 from dcfp.scenario import Calculation
 from dcfp.version import version
 
@@ -23,8 +23,7 @@ def remarks_section(calculation: Calculation) -> Section:
     """Return the remarks of all analyses, each once, and the limits of the model."""
     remarks: list[str] = []
     for one in calculation.results:
-        warning = baseline_warning(one.motion)
-        remarks += [*one.response.remarks, *([warning] if warning else [])]
+        remarks += [*motion_remarks(one.motion, with_scale=False), *one.response.remarks]
     found = tuple((remark,) for remark in dict.fromkeys(remarks))
     blocks: tuple[Block, ...] = (Bullets(found),) if found else (words("None."),)
     limits = Bullets(tuple((limit,) for limit in _LIMITS))
@@ -37,15 +36,16 @@ def remarks_section(calculation: Calculation) -> Section:
 
 def sources_section(calculation: Calculation) -> Section:
     """Return the bibliography and what the numbers were made with."""
-    lines = (*citations_of(*citation_keys(calculation)), *record_citations(calculation))
+    lines = (*sources_of(calculation), *record_citations(calculation))
     codes = [name for one in calculation.results for name in one.case.answers]
     if codes:
         lines += (
             f"Methods of codes as dcfp has them, with what could not be confirmed marked: {', '.join(dict.fromkeys(codes))}.",
         )
     made = [cells("Program", f"dcfp {version()}"), cells("Kernels, SHA-256", (Code(source_digest()),))]
+    made += [cells(name, words) for name, words in versions().items()]
     made += [
-        cells(f"Record {motion.name}", (Code(motion.digest),))
+        cells(f"Record {motion.name} before scaling, SHA-256", (Code(motion.digest),))
         for motion in calculation.scenario.study.motions
     ]
     # a user's words take what room the digests leave

@@ -45,7 +45,7 @@ def _equivalent(
     stiffness = pendulum.effective_stiffness(said.displacement)
     per_metre = 1e3 * stiffness
     return (
-        Formula("Effective stiffness over the weight", 'k_"eff" / W = 1 / R + mu_n / D', f"1000 (1 / {radius} + {mu} / {at})", per_metre, 4, "1/m", _MECHANICS),
+        Formula("Effective stiffness over the weight", 'k_"eff" / W = 1 / R + mu_n / D', f"1000 times (1 / {radius} + {mu} / {at})", per_metre, 4, "1/m", _MECHANICS),
         Formula("Effective period", f'{period} = 2 pi sqrt(W / (k_"eff" g))', f"2 pi sqrt(1 / ({number(per_metre, 4)} times 9.80665))", pendulum.effective_period(said.displacement), 3, "s", source),
         Formula("Effective damping", f"{damping} = 2 / pi mu_n / (mu_n + D / R)", f"2 / pi times {mu} / ({mu} + {at} / {radius})", pendulum.effective_damping(said.displacement), 4, "", source),
     )  # fmt: skip
@@ -155,8 +155,8 @@ def _iwan(calculation: Calculation, said: Answer) -> tuple[Formula, ...]:
     return (
         Formula("Period before yielding", 'T_0 = 2 pi sqrt(m / (k_"ra" + k_f))', "", system.initial_period, 5, "s", _MECHANICS),
         Formula("Ductility", "mu_d = D / r_f", f"{_millimetres(said.displacement)} / {number(system.yield_displacement, 5)}", ductility, _digits(ductility), "", source),
-        Formula("Equivalent period", f'T_"eq" = T_0 (1 + {factor:g} (mu_d - 1)^{power:g})', "" if longest else f"{start} (1 + {factor:g} ({d} - 1)^{power:g})", said.period or 0.0, 3, "s", source, confirmed=False),
-        Formula("Equivalent damping, less than critical", f'zeta_"eq" = {added:g} (mu_d - 1)^{damped:g}', "" if capped else f"{added:g} ({d} - 1)^{damped:g}", said.damping or 0.0, 4, "", source, confirmed=False),
+        Formula("Equivalent period", f'T_"eq" = T_0 (1 + {factor:g} (mu_d - 1)^{power:g})', "" if longest else f"{start} times (1 + {factor:g} times ({d} - 1)^{power:g})", said.period or 0.0, 3, "s", source, confirmed=False),
+        Formula("Equivalent damping, less than critical", f'zeta_"eq" = {added:g} (mu_d - 1)^{damped:g}', "" if capped else f"{added:g} times ({d} - 1)^{damped:g}", said.damping or 0.0, 4, "", source, confirmed=False),
         Formula("Displacement of this oscillator under the record", "D", "", said.displacement, _decimals(said.displacement), "mm", "spectrum of the record"),
     )  # fmt: skip
 

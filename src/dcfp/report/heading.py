@@ -26,11 +26,13 @@ def short_title(document: Document) -> str:
     return "  |  ".join(_short(word) for word in (heading.number, heading.project, document.title) if word)
 
 
-def signatories(document: Document) -> tuple[tuple[str, str], ...]:
-    """Return role and name of those who sign."""
+def signatories(document: Document) -> tuple[tuple[str, str, str], ...]:
+    """Return role and name of those who sign, and a line for the date where the report has none."""
+    heading = document.heading
+    asked, date = ("signature, date", "") if heading.date else ("signature", "Date: ________")
     return (
-        ("Calculated by (signature, date)", document.heading.author),
-        ("Checked by (signature, date)", document.heading.checker),
+        (f"Calculated by ({asked})", heading.author, date),
+        (f"Checked by ({asked})", heading.checker, date),
     )
 
 

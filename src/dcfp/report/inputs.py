@@ -179,7 +179,7 @@ def _record(motion: GroundMotion) -> Table:
                 f"PGA {written('pga_m_s2', motion.peak_acceleration / _KILO)} m/s², PGV {written('pgv_m_s', motion.peak_velocity / _KILO)} m/s,"
                 f" {values} values, {short(motion.time_step)} s apart",
             ),
-            ("SHA-256", (Code(motion.digest),)),
+            ("SHA-256 before scaling", (Code(motion.digest),)),
         ]
     )
 

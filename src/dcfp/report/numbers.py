@@ -3,12 +3,13 @@
 from dataclasses import asdict
 from typing import Any
 
-from dcfp.citations import citations_of
 from dcfp.kernels._jit import source_digest
 from dcfp.report.checks import checks_of
 from dcfp.report.digits import DECIMALS
 from dcfp.report.document import Formula
-from dcfp.report.references import citation_keys
+from dcfp.report.references import sources_of
+from dcfp.report.versions import versions
+from dcfp.response.remarks import remarks_on
 from dcfp.scenario import Calculation, Result
 from dcfp.tabulation.comparisons import case_objects
 from dcfp.version import version
@@ -28,12 +29,14 @@ def numbers_of(calculation: Calculation, formulas: tuple[Formula, ...]) -> dict[
     """
     scenario = calculation.scenario
     model = scenario.model
+    digests = {motion.name: motion.digest for motion in scenario.study.motions}
     compared = case_objects([one.case for one in calculation.results], calculation.setting)
     return {
         "title": scenario.title,
         "report": asdict(scenario.heading),
         "version": version(),
         "kernels_sha256": source_digest(),
+        "versions": versions(),
         "decimals": DECIMALS,
         "bearing": asdict(model.bearing)
         | {
@@ -48,11 +51,11 @@ def numbers_of(calculation: Calculation, formulas: tuple[Formula, ...]) -> dict[
         "nominal_friction": calculation.nominal.value,
         "nominal_friction_source": calculation.nominal.source,
         "cases": [
-            _case(one, row, found)
+            _case(one, row, found) | {"record_sha256": digests[one.motion.name]}
             for one, row, found in zip(calculation.results, calculation.summary, compared, strict=True)
         ],
         "formulas": [one.as_numbers() for one in formulas],
-        "references": list(citations_of(*citation_keys(calculation))),
+        "references": list(sources_of(calculation)),
     }
 
 
@@ -77,8 +80,9 @@ def _case(one: Result, row: dict[str, Any], compared: dict[str, Any]) -> dict[st
     return {
         **compared,
         **row,
+        "remarks": remarks_on(one.response),
         "pga_m_s2": motion.peak_acceleration / _KILO,
-        "record_sha256": motion.digest,
+        "scaled_record_sha256": motion.digest,
         "record_origin": asdict(motion.origin),
         "record_treatment": list(motion.treatment),
         "energies": energies_of(one),

@@ -183,8 +183,8 @@ def _formula(formula: Formula) -> str:
 
 def _signatures(document: Document) -> str:
     people = "".join(
-        f'<div><span class="note">{escape(role)}</span><br>{escape(name)}</div>'
-        for role, name in signatories(document)
+        f'<div><span class="note">{escape(role)}</span><br>{escape(name)}{"<br>" if date else ""}{escape(date)}</div>'
+        for role, name, date in signatories(document)
     )
     return f'<div class="signatures">{people}</div>'
 

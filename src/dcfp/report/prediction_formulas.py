@@ -5,8 +5,9 @@ import numpy as np
 from dcfp.prediction.li_2020 import predict_from_pgv, predict_from_pulses, predict_simplified
 from dcfp.prediction.li_2020.pulse_method import amplification, hysteretic_energy, input_energy
 from dcfp.prediction.pulses import Pulses
-from dcfp.report.digits import number
-from dcfp.report.document import Formula
+from dcfp.prediction.result import PulsePrediction
+from dcfp.report.digits import number, written
+from dcfp.report.document import Formula, Maths, Paragraph, Part, Tone, words
 from dcfp.scenario import Calculation, Result
 
 _MEGA = 1e6
@@ -17,7 +18,7 @@ def friction_deceleration(calculation: Calculation) -> Formula:
     """Return ku, which every method needs."""
     constants = calculation.setting.constants
     return Formula(
-        "Slope that friction gives the velocity of the structure",
+        f"Slope that friction gives the velocity of the structure, with the g of {constants.gravity:.10g} mm/s² of these methods (elsewhere 9806.65 mm/s²)",
         "k_u = mu_n g",
         f"{constants.nominal_friction:.5f} times {constants.gravity:.10g}",
         constants.friction_deceleration,
@@ -54,10 +55,10 @@ def pulse_formulas(calculation: Calculation, result: Result) -> tuple[Formula, .
         friction_deceleration(calculation),
         Formula("Ratio of the slopes", "k_u / k_g", f"{u} / {number(before, 1)}", k_u / before, 3, "", f"{_PAPER}, section 6.1"),
         Formula("Factor on velocities and slopes (0.8 to 1: amplified)", "f", "", factor, 2, "", f"{_PAPER}, Figure 17"),
-        Formula(f"Change of displacement{amplified}", "Delta y = ((k_g - k_u) (k_g - k_(g,i+1))) / (2 k_g^2 (k_u - k_(g,i+1))) (Delta v_g)^2", f"(({g} - {u}) ({g} - ({n}))) / (2 times {g}^2 ({u} - ({n}))) {d}^2", said.displacement_change, 1, "mm", f"{_PAPER}, Eq. (20)"),
+        Formula(f"Change of displacement{amplified}", "Delta y = ((k_g - k_u) (k_g - k_(g,i+1))) / (2 k_g^2 (k_u - k_(g,i+1))) (Delta v_g)^2", f"(({g} - {u}) times ({g} - ({n}))) / (2 times {g}^2 times ({u} - ({n}))) times {d}^2", said.displacement_change, 1, "mm", f"{_PAPER}, Eq. (20)"),
         Formula("Equivalent velocity of the energy put in", "V_(Delta E) = sqrt(1 - k_u / k_g) thin Delta v_g", f"sqrt(1 - {u} / {g}) times {d}", said.input_velocity, 1, "mm/s", f"{_PAPER}, Eq. (23)"),
-        Formula("Equivalent velocity of the energy dissipated", 'V_(Delta E "hr") = V_(Delta E) sqrt((k_u (k_g - k_(g,i+1))) / (k_g (k_u - k_(g,i+1))))', f"{number(said.input_velocity, 1)} sqrt(({u} ({g} - ({n}))) / ({g} ({u} - ({n}))))", said.hysteretic_velocity, 1, "mm/s", f"{_PAPER}, Eq. (24)"),
-        Formula("Energy put in", "Delta E = m / 2 (1 - k_u / k_g) (Delta v_g)^2", f"{number(m, 2)} / 2 (1 - {u} / {g}) times {d}^2 / 1000000", put_in, 2, "kN m", f"{_PAPER}, Eq. (22)"),
+        Formula("Equivalent velocity of the energy dissipated", 'V_(Delta E "hr") = V_(Delta E) sqrt((k_u (k_g - k_(g,i+1))) / (k_g (k_u - k_(g,i+1))))', f"{number(said.input_velocity, 1)} times sqrt(({u} times ({g} - ({n}))) / ({g} times ({u} - ({n}))))", said.hysteretic_velocity, 1, "mm/s", f"{_PAPER}, Eq. (24)"),
+        Formula("Energy put in", "Delta E = m / 2 (1 - k_u / k_g) (Delta v_g)^2", f"{number(m, 2)} / 2 times (1 - {u} / {g}) times {d}^2 / 1000000", put_in, 2, "kN m", f"{_PAPER}, Eq. (22)"),
         Formula("Energy dissipated", 'Delta E_"hr" = m k_u Delta y', f"{number(m, 2)} times {u} times {number(said.displacement_change, 1)} / 1000000", taken, 2, "kN m", f"{_PAPER}, Eqs (21), (25)"),
     )  # fmt: skip
 
@@ -81,7 +82,7 @@ def simplified_formulas(calculation: Calculation, result: Result) -> tuple[Formu
     )
     ratio = constants.friction_deceleration / slope
     r, put_in = number(ratio, 3), number(said.input_velocity, 1)
-    part = f"{put_in} sqrt(((1 + {eps}) {r}) / ({eps} + {r}))" if ratio <= 1.0 else put_in
+    part = f"{put_in} times sqrt(((1 + {eps}) times {r}) / ({eps} + {r}))" if ratio <= 1.0 else put_in
     symbols = 'V_(Delta E "hr") = V_(Delta E) sqrt(((1 + epsilon) k_u / k_g) / (epsilon + k_u / k_g))' if ratio <= 1.0 else 'V_(Delta E "hr") = V_(Delta E)'  # fmt: skip
     return (
         Formula("Change of ground velocity of the governing pulse", "Delta v_g = v_(g,i) - v_(g,i-1)", f"{speeds[1]} - ({speeds[0]})", dv, 1, "mm/s", f"{_PAPER}, Eq. (14)"),
@@ -90,6 +91,25 @@ def simplified_formulas(calculation: Calculation, result: Result) -> tuple[Formu
         Formula("Equivalent velocity of the energy dissipated", symbols, part, said.hysteretic_velocity, 1, "mm/s", f"{_PAPER}, Eqs (26), (27)"),
         Formula("Change of displacement", 'Delta y = V_(Delta E "hr")^2 / (2 k_u)', f"{number(said.hysteretic_velocity, 1)}^2 / (2 times {u})", said.displacement_change, 1, "mm", f"{_PAPER}, Figure 21"),
     )  # fmt: skip
+
+
+def largest_elsewhere(predicted: PulsePrediction) -> tuple[Paragraph, ...]:
+    """Return a note on the velocities of which another pulse than the governing one has the largest; nothing where none has."""
+    if predicted.governing is None:
+        return ()
+    largest, here = predicted.largest, predicted.of(predicted.governing)
+    pairs = (
+        ("V_(Delta E)", "V_dE_mm_s", largest.input_velocity, here.input_velocity),
+        ('V_(Delta E "hr")', "V_dEhr_mm_s", largest.hysteretic_velocity, here.hysteretic_velocity),
+    )
+    parts: list[Part] = []
+    for symbol, key, most, found in pairs:
+        if most > found:
+            parts += [", " if parts else "", Maths(symbol), f" {written(key, most)} mm/s"]
+    if not parts:
+        return ()
+    start = "The table of predictions has the largest of any pulse, here of another than the governing one: "
+    return (words(start, *parts, ".", tone=Tone.NOTE),)
 
 
 def design_formulas(calculation: Calculation, result: Result) -> tuple[Formula, ...]:
@@ -107,7 +127,7 @@ def design_formulas(calculation: Calculation, result: Result) -> tuple[Formula, 
     dv, put_in, s = number(constants.change_ratio * pgv, 1), number(said.input_velocity, 1), number(slope, 1)
     slides = constants.friction_deceleration <= slope
     symbols = 'V_(Delta E "hr") = V_(Delta E) sqrt(((1 + epsilon) k_u) / (k_u + epsilon k_g))' if slides else 'V_(Delta E "hr") = V_(Delta E)'  # fmt: skip
-    part = f"{put_in} sqrt(((1 + {eps}) {u}) / ({u} + {eps} times {s}))" if slides else put_in
+    part = f"{put_in} times sqrt(((1 + {eps}) times {u}) / ({u} + {eps} times {s}))" if slides else put_in
     return (
         Formula("Change of ground velocity of the largest pulse", 'Delta v_g = zeta "PGV"', f"{constants.change_ratio:g} times {number(pgv, 1)}", constants.change_ratio * pgv, 1, "mm/s", f"{_PAPER}, Eq. (29)"),
         Formula("Its slope", 'k_g = k_(g,"ave") "PGV" / "PGV"_0', f"{ave} times {number(pgv, 1)} / {constants.reference_pgv:g}", slope, 1, "mm/s²", f"{_PAPER}, Eq. (30)"),

@@ -152,6 +152,8 @@ def _signatures(document: Document) -> str:
     people = signatories(document)
     return (
         "#signatures("
-        + ", ".join(f"({_string(role)}, {_string(breakable(name))})" for role, name in people)
+        + ", ".join(
+            f"({_string(role)}, {_string(breakable(name))}, {_string(date)})" for role, name, date in people
+        )
         + ")"
     )

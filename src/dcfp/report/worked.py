@@ -5,13 +5,19 @@ from dataclasses import dataclass
 import numpy as np
 
 from dcfp.codes.result import Answer
+from dcfp.prediction.li_2020 import predict_from_pulses, predict_simplified
 from dcfp.report.bearing_formulas import bearing_formulas
 from dcfp.report.checks import label_of
 from dcfp.report.code_formulas import code_formulas
 from dcfp.report.digits import number, written
 from dcfp.report.document import Block, Bullets, Formula, Section, Table, Tone, cells, heads, words
 from dcfp.report.laws import State, friction_formulas
-from dcfp.report.prediction_formulas import design_formulas, pulse_formulas, simplified_formulas
+from dcfp.report.prediction_formulas import (
+    design_formulas,
+    largest_elsewhere,
+    pulse_formulas,
+    simplified_formulas,
+)
 from dcfp.report.references import source_of
 from dcfp.response import Response
 from dcfp.scenario import Calculation, Result
@@ -43,8 +49,10 @@ def worked_out(calculation: Calculation) -> Worked:
     design = design_formulas(calculation, result)
     codes = code_formulas(calculation, result)
     name = label_of(result)
+    pulses, constants = result.case.pulses, calculation.setting.constants
     note = words(
-        f"For {name}, the case with the largest displacement; the same numbers of every case are in the tables of the results. Results are calculated with all digits"
+        f"For {name}, the case with the largest displacement, and in it for the pulse that governs each method. The tables of the results have what comes out of every case,"
+        " there with the largest velocities of any pulse. Results are calculated with all digits"
         " and rounded for print, so that the last digit of a line may differ from that of its printed numbers.",
         tone=Tone.NOTE,
     )
@@ -54,8 +62,8 @@ def worked_out(calculation: Calculation) -> Worked:
             "Friction at the hottest moment",
             (words(state), *friction) if friction else (words("The law has no formula for a single state."),),
         ),
-        Section("Prediction by the pulse method", _or_nothing(pulse, "every pulse has a ratio above 1, so nothing is predicted to move")),
-        Section("Prediction by the simplified method", _or_nothing(simplified, "the method cannot be used")),
+        Section("Prediction by the pulse method", (*_or_nothing(pulse, "every pulse has a ratio above 1, so nothing is predicted to move"), *largest_elsewhere(predict_from_pulses(pulses, constants)))),
+        Section("Prediction by the simplified method", (*_or_nothing(simplified, "the method cannot be used"), *(largest_elsewhere(predict_simplified(pulses, constants)) if simplified else ()))),
         Section("Prediction by the design method", _or_nothing(design, "the method cannot be used")),
         *(_code(result.case.answers[name], formulas) for name, formulas in codes.items()),
     ]  # fmt: skip
@@ -90,7 +98,7 @@ def _friction(response: Response) -> tuple[tuple[Formula, ...], str]:
 
 def _code(said: Answer, formulas: tuple[Formula, ...]) -> Section:
     blocks: list[Block] = []
-    if said.steps:
+    if len(said.steps) > 1:  # a single one was found by changes of sign, as its remark says
         blocks.append(_rounds(said))
     blocks += formulas
     if said.unconfirmed:

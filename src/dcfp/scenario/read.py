@@ -1,6 +1,7 @@
 """A scenario from a TOML file: a study file of one bearing, with a heading."""
 
 from dataclasses import fields
+from datetime import date
 from pathlib import Path
 from typing import Any, cast
 
@@ -45,5 +46,15 @@ def _heading(table: Any) -> Heading:
         if key not in _KEYS:
             msg = f"[report] has no {key!r}; it has {', '.join(_KEYS)}."
             raise InputError(msg)
-        words[key] = str(value)
+        words[key] = _words(key, value)
     return Heading(**words)
+
+
+def _words(key: str, value: Any) -> str:
+    """Return a value of the heading; a date of TOML stands for its own text."""
+    if key == "date" and isinstance(value, date):
+        return value.isoformat()
+    if not isinstance(value, str):
+        msg = f"[report] {key} must be words in quotes, not {value}."
+        raise InputError(msg)
+    return value

@@ -21,8 +21,8 @@ def run(chosen: argparse.Namespace) -> int:
     """Analyse the case and show it."""
     outputs = Outputs.checked(chosen, [Path(chosen.study)])
     from dcfp.assessment.single import numbered_cases, response_at
-    from dcfp.cli.remarks import remarks_on
     from dcfp.cli.response_table import print_responses
+    from dcfp.response.remarks import remarks_on
     from dcfp.study import read_study
 
     plan = read_study(chosen.study).plan

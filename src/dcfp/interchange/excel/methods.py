@@ -38,8 +38,8 @@ _CONDITIONS = (
     Head("Source", width=34),
     Head("Confirmed in the source", width=14),
 )
-#: Of a method that has no conditions at all.
-_NO_LIMITS = "no limits known"
+#: Of a prediction, which has no conditions.
+_NO_CONDITIONS = "–"
 
 
 def write_methods(sheet: Sheet, calculation: "Calculation", cases: "Sequence[str]") -> None:
@@ -90,7 +90,7 @@ def _predictions(name: str, case: "Case") -> "Iterator[list[object]]":
             continue
         energies = (said.input_velocity, said.hysteretic_velocity, said.total_velocity)
         yield [
-            name, method.value, basis.value, _NO_LIMITS, said.bound, _ratio(said.bound, case),
+            name, method.value, basis.value, _NO_CONDITIONS, said.bound, _ratio(said.bound, case),
             said.displacement_change, *energies, None, None, None,
         ]  # fmt: skip
 
@@ -115,7 +115,7 @@ def write_conditions(sheet: Sheet, calculation: "Calculation", cases: "Sequence[
     rows = [
         [
             name, said.method, one.name, one.verdict.value, one.found, one.limit, one.source,
-            "yes" if one.confirmed else "no, as remembered",
+            "yes" if one.confirmed else "unconfirmed",
         ]
         for name, result in zip(cases, calculation.results, strict=True)
         for said in result.case.answers.values()

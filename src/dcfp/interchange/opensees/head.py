@@ -113,6 +113,8 @@ def _differences(response: Response, element: Element, other: Response | None) -
         sentences.append(
             f"The element cannot be what was analysed: {why}. Its constants are those that come nearest."
             f" With them dcfp finds a peak displacement of {other.peak_displacement:.3f} mm, {difference_in_words(response, other)} analysis."
+            " That is the part of the difference that the law makes; what follows comes on top, and where the element heats, its sum of the heat adds"
+            " some tenths of a per cent."
         )
     curved = 0.5 * (response.peak_displacement / response.bearing.effective_radius) ** 2
     sentences.append(
