@@ -8,7 +8,8 @@ from dcfp.comparison import Case, Setting, compare
 from dcfp.comparison.nominal import Nominal
 from dcfp.errors import InputError
 from dcfp.record.ground_motion import GroundMotion
-from dcfp.record.measures import baseline_warning, refuse_a_drift
+from dcfp.record.measures import refuse_a_drift
+from dcfp.record.remarks import motion_remarks
 from dcfp.record.treatment import treated
 from dcfp.response import Response, respond
 from dcfp.scenario import Heading, Scenario
@@ -115,11 +116,8 @@ def predict(response: Response, model: Model) -> Predicted:
 
 
 def remarks_on(response: Response) -> list[str]:
-    """Return the sentences that must stand beside an analysis."""
-    steps = [step for step in response.motion.treatment if not step.startswith("scaled by")]
-    treatment = [f"{response.motion.name}: {'; '.join(steps)}."] if steps else []
-    warning = baseline_warning(response.motion)
-    return [*treatment, *([warning] if warning else []), *response.remarks]
+    """Return the sentences that must stand beside an analysis; its scale stands in the head."""
+    return [*motion_remarks(response.motion, with_scale=False), *response.remarks]
 
 
 def scenario_text(session: Session, heading: Heading | None = None) -> str:
