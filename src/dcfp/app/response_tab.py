@@ -35,6 +35,7 @@ class ResponseTab:
         self._responses: list[Response] = []
         self._predicted: Predicted | None = None
         self._latest = Latest(self._work)
+        self._latest_prediction = Latest(self._predict)
         with ui.element("div").classes("body"):
             with ui.element("aside").classes("side").props('aria-label="What is analysed"'):
                 RecordsPanel(session, self.ask)
@@ -70,6 +71,8 @@ class ResponseTab:
             responses = await asyncio.to_thread(analyse, task)
         except DcfpError as error:
             self._complain(str(error))
+            if not self._client.is_deleted:
+                self._results.say_old()
             return
         if self._client.is_deleted:
             return
@@ -77,20 +80,24 @@ class ResponseTab:
         self._shown = min(self._shown, len(responses) - 1)
         self._alert.say("")
         self._results.show(responses, self._shown, session.units)
-        if not self._latest.outdated:
-            await self._predict()
+        self._latest_prediction.ask()
 
     async def _predict(self) -> None:
-        """Predict what is shown; the numbers of the analysis do not wait for it."""
-        assert self._task is not None
-        response, model = self._responses[self._shown], self._task.model
+        """Predict what is shown; neither these numbers of the analysis nor the next ones wait for it."""
+        if self._task is None or self._latest.outdated:
+            return
+        responses, response, model = self._responses, self._responses[self._shown], self._task.model
         try:
             predicted = await asyncio.to_thread(predict, response, model)
         except DcfpError as error:
             self._complain(str(error))
             return
-        if self._client.is_deleted or self._latest.outdated:
-            return
+        if (
+            self._client.is_deleted
+            or responses is not self._responses
+            or response is not responses[self._shown]
+        ):
+            return  # something else is shown by now
         self._predicted = predicted
         self._results.show_predictions(response, predicted, self._session.units)
         self._results.say_busy(False)
@@ -98,7 +105,6 @@ class ResponseTab:
     def _complain(self, sentence: str) -> None:
         if not self._client.is_deleted:
             self._alert.say(sentence)
-            self._results.say_old()
             self._results.say_busy(False)
 
     def _pick(self, number: int) -> None:
