@@ -195,17 +195,21 @@ def tidy(app: Sphinx, what: str, name: str, obj: Any, options: Any, lines: list[
         lines[place] = "`".join(part if i % 2 else part.replace("|", r"\|") for i, part in enumerate(parts))
 
 
+#: What `put_aside` has taken, by the name that it is said of.
+_ASIDE: dict[str, list[str]] = {}
+
+
 def put_aside(app: Sphinx, what: str, name: str, obj: Any, options: Any, lines: list[str]) -> None:
     """Keep what is said of a property from napoleon, which takes the words before a colon for a type."""
     if what in ("attribute", "property"):
-        app.dcfp_aside = list(lines)  # type: ignore[attr-defined]
+        _ASIDE[name] = list(lines)
         lines[:] = []
 
 
 def take_back(app: Sphinx, what: str, name: str, obj: Any, options: Any, lines: list[str]) -> None:
     """Undo `put_aside`."""
     if what in ("attribute", "property"):
-        lines[:] = app.dcfp_aside  # type: ignore[attr-defined]
+        lines[:] = _ASIDE.pop(name)
 
 
 _FLOATS = "~numpy.ndarray[tuple[~typing.Any, ...], ~numpy.dtype[~numpy.float64]]"

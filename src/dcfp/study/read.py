@@ -46,9 +46,8 @@ def read_study(path: str | Path) -> Study:
     content = read_toml(path, "a study is a TOML file; dcfp study new FILE.toml writes one to start from")
     place = Path(path)
     try:
-        study = _study(content, place)
-        study.plan  # noqa: B018  what cannot be is found here, where the file is known
-        return study
+        # to make the plan finds what cannot be, here where the file is known
+        return _study(content, place).plan.study
     except InputError as error:
         text = str(error)
         msg = text if text.startswith(str(path)) else f"{path}: {text}"

@@ -91,7 +91,6 @@ def run_blocks(
         msg = f"The number of threads must be a positive whole number, not {threads!r}."
         raise InputError(msg)
     plan = store.plan
-    plan.grounds  # noqa: B018  made once, before several threads ask for it
     with ThreadPoolExecutor(count) as pool, _pending() as pending:
         left = iter(blocks)
         try:
