@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from stopwatch import once
 
-from dcfp.bearing import Bearing, FrictionLaw, Heating, SimplifiedHeating
-from dcfp.bearing.plates import structure_of
+from dcfp.analysis.kernel_input import State, heat_of, state_at_rest
+from dcfp.analysis.respond import LONGEST_STEP, TOLERANCE
 from dcfp.kernels.march import PEAK_DISPLACEMENT, STEPS, TEMPERATURE, march
-from dcfp.record.ground_motion import GroundMotion
-from dcfp.record.load import load_motion
-from dcfp.response.kernel_input import State, heat_of, state_at_rest
-from dcfp.response.respond import LONGEST_STEP, TOLERANCE
+from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.load import load_motion
+from dcfp.system import Bearing, FrictionLaw, Heating, SimplifiedHeating
+from dcfp.system.plates import structure_of
 
 if TYPE_CHECKING:
     from dcfp.arrays import FloatArray

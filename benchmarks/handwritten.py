@@ -9,17 +9,17 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
-from analysis import SINGLE, Analysis, motion_at
 from figure import Figure
 from stopwatch import in_turn, microseconds, once, ratio
 
+from analysis import SINGLE, Analysis, motion_at
+from dcfp.analysis.kernel_input import heat_of
 from dcfp.arrays import FloatArray
-from dcfp.bearing import LI_2020, Bearing, FrictionLaw, Kumar2015, Li2020
 from dcfp.kernels.friction import ExponentialLaw
 from dcfp.kernels.heat_state import RATES, WEIGHTS
 from dcfp.kernels.memory import MODES
 from dcfp.kernels.motion import Structure as KernelStructure
-from dcfp.response.kernel_input import heat_of
+from dcfp.system import LI_2020, Bearing, FrictionLaw, Kumar2015, Li2020
 
 SOURCE = Path(__file__).parent / "c" / "march.c"
 #: The last two let a C compiler do what ours is allowed to: sums in any order, and no errno to set.

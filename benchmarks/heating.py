@@ -1,10 +1,10 @@
 """What each heating model costs."""
 
-from analysis import RECORDS, motion_at
 from figure import Figure
 from stopwatch import Seconds, in_turn, microseconds, ratio
 
 import dcfp
+from analysis import RECORDS, motion_at
 
 ROUNDS = 60
 MODELS = (dcfp.SimplifiedHeating(), dcfp.PreciseHeating(), dcfp.NoHeating())

@@ -3,11 +3,11 @@
 import tracemalloc
 
 import numpy as np
-from analysis import motion_at
 from figure import Figure
 from stopwatch import in_turn
 
 import dcfp
+from analysis import motion_at
 
 REPEATS = (1, 2, 4, 8, 16, 32, 64)
 ROUNDS = 9

@@ -13,11 +13,11 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
-from analysis import SINGLE, Analysis, motion_at, refined
 from figure import Figure
 from stopwatch import in_turn, microseconds, once
 
 import dcfp
+from analysis import SINGLE, Analysis, motion_at, refined
 
 STEP = 1e-3
 #: From fine to coarse.

@@ -5,12 +5,12 @@ from figure import Figure
 from stopwatch import in_turn, microseconds, once, ratio
 
 import dcfp
-from dcfp.comparison import Setting, compare
-from dcfp.comparison.calibration import calibration_set
-from dcfp.prediction import find_pulses, march_through_pulses
-from dcfp.prediction.li_2020 import predict_from_pulses, predict_simplified
-from dcfp.prediction.pulse_march import MARCH_THRESHOLD
-from dcfp.record.named import VELOCITIES
+from dcfp.inference import Setting, compare
+from dcfp.inference.calibration import calibration_set
+from dcfp.methods import find_pulses, march_through_pulses
+from dcfp.methods.li_2020 import predict_from_pulses, predict_simplified
+from dcfp.methods.pulse_march import MARCH_THRESHOLD
+from dcfp.motion.named import VELOCITIES
 
 ROUNDS = 5
 

@@ -5,8 +5,8 @@ from figure import Figure
 from stopwatch import in_turn, once, ratio
 
 import dcfp
-from dcfp.bearing import Heating
-from dcfp.rig import load_program, run_program
+from dcfp.analysis.rig import load_program, run_program
+from dcfp.system import Heating
 
 ROUNDS = 20
 

@@ -7,10 +7,10 @@ import numpy as np
 from figure import Figure
 from stopwatch import in_turn, once
 
-from dcfp.comparison.calibration import calibration_set
-from dcfp.record.named import named_motion
-from dcfp.spectrum import input_energy_spectrum, response_spectrum
-from dcfp.spectrum.oscillators import PERIODS
+from dcfp.inference.calibration import calibration_set
+from dcfp.methods.spectra import input_energy_spectrum, response_spectrum
+from dcfp.methods.spectra.oscillators import PERIODS
+from dcfp.motion.named import named_motion
 
 ROUNDS = 3
 

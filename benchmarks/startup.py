@@ -18,12 +18,12 @@ RESPOND = ("respond", "NCC", "--pgv", "0.5")
 
 def command() -> list[str] | None:
     """Return how to start the command line, or None while there is none."""
-    if find_spec("dcfp.cli") is None or find_spec("dcfp.cli.main") is None:
+    if find_spec("dcfp.doors.cli") is None or find_spec("dcfp.doors.cli.main") is None:
         return None
     script = shutil.which("dcfp", path=os.path.dirname(sys.executable))
     if script is not None:
         return [script]
-    return [sys.executable, "-c", "import sys; from dcfp.cli.main import main; sys.exit(main())"]
+    return [sys.executable, "-c", "import sys; from dcfp.doors.cli.main import main; sys.exit(main())"]
 
 
 def seconds(words: list[str], cache: str) -> float:

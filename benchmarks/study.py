@@ -8,16 +8,16 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
-from analysis import SINGLE
 from figure import Figure
 from opensees import MODEL, STEP, is_available
 from stopwatch import in_turn, once, ratio
 
 import dcfp
-from dcfp.bearing import Model
-from dcfp.comparison.calibration import calibration_set
-from dcfp.response.batch import GroundSet, Lanes, available_threads, respond_in_batch
+from analysis import SINGLE
+from dcfp.analysis.batch import GroundSet, Lanes, available_threads, respond_in_batch
+from dcfp.inference.calibration import calibration_set
 from dcfp.study import Sampling, Study, Uniform, run_study
+from dcfp.system import Model
 
 #: Of the whole study: components, PGVs and bearings, and what part of the PGVs is run.
 PGVS, BEARINGS, PART = 100, 100, 10

@@ -9,10 +9,10 @@ import pytest
 import xarray
 
 from dcfp import load_motion, respond
+from dcfp.analysis import Response
 from dcfp.errors import InputError
 from dcfp.files import check_outputs, known_extension, whole_files, write_data
-from dcfp.response import Response
-from dcfp.tabulation import group_names
+from dcfp.present.tables import group_names
 
 
 @pytest.fixture(scope="module")

@@ -20,8 +20,8 @@ from kept import BUILD, kept
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
-from dcfp.cli.main import COMMANDS
-from dcfp.cli.parser import Parser
+from dcfp.doors.cli.main import COMMANDS
+from dcfp.doors.cli.parser import Parser
 
 DOCS = Path(__file__).parents[1]
 #: Where the pictures that commands draw are put; Sphinx takes pictures from the folder of the sources only.
@@ -35,7 +35,7 @@ def run(commands: list[str], copies: list[str], picture: str | None) -> dict[str
             shutil.copy(DOCS / copy, folder)
         for number, command in enumerate(commands, 1):
             done = subprocess.run(
-                [sys.executable, "-m", "dcfp.cli.main", *shlex.split(command)],
+                [sys.executable, "-m", "dcfp.doors.cli.main", *shlex.split(command)],
                 cwd=folder,
                 capture_output=True,
                 text=True,
@@ -116,7 +116,7 @@ class Command(SphinxDirective):
 def parser_of(command: str) -> Parser:
     """Return the parser of a command, such as ``respond`` or ``study ida``."""
     *groups, last = command.split()
-    module = import_module(".".join(["dcfp.cli", *groups, last]))
+    module = import_module(".".join(["dcfp.doors.cli", *groups, last]))
     parser = Parser(prog=f"dcfp {command}", description=module.__doc__)
     module.add_arguments(parser)
     return parser
@@ -172,7 +172,7 @@ class CommandTable(SphinxDirective):
     def run(self) -> list[nodes.Node]:
         """List the commands."""
         if self.arguments:
-            commands = import_module(f"dcfp.cli.{self.arguments[0]}").COMMANDS
+            commands = import_module(f"dcfp.doors.cli.{self.arguments[0]}").COMMANDS
             rows = [
                 f"| [`dcfp {self.arguments[0]} {name}`](#dcfp-{self.arguments[0]}-{name}) | {words} |"
                 for name, words in commands.items()

@@ -6,7 +6,7 @@ from typing import Any
 from matplotlib.figure import Figure
 from sphinx_gallery.scrapers import figure_rst
 
-from dcfp.plots import save_figure
+from dcfp.present.figures import save_figure
 
 
 def scrape(block: Any, variables: dict[str, Any], settings: dict[str, Any]) -> str:

@@ -6,6 +6,7 @@ from functools import cache
 from importlib import import_module
 from pathlib import Path
 from pkgutil import iter_modules
+from types import ModuleType
 from typing import Any
 
 from docutils import nodes
@@ -16,29 +17,46 @@ from sphinx.util.docutils import SphinxDirective
 
 #: One word in single backticks, with no role before it.
 _SINGLE = re.compile(r"(?<![`:\w])`([\w.]+)`(?!`)")
+#: The modules of the codes, which have a page of their own.
+CODES = (
+    "asce_2016",
+    "asce_2016_conditions",
+    "eurocode_8",
+    "aij_2016",
+    "structure",
+    "equivalent_linear",
+    "bilinear",
+    "iteration",
+    "result",
+    "panel",
+    "iwan_1980",
+    "hadjian_1982",
+    "fajfar_1989",
+    "uang_bertero_1988",
+)
 #: In the order in which data flow.
 PACKAGES = (
-    "record",
-    "bearing",
-    "response",
-    "rig",
-    "spectrum",
-    "building",
-    "prediction",
-    "prediction.li_2020",
-    "comparison",
-    "identification",
-    "codes",
+    "motion",
+    "system",
+    "analysis",
+    "analysis.rig",
+    "analysis.building",
+    "methods",
+    "methods.li_2020",
+    "methods.spectra",
+    *(f"methods.{name}" for name in CODES),
+    "inference",
+    "inference.identification",
     "study",
-    "assessment",
-    "scenario",
-    "interchange",
-    "report",
-    "plots",
-    "plots.li_2020",
-    "tabulation",
-    "reproduction",
-    "verification",
+    "study.assessment",
+    "study.scenario",
+    "present.figures",
+    "present.figures.li_2020",
+    "present.tables",
+    "present.report",
+    "exchange",
+    "verify",
+    "verify.reproduction",
 )
 
 
@@ -49,6 +67,8 @@ def public_names(package: str) -> list[str]:
 
         return list(dcfp._HOMES)
     module = import_module(package)
+    if not hasattr(module, "__path__"):
+        return _names_of_module(module)
     lines = inspect.getsource(module).splitlines()
     found = [line.split()[-1] for line in lines if line.startswith("from ") and " as " in line]
     return [name for name in found if not name.startswith("_")] or _names_of_modules(package)
@@ -59,12 +79,17 @@ def _names_of_modules(package: str) -> list[str]:
     found: list[str] = []
     for info in iter_modules(import_module(package).__path__):
         module = import_module(f"{package}.{info.name}")
-        found += [
-            f"{info.name}.{name}"
-            for name, value in vars(module).items()
-            if not name.startswith("_") and getattr(value, "__module__", None) == module.__name__
-        ]
+        found += [f"{info.name}.{name}" for name in _names_of_module(module)]
     return found
+
+
+def _names_of_module(module: ModuleType) -> list[str]:
+    """Return the names of what a module defines."""
+    return [
+        name
+        for name, value in vars(module).items()
+        if not name.startswith("_") and getattr(value, "__module__", None) == module.__name__
+    ]
 
 
 def value_of(package: str, name: str) -> Any:

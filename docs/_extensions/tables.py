@@ -12,8 +12,8 @@ from kept import kept
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
-from dcfp.citations import bibliography
-from dcfp.nomenclature import nomenclature
+from dcfp.schema.citations import bibliography
+from dcfp.schema.nomenclature import nomenclature
 from dcfp.version import version
 
 _VERDICTS = {True: "agrees", False: "FAILS", None: "skipped"}
@@ -24,7 +24,7 @@ def checks() -> list[dict[str, Any]]:
     """Return the outcome of every check of ``dcfp verify``."""
 
     def make() -> list[dict[str, Any]]:
-        from dcfp.verification import run_checks
+        from dcfp.verify import run_checks
 
         return [asdict(check) for check in run_checks()]
 
@@ -35,8 +35,8 @@ def findings() -> list[dict[str, Any]]:
     """Return the findings of ``dcfp reproduce``."""
 
     def make() -> list[dict[str, Any]]:
-        from dcfp.reproduction import analyse, findings_of
-        from dcfp.reproduction.analyses import paper_motions
+        from dcfp.verify.reproduction import analyse, findings_of
+        from dcfp.verify.reproduction.analyses import paper_motions
 
         return [
             {**asdict(one), "outside": [str(case) for case in one.outside]}

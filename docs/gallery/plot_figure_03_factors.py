@@ -11,12 +11,12 @@ they are not here.
 import numpy as np
 from matplotlib.figure import Figure
 
-from dcfp.bearing.friction.li_2020 import (
+from dcfp.present.figures.style import BLUE, PAGE_WIDTH, calm_ticks, style
+from dcfp.system.friction.li_2020 import (
     pressure_factor,
     temperature_factor,
     velocity_factor,
 )
-from dcfp.plots.style import BLUE, PAGE_WIDTH, calm_ticks, style
 
 curves = (
     (

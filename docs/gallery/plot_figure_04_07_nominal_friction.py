@@ -9,9 +9,9 @@ tests. Nothing was tuned to bring them together; what would is in :doc:`/virtual
 """
 
 import dcfp
-from dcfp.bearing import LI_2020, Li2020, PreciseHeating
-from dcfp.plots.dependency import plot_dependency
-from dcfp.rig.compare import paper_models, run_models
+from dcfp.analysis.rig.compare import paper_models, run_models
+from dcfp.present.figures.dependency import plot_dependency
+from dcfp.system import LI_2020, Li2020, PreciseHeating
 
 program = dcfp.load_program("dependency")
 runs = run_models(program, LI_2020, paper_models(Li2020(), PreciseHeating()))

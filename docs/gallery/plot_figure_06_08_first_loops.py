@@ -10,9 +10,9 @@ model dissipates a few per cent less than the precise one, which the paper does 
 """
 
 import dcfp
-from dcfp.bearing import LI_2020, Li2020, PreciseHeating
-from dcfp.plots.rig_overview import plot_tests
-from dcfp.rig.compare import paper_models, run_models
+from dcfp.analysis.rig.compare import paper_models, run_models
+from dcfp.present.figures.rig_overview import plot_tests
+from dcfp.system import LI_2020, Li2020, PreciseHeating
 
 program = dcfp.load_program("asce")
 program = program.only(["T01", "T02"])

@@ -9,8 +9,8 @@ model moves 31 % further.
 """
 
 import dcfp
-from dcfp.plots.li_2020 import paper_figures
-from dcfp.record.named import VELOCITIES
+from dcfp.motion.named import VELOCITIES
+from dcfp.present.figures.li_2020 import paper_figures
 
 records = [dcfp.load_motion(name) for name in ("NCC", "KNA", "LPG", "IVD")]
 cases, loops = [], {}

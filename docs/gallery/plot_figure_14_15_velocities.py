@@ -9,8 +9,8 @@ Figures 14 and 15: velocities of ground and structure
 
 import dcfp
 from dcfp.constants import STANDARD_GRAVITY
-from dcfp.plots.li_2020 import paper_figures
-from dcfp.record.named import VELOCITIES
+from dcfp.motion.named import VELOCITIES
+from dcfp.present.figures.li_2020 import paper_figures
 
 records = [dcfp.load_motion(name) for name in ("NCC", "KNA", "LPG", "IVD")]
 cases = [

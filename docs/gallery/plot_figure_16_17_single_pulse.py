@@ -11,8 +11,8 @@ would have to be 1.13 to 1.19. The default of the program remains the paper's.
 import numpy as np
 from matplotlib.figure import Figure
 
-from dcfp.plots.style import BLUE, GREY, PAGE_WIDTH, RED, calm_ticks, style
-from dcfp.prediction.li_2020.pulse_method import displacement_change
+from dcfp.methods.li_2020.pulse_method import displacement_change
+from dcfp.present.figures.style import BLUE, GREY, PAGE_WIDTH, RED, calm_ticks, style
 
 ratio = np.linspace(0.02, 1.0, 200)
 one = np.ones(200)

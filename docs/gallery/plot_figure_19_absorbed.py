@@ -8,9 +8,9 @@ Figure 19: how much of the energy is absorbed
 """
 
 import dcfp
-from dcfp.comparison.refit import fall_ratio
-from dcfp.plots.li_2020 import paper_figures
-from dcfp.record.named import VELOCITIES
+from dcfp.inference.refit import fall_ratio
+from dcfp.motion.named import VELOCITIES
+from dcfp.present.figures.li_2020 import paper_figures
 
 records = [dcfp.load_motion(name) for name in ("NCC", "KNA", "LPG", "IVD")]
 cases = [

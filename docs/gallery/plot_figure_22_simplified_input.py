@@ -8,12 +8,12 @@ Figure 22: accuracy of the simplified method, input energy
 """
 
 import dcfp
-from dcfp.comparison import printed
-from dcfp.comparison.case import Basis, Method
-from dcfp.comparison.quantities import INPUT
-from dcfp.comparison.statistics import ratios
-from dcfp.plots.li_2020 import paper_figures
-from dcfp.record.named import VELOCITIES
+from dcfp.inference import printed
+from dcfp.inference.case import Basis, Method
+from dcfp.inference.quantities import INPUT
+from dcfp.inference.statistics import ratios
+from dcfp.motion.named import VELOCITIES
+from dcfp.present.figures.li_2020 import paper_figures
 
 records = [dcfp.load_motion(name) for name in ("NCC", "KNA", "LPG", "IVD")]
 cases = [

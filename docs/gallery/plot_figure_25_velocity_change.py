@@ -8,9 +8,9 @@ Figure 25: change of ground velocity over the PGV
 """
 
 import dcfp
-from dcfp.comparison.refit import change_ratio
-from dcfp.plots.li_2020 import paper_figures
-from dcfp.record.named import VELOCITIES
+from dcfp.inference.refit import change_ratio
+from dcfp.motion.named import VELOCITIES
+from dcfp.present.figures.li_2020 import paper_figures
 
 records = [dcfp.load_motion(name) for name in ("NCC", "KNA", "LPG", "IVD")]
 cases = [

@@ -8,11 +8,11 @@ Figure 27: displacement from the PGV alone
 """
 
 import dcfp
-from dcfp.comparison import printed
-from dcfp.comparison.quantities import CHANGE
-from dcfp.plots.li_2020 import paper_figures
-from dcfp.prediction.li_2020 import predict_from_pgv
-from dcfp.record.named import VELOCITIES
+from dcfp.inference import printed
+from dcfp.inference.quantities import CHANGE
+from dcfp.methods.li_2020 import predict_from_pgv
+from dcfp.motion.named import VELOCITIES
+from dcfp.present.figures.li_2020 import paper_figures
 
 records = [dcfp.load_motion(name) for name in ("NCC", "KNA", "LPG", "IVD")]
 cases = [

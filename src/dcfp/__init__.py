@@ -13,69 +13,69 @@ from dcfp.errors import InputError as InputError
 from dcfp.version import version as version
 
 if TYPE_CHECKING:
-    from dcfp.bearing import LI_2020 as LI_2020
-    from dcfp.bearing import Bearing as Bearing
-    from dcfp.bearing import ConstantFriction as ConstantFriction
-    from dcfp.bearing import Constantinou1990 as Constantinou1990
-    from dcfp.bearing import FittedFriction as FittedFriction
-    from dcfp.bearing import Kumar2015 as Kumar2015
-    from dcfp.bearing import Li2020 as Li2020
-    from dcfp.bearing import Lomiento2013 as Lomiento2013
-    from dcfp.bearing import NoHeating as NoHeating
-    from dcfp.bearing import PreciseHeating as PreciseHeating
-    from dcfp.bearing import SimplifiedHeating as SimplifiedHeating
-    from dcfp.bearing import UserFriction as UserFriction
-    from dcfp.bearing import read_bearing as read_bearing
-    from dcfp.building import ShearBuilding as ShearBuilding
-    from dcfp.building import respond_building as respond_building
-    from dcfp.comparison import compare as compare
-    from dcfp.identification import identify as identify
-    from dcfp.prediction import find_pulses as find_pulses
-    from dcfp.prediction import march_through_pulses as march_through_pulses
-    from dcfp.record.ground_motion import GroundMotion as GroundMotion
-    from dcfp.record.load import load_motion as load_motion
-    from dcfp.response import Response as Response
-    from dcfp.response import respond as respond
-    from dcfp.rig import Loops as Loops
-    from dcfp.rig import Program as Program
-    from dcfp.rig import load_program as load_program
-    from dcfp.rig import read_measurement as read_measurement
-    from dcfp.rig import run_program as run_program
+    from dcfp.analysis import Response as Response
+    from dcfp.analysis import respond as respond
+    from dcfp.analysis.building import ShearBuilding as ShearBuilding
+    from dcfp.analysis.building import respond_building as respond_building
+    from dcfp.analysis.rig import Loops as Loops
+    from dcfp.analysis.rig import Program as Program
+    from dcfp.analysis.rig import load_program as load_program
+    from dcfp.analysis.rig import read_measurement as read_measurement
+    from dcfp.analysis.rig import run_program as run_program
+    from dcfp.inference import compare as compare
+    from dcfp.inference.identification import identify as identify
+    from dcfp.methods import find_pulses as find_pulses
+    from dcfp.methods import march_through_pulses as march_through_pulses
+    from dcfp.motion.ground_motion import GroundMotion as GroundMotion
+    from dcfp.motion.load import load_motion as load_motion
     from dcfp.study import Sampling as Sampling
     from dcfp.study import Study as Study
     from dcfp.study import open_store as open_store
     from dcfp.study import read_study as read_study
     from dcfp.study import run_study as run_study
+    from dcfp.system import LI_2020 as LI_2020
+    from dcfp.system import Bearing as Bearing
+    from dcfp.system import ConstantFriction as ConstantFriction
+    from dcfp.system import Constantinou1990 as Constantinou1990
+    from dcfp.system import FittedFriction as FittedFriction
+    from dcfp.system import Kumar2015 as Kumar2015
+    from dcfp.system import Li2020 as Li2020
+    from dcfp.system import Lomiento2013 as Lomiento2013
+    from dcfp.system import NoHeating as NoHeating
+    from dcfp.system import PreciseHeating as PreciseHeating
+    from dcfp.system import SimplifiedHeating as SimplifiedHeating
+    from dcfp.system import UserFriction as UserFriction
+    from dcfp.system import read_bearing as read_bearing
 
 _HOMES = {
-    "GroundMotion": "dcfp.record.ground_motion",
-    "load_motion": "dcfp.record.load",
-    "Bearing": "dcfp.bearing",
-    "LI_2020": "dcfp.bearing",
-    "read_bearing": "dcfp.bearing",
-    "Li2020": "dcfp.bearing",
-    "ConstantFriction": "dcfp.bearing",
-    "Constantinou1990": "dcfp.bearing",
-    "FittedFriction": "dcfp.bearing",
-    "Kumar2015": "dcfp.bearing",
-    "Lomiento2013": "dcfp.bearing",
-    "UserFriction": "dcfp.bearing",
-    "NoHeating": "dcfp.bearing",
-    "SimplifiedHeating": "dcfp.bearing",
-    "PreciseHeating": "dcfp.bearing",
-    "respond": "dcfp.response",
-    "Response": "dcfp.response",
-    "Program": "dcfp.rig",
-    "load_program": "dcfp.rig",
-    "run_program": "dcfp.rig",
-    "Loops": "dcfp.rig",
-    "read_measurement": "dcfp.rig",
-    "identify": "dcfp.identification",
-    "ShearBuilding": "dcfp.building",
-    "respond_building": "dcfp.building",
-    "find_pulses": "dcfp.prediction",
-    "march_through_pulses": "dcfp.prediction",
-    "compare": "dcfp.comparison",
+    "GroundMotion": "dcfp.motion.ground_motion",
+    "load_motion": "dcfp.motion.load",
+    "Bearing": "dcfp.system",
+    "LI_2020": "dcfp.system",
+    "read_bearing": "dcfp.system",
+    "Li2020": "dcfp.system",
+    "ConstantFriction": "dcfp.system",
+    "Constantinou1990": "dcfp.system",
+    "FittedFriction": "dcfp.system",
+    "Kumar2015": "dcfp.system",
+    "Lomiento2013": "dcfp.system",
+    "UserFriction": "dcfp.system",
+    "NoHeating": "dcfp.system",
+    "SimplifiedHeating": "dcfp.system",
+    "PreciseHeating": "dcfp.system",
+    "respond": "dcfp.analysis",
+    "Response": "dcfp.analysis",
+    "Program": "dcfp.analysis.rig",
+    "load_program": "dcfp.analysis.rig",
+    "run_program": "dcfp.analysis.rig",
+    "Loops": "dcfp.analysis.rig",
+    "read_measurement": "dcfp.analysis.rig",
+    "identify": "dcfp.inference.identification",
+    "ShearBuilding": "dcfp.analysis.building",
+    "respond_building": "dcfp.analysis.building",
+    "find_pulses": "dcfp.methods",
+    "march_through_pulses": "dcfp.methods",
+    "compare": "dcfp.inference",
     "Study": "dcfp.study",
     "Sampling": "dcfp.study",
     "read_study": "dcfp.study",

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from dcfp.errors import InputError
 
 if TYPE_CHECKING:
-    from dcfp.response import Response
+    from dcfp.analysis import Response
 
 DATA_EXTENSIONS = (".nc", ".csv")
 FIGURE_EXTENSIONS = (".png", ".pdf", ".svg")
@@ -149,9 +149,9 @@ def write_data(path: Path, responses: "Sequence[Response]", kind: str) -> None:
     NetCDF of one analysis is its data set; of several, a summary and one group for each. CSV of one analysis is its
     histories, of several the summary.
     """
-    from dcfp import tabulation  # late: xarray takes long to import
+    from dcfp.present import tables  # late: xarray takes long to import
 
     if kind == ".csv":
-        path.write_text(tabulation.csv_text(responses), encoding="utf-8")
+        path.write_text(tables.csv_text(responses), encoding="utf-8")
     else:
-        tabulation.write_netcdf(path, responses)
+        tables.write_netcdf(path, responses)

@@ -10,13 +10,13 @@ from cases import PGVS
 from numpy.typing import NDArray
 
 from dcfp import ConstantFriction, Li2020, NoHeating, SimplifiedHeating, respond
-from dcfp.bearing import LI_2020 as BEARING
-from dcfp.bearing.plates import structure_of
-from dcfp.comparison.statistics import Scatter, scatter
-from dcfp.prediction import Prediction, Pulses, find_pulses, march_through_pulses
-from dcfp.prediction.li_2020 import LI_2020, predict_from_pulses
-from dcfp.prediction.pulse_march import MARCH_THRESHOLD
-from dcfp.response import Response
+from dcfp.analysis import Response
+from dcfp.inference.statistics import Scatter, scatter
+from dcfp.methods import Prediction, Pulses, find_pulses, march_through_pulses
+from dcfp.methods.li_2020 import LI_2020, predict_from_pulses
+from dcfp.methods.pulse_march import MARCH_THRESHOLD
+from dcfp.system import LI_2020 as BEARING
+from dcfp.system.plates import structure_of
 
 THRESHOLDS = (0.005, 0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.3)
 PARTS = (6, 12, 24, 48)

@@ -8,17 +8,17 @@ from numpy.typing import NDArray
 from rules import Rule
 
 import dcfp
-from dcfp.comparison import printed
-from dcfp.comparison.case import Basis, Case, Method, Setting, View, analysed_of, predictions
-from dcfp.comparison.earthquake import event_of
-from dcfp.comparison.quantities import CHANGE, HYSTERETIC, INPUT
-from dcfp.comparison.refit import average_slope, change_ratio, fall_ratio
-from dcfp.comparison.statistics import Scatter, ratios, scatter
-from dcfp.prediction.li_2020 import LI_2020, predict_from_pulses
-from dcfp.record.named import VELOCITIES as PGVS
-from dcfp.record.p695 import StoredRecord, all_keys, read_stored
-from dcfp.response import Response
-from dcfp.response.swings import swings_of
+from dcfp.analysis import Response
+from dcfp.analysis.swings import swings_of
+from dcfp.inference import printed
+from dcfp.inference.case import Basis, Case, Method, Setting, View, analysed_of, predictions
+from dcfp.inference.earthquake import event_of
+from dcfp.inference.quantities import CHANGE, HYSTERETIC, INPUT
+from dcfp.inference.refit import average_slope, change_ratio, fall_ratio
+from dcfp.inference.statistics import Scatter, ratios, scatter
+from dcfp.methods.li_2020 import LI_2020, predict_from_pulses
+from dcfp.motion.named import VELOCITIES as PGVS
+from dcfp.motion.p695 import StoredRecord, all_keys, read_stored
 
 Array = NDArray[np.float64]
 #: The records of the paper that are at hand.

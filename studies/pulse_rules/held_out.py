@@ -7,14 +7,14 @@ import numpy as np
 from cases import PGVS
 from numpy.typing import NDArray
 
-from dcfp.comparison.case import Basis, Case, Method, View
-from dcfp.comparison.halves import halves
-from dcfp.comparison.intervals import Coverage, coverage
-from dcfp.comparison.quantities import CHANGE, DISPLACEMENT, INPUT, TOTAL, Quantity
-from dcfp.comparison.refit import refit_as_paper, refit_design, refit_simplified
-from dcfp.prediction import Prediction
-from dcfp.prediction.li_2020 import LI_2020, Constants, predict_from_pgv, predict_simplified
-from dcfp.record.p695 import StoredRecord
+from dcfp.inference.case import Basis, Case, Method, View
+from dcfp.inference.halves import halves
+from dcfp.inference.intervals import Coverage, coverage
+from dcfp.inference.quantities import CHANGE, DISPLACEMENT, INPUT, TOTAL, Quantity
+from dcfp.inference.refit import refit_as_paper, refit_design, refit_simplified
+from dcfp.methods import Prediction
+from dcfp.methods.li_2020 import LI_2020, Constants, predict_from_pgv, predict_simplified
+from dcfp.motion.p695 import StoredRecord
 
 Array = NDArray[np.float64]
 VIEWS: dict[str, View | None] = {

@@ -11,7 +11,7 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 
-from dcfp.prediction import Prediction, Pulses
+from dcfp.methods import Prediction, Pulses
 
 #: Longest step [s], and longest wait for the structure to rest after the last peak [s].
 STEP, REST = 0.002, 120.0

@@ -19,8 +19,9 @@ import tables
 from reports import Report, amplifications, energies, named, plateau
 
 import dcfp
-from dcfp.comparison.case import Case
-from dcfp.comparison.refit import (
+from dcfp.analysis import Response
+from dcfp.inference.case import Case
+from dcfp.inference.refit import (
     average_slope,
     change_ratio,
     fall_ratio,
@@ -28,11 +29,10 @@ from dcfp.comparison.refit import (
     refit_design,
     refit_simplified,
 )
-from dcfp.comparison.statistics import displacement_over_change
-from dcfp.prediction import find_pulses
-from dcfp.prediction.pulse_march import PARTS
-from dcfp.prediction.pulses import THRESHOLD
-from dcfp.response import Response
+from dcfp.inference.statistics import displacement_over_change
+from dcfp.methods import find_pulses
+from dcfp.methods.pulse_march import PARTS
+from dcfp.methods.pulses import THRESHOLD
 
 
 def march(report: Report, many: Sequence[Response], group: Sequence[Case]) -> dict:

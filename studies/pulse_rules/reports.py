@@ -8,11 +8,11 @@ import numpy as np
 import rules
 import tables
 
-from dcfp.comparison import printed
-from dcfp.comparison.case import Case, Method
-from dcfp.comparison.statistics import scatter
-from dcfp.prediction import find_pulses
-from dcfp.response import Response
+from dcfp.analysis import Response
+from dcfp.inference import printed
+from dcfp.inference.case import Case, Method
+from dcfp.inference.statistics import scatter
+from dcfp.methods import find_pulses
 
 
 class Report:

@@ -8,9 +8,9 @@ import numpy as np
 import scipy.signal
 from numpy.typing import NDArray
 
-from dcfp.prediction import Pulses, find_pulses
-from dcfp.prediction.li_2020 import LI_2020
-from dcfp.record.ground_motion import GroundMotion
+from dcfp.methods import Pulses, find_pulses
+from dcfp.methods.li_2020 import LI_2020
+from dcfp.motion.ground_motion import GroundMotion
 
 Array = NDArray[np.float64]
 Rule = Callable[[GroundMotion], Pulses]

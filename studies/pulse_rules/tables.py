@@ -7,10 +7,10 @@ from cases import BASES, RANGES, Marks
 from held_out import HeldOut
 from one_pulse import Wave
 
-from dcfp.comparison.intervals import Coverage
-from dcfp.comparison.quantities import Quantity
-from dcfp.comparison.statistics import Scatter
-from dcfp.prediction.li_2020 import Constants
+from dcfp.inference.intervals import Coverage
+from dcfp.inference.quantities import Quantity
+from dcfp.inference.statistics import Scatter
+from dcfp.methods.li_2020 import Constants
 
 
 def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:

@@ -15,10 +15,11 @@ import numpy as np
 import pytest
 
 import dcfp
-from dcfp.cli.main import COMMANDS
-from dcfp.cli.parser import Parser
+import dcfp.present
+from dcfp.doors.cli.main import COMMANDS
+from dcfp.doors.cli.parser import Parser
 from dcfp.errors import InputError
-from dcfp.verification.run import tasks
+from dcfp.verify.run import tasks
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
@@ -58,7 +59,7 @@ def commands_of(text: str) -> list[str]:
 def refusal(command: str) -> str | None:
     """Why a command cannot be parsed; None where it can, or only names a command."""
     words = shlex.split(command, comments=True)[1:]
-    package, known, group = "dcfp.cli", COMMANDS, ""
+    package, known, group = "dcfp.doors.cli", COMMANDS, ""
     while True:
         if words[0] not in known:
             usual = getattr(import_module(package), "USUAL", None)
@@ -165,7 +166,7 @@ def test_every_command_has_its_page() -> None:
     for command in COMMANDS:
         text = (DOCS / "guide" / f"{command}.md").read_text(encoding="utf-8")
         assert f"(guide-{command})=\n# dcfp {command}\n" in text
-        own = getattr(import_module(f"dcfp.cli.{command}"), "COMMANDS", None)
+        own = getattr(import_module(f"dcfp.doors.cli.{command}"), "COMMANDS", None)
         for part in [command] if own is None else [f"{command} {one}" for one in own]:
             assert f"```{{dcfp-options}} {part}\n" in text
 
@@ -178,8 +179,9 @@ def test_every_group_of_checks_is_in_the_validation() -> None:
 
 
 def test_every_package_is_in_the_reference() -> None:
-    inner = {"cli", "kernels", "app"}
+    inner = {"doors", "kernels", "present", "schema"}
     packages = {info.name for info in iter_modules(dcfp.__path__) if info.ispkg} - inner
+    packages |= {f"present.{info.name}" for info in iter_modules(dcfp.present.__path__)}
     text = "".join(path.read_text(encoding="utf-8") for path in (DOCS / "reference").glob("*.md"))
     assert {name for name in packages if f"{{public-names}} dcfp.{name}\n" not in text} == set()
 

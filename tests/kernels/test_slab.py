@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from dcfp.bearing import PreciseHeating, SimplifiedHeating
-from dcfp.bearing.plates import cold_plates
+from dcfp.analysis.rig import Program, RigTest, Sine, VerticalLoad, run_program
 from dcfp.errors import InputError
 from dcfp.kernels.memory import fading_modes
 from dcfp.kernels.slab import slab_kernel, slab_modes
-from dcfp.rig import Program, RigTest, Sine, VerticalLoad, run_program
+from dcfp.system import PreciseHeating, SimplifiedHeating
+from dcfp.system.plates import cold_plates
 
 DIFFUSIVITY = 4.07
 

@@ -9,7 +9,10 @@ import pytest
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
-from dcfp.bearing import (
+from dcfp.analysis import Response, respond
+from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.synthetic import harmonic, ricker
+from dcfp.system import (
     LI_2020,
     Bearing,
     ConstantFriction,
@@ -23,10 +26,7 @@ from dcfp.bearing import (
     SimplifiedHeating,
     UserFriction,
 )
-from dcfp.bearing.friction import KimConstantinou2023Third, KimConstantinou2023TwoThirds
-from dcfp.record.ground_motion import GroundMotion
-from dcfp.record.synthetic import harmonic, ricker
-from dcfp.response import Response, respond
+from dcfp.system.friction import KimConstantinou2023Third, KimConstantinou2023TwoThirds
 
 # ----- random cases -----
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from dcfp import GroundMotion
-from dcfp.record.ground_motion import Origin
+from dcfp.motion.ground_motion import Origin
 from dcfp.study import Study
 
 

@@ -30,7 +30,7 @@ def start(file: Path, place: Path) -> subprocess.Popen[bytes]:
     words = [
         sys.executable,
         "-m",
-        "dcfp.cli.main",
+        "dcfp.doors.cli.main",
         "study",
         str(file),
         "--out",
@@ -79,7 +79,7 @@ def test_ctrl_c_ends_with_a_sentence_and_the_status_of_an_interruption(tmp_path:
     file = tmp_path / "study.toml"
     file.write_text(TEXT, encoding="utf-8")
     place = tmp_path / "s.zarr"
-    words = [sys.executable, "-m", "dcfp.cli.main", "study", str(file), "--out", str(place)]
+    words = [sys.executable, "-m", "dcfp.doors.cli.main", "study", str(file), "--out", str(place)]
     process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     wait_for_blocks(process, place, 5)
     process.send_signal(signal.SIGINT)

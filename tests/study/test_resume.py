@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from dcfp.analysis.status import NOT_RUN
 from dcfp.errors import InputError
-from dcfp.response.status import NOT_RUN
 from dcfp.study import Study, run_study
 from dcfp.study import run as engine
 from dcfp.study import store as stores

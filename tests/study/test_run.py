@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 import dcfp
-from dcfp.comparison import compare
+from dcfp.analysis.status import FAILED
 from dcfp.errors import InputError
-from dcfp.response.status import FAILED
+from dcfp.inference import compare
 from dcfp.study import Plan, Sampling, Settings, Study, Uniform, run_study
 from dcfp.study.results import QUANTITIES
 
@@ -110,7 +110,7 @@ def failing(pressure: float, speed: float, temperature: float) -> float:
 
 
 def test_an_analysis_that_fails_is_marked_and_the_others_are_not(motions) -> None:
-    model = dcfp.bearing.Model(friction=dcfp.UserFriction(failing))
+    model = dcfp.system.Model(friction=dcfp.UserFriction(failing))
     dataset = run_study(Study(motions=motions, factors={"pgv": [60.0, 900.0]}, model=model))
     status = dataset["status"].sel(record="long").values
     assert status.tolist() == [1, FAILED]

@@ -6,8 +6,8 @@ The sixteen analyses of the paper's four records at hand, on one sheet with one 
 """
 
 import dcfp
-from dcfp.plots import plot_overview
-from dcfp.record.named import VELOCITIES
+from dcfp.motion.named import VELOCITIES
+from dcfp.present.figures import plot_overview
 
 responses = [
     dcfp.respond(

@@ -6,7 +6,7 @@ Our own prediction, which passes velocity, place and heat from one pulse to the 
 """
 
 import dcfp
-from dcfp.plots import plot_pulses
+from dcfp.present.figures import plot_pulses
 
 motion = dcfp.load_motion("NCC").scaled_to_pgv(500.0)
 case = dcfp.compare(motion, keep_response=True)

@@ -6,8 +6,8 @@ The precise model in the test T06 of Table 2 (±400 mm, three cycles): the conta
 """
 
 import dcfp
-from dcfp.plots.rig_sheet import plot_test
-from dcfp.rig import run_program
+from dcfp.analysis.rig import run_program
+from dcfp.present.figures.rig_sheet import plot_test
 
 program = dcfp.load_program("asce")
 loops = run_program(

@@ -6,7 +6,7 @@ Loop, histories and key numbers of one analysis. Colour is the temperature of th
 """
 
 import dcfp
-from dcfp.plots import plot_response
+from dcfp.present.figures import plot_response
 
 response = dcfp.respond(
     dcfp.load_motion("NCC").scaled_to_pgv(500.0), heating=dcfp.PreciseHeating()

@@ -6,7 +6,8 @@ from difflib import get_close_matches
 from enum import Enum
 from typing import Any, TypeAlias
 
-from dcfp.bearing import (
+from dcfp.errors import InputError
+from dcfp.system import (
     LI_2020,
     Bearing,
     Heating,
@@ -17,7 +18,6 @@ from dcfp.bearing import (
     heating_names,
     plates_of,
 )
-from dcfp.errors import InputError
 
 Value: TypeAlias = float | str
 

@@ -9,13 +9,13 @@ from typing import Any
 
 import numpy as np
 
+from dcfp.analysis.batch import GroundSet, Lanes
 from dcfp.arrays import FloatArray, IntArray
-from dcfp.bearing import Model
 from dcfp.errors import InputError
-from dcfp.response.batch import GroundSet, Lanes
 from dcfp.study.factors import Role, Value, changed, factor
 from dcfp.study.procedures import ANALYSIS
 from dcfp.study.study import RECORD, SAMPLE, Study
+from dcfp.system import Model
 
 #: Analyses in a block at most, and blocks in a study at least, as far as it has so many analyses.
 LARGEST_BLOCK, FEWEST_BLOCKS = 4096, 64

@@ -4,9 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from dcfp.bearing import Model
-from dcfp.codes.panel import answers_for_motion
-from dcfp.comparison.case import (
+from dcfp.inference.case import (
     Method,
     Setting,
     design_prediction,
@@ -14,10 +12,12 @@ from dcfp.comparison.case import (
     pendulum_of,
     pulse_predictions,
 )
-from dcfp.comparison.nominal import Nominal, nominal_coefficient
-from dcfp.prediction import NOTHING, Prediction, find_pulses
-from dcfp.prediction.li_2020 import LI_2020
-from dcfp.record.ground_motion import GroundMotion
+from dcfp.inference.nominal import Nominal, nominal_coefficient
+from dcfp.methods import NOTHING, Prediction, find_pulses
+from dcfp.methods.li_2020 import LI_2020
+from dcfp.methods.panel import answers_for_motion
+from dcfp.motion.ground_motion import GroundMotion
+from dcfp.system import Model
 
 #: The analysis itself.
 ANALYSIS = "analysis"

@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from dcfp.bearing import friction_law
-from dcfp.citations import citations_of
 from dcfp.errors import InputError
 from dcfp.kernels._jit import source_digest
+from dcfp.schema.citations import citations_of
 from dcfp.study.identity import identity_of
 from dcfp.study.plan import Plan
 from dcfp.study.results import DIGEST
+from dcfp.system import friction_law
 from dcfp.version import version
 
 #: Form of the store, so that a later version knows what it has before it.

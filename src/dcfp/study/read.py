@@ -5,18 +5,18 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, cast
 
-from dcfp.bearing import Model, read_bearing
-from dcfp.bearing.read import model_from
+from dcfp.analysis.respond import TOLERANCE
 from dcfp.errors import InputError
-from dcfp.reading import read_toml
-from dcfp.record.ground_motion import GroundMotion
-from dcfp.record.load import load_motions
-from dcfp.record.treatment import treated
-from dcfp.response.respond import TOLERANCE
+from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.load import load_motions
+from dcfp.motion.treatment import treated
+from dcfp.schema.reading import read_toml
 from dcfp.study.factors import OF_LAW, Value, factor
 from dcfp.study.sampling import LATIN_HYPERCUBE, Choice, Distribution, Sampling
 from dcfp.study.study import RECORD, Settings, Study
 from dcfp.study.values import distribution_from, values_from
+from dcfp.system import Model, read_bearing
+from dcfp.system.read import model_from
 
 BEARING = "bearing"
 _TABLES = ("title", "bearing", "motion", "factors", "sampling", "analysis", "keep", "report")
@@ -35,7 +35,7 @@ def read_study(path: str | Path) -> Study:
     ----------
     path
         TOML with ``title`` and the tables ``[factors]``, of which ``record`` is a must, ``[bearing]`` (keys of a bearing file, or
-        ``file``), ``[sampling]``, ``[motion]``, ``[analysis]`` and ``[keep]``; ``[report]`` is for `dcfp.scenario`; see ``docs/studies.md``. Files named in it are looked for
+        ``file``), ``[sampling]``, ``[motion]``, ``[analysis]`` and ``[keep]``; ``[report]`` is for `dcfp.study.scenario`; see ``docs/studies.md``. Files named in it are looked for
         from the folder of the study file.
 
     Raises

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import xarray
 
+from dcfp.analysis.batch import available_threads
 from dcfp.errors import InputError
-from dcfp.response.batch import available_threads
 from dcfp.study.plan import Block, Plan
 from dcfp.study.store import StudyStore, store_in_memory, store_on_disk
 from dcfp.study.study import Study

@@ -14,9 +14,9 @@ import xarray
 import zarr
 from zarr.storage import MemoryStore
 
+from dcfp.analysis.status import NOT_RUN
 from dcfp.errors import InputError
-from dcfp.nomenclature import quantity
-from dcfp.response.status import NOT_RUN
+from dcfp.schema.nomenclature import quantity
 from dcfp.study.coordinates import coordinates
 from dcfp.study.place import alone, followed, put_whole
 from dcfp.study.plan import Block, Plan

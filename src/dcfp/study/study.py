@@ -8,17 +8,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dcfp.bearing import Model
+from dcfp.analysis.respond import TOLERANCE
 from dcfp.errors import InputError
-from dcfp.notebook import card
-from dcfp.record.ground_motion import GroundMotion
-from dcfp.record.measures import refuse_a_drift
-from dcfp.record.stepping import check_step_and_tail
-from dcfp.response.respond import TOLERANCE
+from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.measures import refuse_a_drift
+from dcfp.motion.stepping import check_step_and_tail
+from dcfp.schema.notebook import card
 from dcfp.study.factors import CHOICES, Factor, Value, factor
 from dcfp.study.procedures import ANALYSIS, PROCEDURES
 from dcfp.study.results import INTENSITIES
 from dcfp.study.sampling import Choice, Distribution, Normal, Sampling, Uniform
+from dcfp.system import Model
 
 if TYPE_CHECKING:
     from dcfp.study.plan import Plan

@@ -3,11 +3,11 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from dcfp.analysis import Response, respond
+from dcfp.analysis.batch import Lanes, respond_in_batch
+from dcfp.analysis.status import FAILED, NUMBERS, Status
 from dcfp.arrays import IntArray
 from dcfp.errors import AnalysisError
-from dcfp.response import Response, respond
-from dcfp.response.batch import Lanes, respond_in_batch
-from dcfp.response.status import FAILED, NUMBERS, Status
 from dcfp.study.plan import Block, Cases, Plan
 from dcfp.study.procedures import ANALYSIS, peaks_of, predict, setting_of
 from dcfp.study.results import QUANTITIES, STATUS

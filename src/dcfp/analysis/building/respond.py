@@ -1,0 +1,139 @@
+"""Response history analysis of a shear building on a bearing."""
+
+import time
+from typing import NamedTuple
+
+import numpy as np
+
+from dcfp.analysis.building.response import BuildingResponse
+from dcfp.analysis.building.shear_building import ShearBuilding
+from dcfp.analysis.building.transition import building_of
+from dcfp.arrays import FloatArray, freeze
+from dcfp.errors import AnalysisError
+from dcfp.kernels import building as k
+from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.stepping import check_step_and_tail, parts_in, with_tail
+from dcfp.system import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating
+from dcfp.system.plates import cold_plates, heat_of, structure_of
+
+#: Longest fine step, unless another is asked for [s]; and over the shortest period on a fixed base [-], but for steps that are short already [s].
+LONGEST_STEP, PERIOD_FRACTION, SHORT_STEP = 0.002, 0.1, 0.0002
+
+
+class _Run(NamedTuple):
+    """What one march left behind."""
+
+    status: int
+    done: int
+    rests: bool
+    state: FloatArray
+    peaks: FloatArray
+    elapsed: float
+
+
+def respond_building(
+    motion: GroundMotion,
+    building: ShearBuilding,
+    bearing: Bearing = LI_2020,
+    friction: FrictionLaw | None = None,
+    heating: Heating | None = None,
+    *,
+    step: float | None = None,
+    tail: float | None = None,
+) -> BuildingResponse:
+    """Analyse a shear building on a bearing under a ground motion.
+
+    Parameters
+    ----------
+    motion
+        Ground acceleration, linear between its samples.
+    building
+        Its masses and stiffnesses are multiplied by one factor, so that the bearing carries the sum of the masses: `ShearBuilding.scaled_to`. The
+        vertical force is constant.
+    bearing
+        By default that of Li et al. (2020).
+    friction
+        By default the law of Li et al. (2020), Eqs (7)-(10).
+    heating
+        By default the simplified model, Li et al. (2020), section 4.2.
+    step
+        Longest fine step [s]; by default 0.002 s, or a tenth of the shortest period on a fixed base where that is less, down to 0.0002 s.
+    tail
+        Time after the record in which the ground keeps its velocity [s]. By default the analysis goes on until no more
+        sliding can come, for at most 120 s; without damping that may be all of it.
+
+    Returns
+    -------
+    BuildingResponse
+        Histories at the record's samples, peaks and energies.
+
+    Raises
+    ------
+    InputError
+        If an argument is out of range.
+    AnalysisError
+        If the analysis cannot be finished.
+    """
+    friction = Li2020() if friction is None else friction
+    heating = SimplifiedHeating() if heating is None else heating
+    check_step_and_tail(step, tail)
+    longest = _longest_step(building) if step is None else step
+    parts = parts_in(motion.time_step, longest)
+    fine = motion.time_step / parts
+    acceleration = with_tail(motion, tail)
+    # from one sample of the record after its last, where the ground has stopped accelerating
+    free_from = motion.acceleration.size if tail is None else acceleration.size
+    own = building_of(building, bearing, fine)
+    structure = structure_of(bearing, friction)
+    law = friction.at_pressure(bearing.pressure)
+    lines = np.empty((acceleration.size, 2 * own.floors + k.LINE_SIZE + structure.plates))
+    plates = cold_plates(bearing, heating)
+
+    def march(ground: FloatArray) -> _Run:
+        own.vectors[:] = 0.0
+        state, peaks = _at_rest(heating), np.zeros((2, own.floors))
+        heat = heat_of(plates.copy(), bearing, heating)
+        began = time.perf_counter()
+        ended = k.march_building(law, structure, heat, own, ground, parts, free_from, state, peaks, lines)
+        return _Run(*ended, state, peaks, time.perf_counter() - began)
+
+    march(np.zeros(2))  # has the kernels compiled or loaded, so that the time of an analysis is its own
+    run = march(acceleration)
+    while run.status == k.OUT_OF_CELLS:  # the slider left the line of cells
+        plates = plates.with_room(plates.cells.shape[1])
+        run = march(acceleration)
+    lines = lines[: run.done + 1]
+    if run.status == k.NO_PROGRESS:
+        msg = f"{motion.name}: the analysis makes no progress at {run.done * motion.time_step:.4g} s; look at the friction law, or try a shorter step."
+        raise AnalysisError(msg)
+    if not np.isfinite(lines).all():
+        msg = f"{motion.name}: the response is not a finite number; look at the friction law."
+        raise AnalysisError(msg)
+    return BuildingResponse(
+        motion=motion,
+        bearing=bearing,
+        friction_law=friction,
+        heating=heating,
+        building=building.scaled_to(bearing.mass),
+        step=fine,
+        time=freeze(np.arange(run.done + 1) * motion.time_step),
+        ground_acceleration=freeze(acceleration[: run.done + 1]),
+        rests=run.rests,
+        elapsed=run.elapsed,
+        _lines=freeze(lines),
+        _peaks=freeze(run.peaks),
+        _state=freeze(run.state),
+        _resistance=own.resistance,
+    )
+
+
+def _longest_step(building: ShearBuilding) -> float:
+    shortest = PERIOD_FRACTION * float(building.fixed_base_periods[-1])
+    return min(LONGEST_STEP, max(SHORT_STEP, shortest))
+
+
+def _at_rest(heating: Heating) -> FloatArray:
+    state = np.zeros(k.STATE_SIZE)
+    state[k.ROOM] = k.TICKS
+    state[k.PEAK_TEMPERATURE] = heating.ambient
+    return state

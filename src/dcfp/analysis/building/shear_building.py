@@ -1,0 +1,152 @@
+"""A building of which each storey is a spring: masses, stiffnesses and viscous damping."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from dcfp.analysis.building.damping import Damping, StiffnessProportional
+from dcfp.arrays import FloatArray, freeze
+from dcfp.errors import InputError
+from dcfp.schema.notebook import fields_card
+from dcfp.system.checks import positive
+
+#: Damping unless another is chosen: 2 % in the first mode on a fixed base, in proportion to the stiffness.
+TWO_PERCENT = StiffnessProportional(0.02)
+
+
+@dataclass(frozen=True)
+class ShearBuilding:
+    """A base on the isolation layer, and storeys above it.
+
+    Parameters
+    ----------
+    masses
+        Of the base and of the floors above it, from below [t], one more than there are storeys.
+    stiffnesses
+        Shear stiffness of each storey, from below [N/mm].
+    damping
+        Of the superstructure; None for none. The isolation layer has no viscous damping.
+
+    Notes
+    -----
+    Only ratios matter, for a bearing's vertical force says what it carries: masses and stiffnesses are multiplied by the one factor with
+    which the masses add up to that of the bearing (`scaled_to`). This leaves periods and damping ratios as they are, so masses can
+    be given as fractions too.
+    """
+
+    masses: tuple[float, ...]
+    stiffnesses: tuple[float, ...]
+    damping: Damping | None = TWO_PERCENT
+
+    def __post_init__(self) -> None:
+        masses = _all_positive(self.masses, "mass of a floor", "t")
+        stiffnesses = _all_positive(self.stiffnesses, "stiffness of a storey", "N/mm")
+        if not stiffnesses:
+            msg = (
+                "A building needs at least one storey; without any it is the rigid structure of dcfp.respond."
+            )
+            raise InputError(msg)
+        if len(masses) != len(stiffnesses) + 1:
+            msg = (
+                f"A building of {len(stiffnesses)} storeys needs {len(stiffnesses) + 1} masses, that of the base first,"
+                f" not {len(masses)}."
+            )
+            raise InputError(msg)
+        object.__setattr__(self, "masses", masses)
+        object.__setattr__(self, "stiffnesses", stiffnesses)
+        if self.damping is not None:
+            self.damping.factors(self._frequencies)
+
+    @property
+    def storeys(self) -> int:
+        """Number of storeys above the base."""
+        return len(self.stiffnesses)
+
+    @property
+    def mass(self) -> float:
+        """Sum of all masses [t]."""
+        return math.fsum(self.masses)
+
+    @property
+    def fixed_base_periods(self) -> FloatArray:
+        """Periods of the undamped storeys on a fixed base [s], longest first, shape (storeys,)."""
+        return freeze(2.0 * math.pi / self._frequencies)
+
+    @property
+    def storey_stiffness(self) -> FloatArray:
+        """Stiffness matrix of the storeys [N/mm] for the displacements of base and floors, shape (floors, floors)."""
+        return self._of_all(self._fixed_base_stiffness)
+
+    @property
+    def damping_matrix(self) -> FloatArray:
+        """Damping matrix [N s/mm] for the velocities of base and floors, shape (floors, floors)."""
+        if self.damping is None:
+            return np.zeros((self.storeys + 1, self.storeys + 1))
+        alpha, beta = self.damping.factors(self._frequencies)
+        return self._of_all(alpha * np.diag(self.masses[1:]) + beta * self._fixed_base_stiffness)
+
+    def scaled_to(self, mass: float) -> "ShearBuilding":
+        """Return the building with this sum of masses [t], and stiffnesses multiplied by the same factor."""
+        factor = positive(mass, "mass", "t") / self.mass
+        return replace(
+            self,
+            masses=tuple(factor * m for m in self.masses),
+            stiffnesses=tuple(factor * k for k in self.stiffnesses),
+        )
+
+    @property
+    def _fixed_base_stiffness(self) -> FloatArray:
+        above = np.array([*self.stiffnesses[1:], 0.0])
+        between = -above[:-1]
+        return np.diag(np.array(self.stiffnesses) + above) + np.diag(between, 1) + np.diag(between, -1)
+
+    @cached_property
+    def _frequencies(self) -> FloatArray:
+        root = 1.0 / np.sqrt(np.array(self.masses[1:]))
+        return freeze(np.sqrt(np.linalg.eigvalsh(self._fixed_base_stiffness * np.outer(root, root))))
+
+    def _of_all(self, of_storeys: FloatArray) -> FloatArray:
+        """Return a matrix for the motion relative to the base as one for that of base and floors."""
+        relative = np.hstack((-np.ones((self.storeys, 1)), np.eye(self.storeys)))
+        return relative.T @ of_storeys @ relative
+
+    def _repr_html_(self) -> str:
+        facts = {"fixed_base_periods [s]": tuple(self.fixed_base_periods.tolist())}
+        return fields_card(self, f"Shear building of {self.storeys} storeys", facts)
+
+
+def uniform_building(
+    storeys: int,
+    period: float,
+    *,
+    mass_ratio: float = 1.0,
+    damping: Damping | None = TWO_PERCENT,
+) -> ShearBuilding:
+    """Return a building of equal storeys with masses as fractions of their sum.
+
+    Parameters
+    ----------
+    storeys
+        Number of storeys above the base.
+    period
+        First period on a fixed base [s].
+    mass_ratio
+        Mass of the base over that of a floor [-].
+    damping
+        Of the superstructure.
+    """
+    if type(storeys) is not int or storeys < 1:
+        msg = f"The number of storeys must be a whole number from 1 on, not {storeys!r}."
+        raise InputError(msg)
+    frequency = 2.0 * math.pi / positive(period, "first period on a fixed base", "s")
+    floor = 1.0 / (storeys + positive(mass_ratio, "ratio of the base's mass to a floor's", "1"))
+    # of n equal masses on equal springs: omega_1 = 2 sqrt(k/m) sin(pi / (4 n + 2))
+    stiffness = floor * (0.5 * frequency / math.sin(math.pi / (4 * storeys + 2))) ** 2
+    return ShearBuilding((mass_ratio * floor, *(floor,) * storeys), (stiffness,) * storeys, damping)
+
+
+def _all_positive(values: Sequence[float], name: str, unit: str) -> tuple[float, ...]:
+    return tuple(positive(value, name, unit) for value in values)

@@ -1,0 +1,84 @@
+"""The energy balance: Li et al. (2020), Eqs (3)-(6)."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from dcfp.arrays import FloatArray
+from dcfp.schema.notebook import fields_card
+from dcfp.system import Bearing
+
+
+@dataclass(frozen=True)
+class EnergyBalance:
+    """Histories of the energies [N mm], shape (n,).
+
+    Attributes
+    ----------
+    input
+        Relative input energy E, Eq. (4): the work of - m a_g on the relative displacement.
+    absolute_input
+        Absolute input energy, the work that the ground does on the structure (Uang and Bertero 1988).
+    kinetic
+        E_k of the relative velocity, Eq. (5).
+    pendulum, spring
+        Parts of the elastic strain energy E_s: in spring (a) and in spring (b).
+    hysteretic
+        E_h, dissipated by friction.
+    """
+
+    input: FloatArray
+    absolute_input: FloatArray
+    kinetic: FloatArray
+    pendulum: FloatArray
+    spring: FloatArray
+    hysteretic: FloatArray
+
+    @classmethod
+    def of(
+        cls,
+        bearing: Bearing,
+        displacement: FloatArray,
+        velocity: FloatArray,
+        elongation: FloatArray,
+        ground_velocity: FloatArray,
+        input_energy: FloatArray,
+        hysteretic_energy: FloatArray,
+    ) -> "EnergyBalance":
+        """Complete the two integrals of the analysis with the energies that follow from the state."""
+        mass = bearing.mass
+        # E_abs - E = m v_g^2 / 2 + m v v_g, for a motion that starts from rest
+        ground = mass * ground_velocity * (0.5 * ground_velocity + velocity)
+        return cls(
+            input=input_energy,
+            absolute_input=input_energy + ground,
+            kinetic=0.5 * mass * velocity**2,
+            pendulum=0.5 * bearing.restoring_stiffness * displacement**2,
+            spring=0.5 * bearing.elastic_stiffness * elongation**2,
+            hysteretic=hysteretic_energy,
+        )
+
+    @property
+    def strain(self) -> FloatArray:
+        """Elastic strain energy E_s [N mm]."""
+        return self.pendulum + self.spring
+
+    @property
+    def residual(self) -> FloatArray:
+        """E - E_s - E_k - E_h, by which Eq. (6) fails to close [N mm]."""
+        return self.input - self.strain - self.kinetic - self.hysteretic
+
+    @property
+    def relative_residual(self) -> float:
+        """Largest residual over the largest input energy [-]."""
+        largest = float(np.abs(self.input).max())
+        return float(np.abs(self.residual).max()) / largest if largest > 0.0 else 0.0
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, "Energies over time [N mm]")
+
+
+def equivalent_velocity(energy: float, mass: float) -> float:
+    """Equivalent velocity V_E = sqrt(2 E / m) of an energy [N mm] and a mass [t], in mm/s (Akiyama 1985)."""
+    return math.sqrt(max(2.0 * energy / mass, 0.0))

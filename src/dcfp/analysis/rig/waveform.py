@@ -1,0 +1,336 @@
+"""What the test machine does: displacement over time as cubic pieces, and where its cycles begin and end."""
+
+import math
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import ClassVar, Literal, TypeAlias
+
+import numpy as np
+from scipy.interpolate import CubicHermiteSpline, PchipInterpolator
+
+from dcfp.analysis.rig.measures import CROSSING
+from dcfp.arrays import FloatArray, equally_spaced
+from dcfp.errors import InputError
+from dcfp.system.checks import positive
+
+#: Pieces in a cycle of a generated motion; the cubic is then within 2e-10 of the amplitude of a sine.
+PIECES_PER_CYCLE = 400
+#: Part of a piece that is not cut off [-].
+_SLIVER = 0.05
+#: Range of a cycle over that of the largest from which on it is not one of a ramp [-].
+_FULL_CYCLE = 0.9
+
+Start: TypeAlias = Literal["speed", "peak", "ramp"]
+STARTS: tuple[Start, ...] = ("speed", "peak", "ramp")
+
+
+@dataclass(frozen=True)
+class Travel:
+    """A displacement as cubic pieces.
+
+    Attributes
+    ----------
+    lengths
+        How long each piece lasts [s], shape (n,).
+    pieces
+        Coefficients of 1, t, t2 and t3 in each piece [mm, mm/s, ...], shape (n, 4).
+    cycles
+        Times at which cycles begin and end [s], shape (cycles + 1,).
+    """
+
+    lengths: FloatArray
+    pieces: FloatArray
+    cycles: FloatArray
+
+    @property
+    def time(self) -> FloatArray:
+        """Times at the ends of the pieces [s], shape (n + 1,)."""
+        return np.concatenate(([0.0], np.cumsum(self.lengths)))
+
+    def cut_at(self, times: FloatArray) -> "Travel":
+        """Return the same displacement with pieces that also end at `times` [s]."""
+        ends = self.time
+        inside = times[(times > 0.0) & (times < ends[-1])]
+        piece = np.searchsorted(ends, inside, side="right") - 1
+        apart = (inside - ends[piece] > _SLIVER * self.lengths[piece]) & (
+            ends[piece + 1] - inside > _SLIVER * self.lengths[piece]
+        )
+        if not apart.any():
+            return self
+        inside, piece = inside[apart], piece[apart]
+        origin = np.concatenate((np.arange(self.lengths.size), piece))
+        start = np.concatenate((ends[:-1], inside))
+        order = np.argsort(start, kind="stable")
+        origin, start = origin[order], start[order]
+        moved = _moved(self.pieces[origin], start - ends[:-1][origin])
+        lengths = np.diff(np.append(start, ends[-1]))
+        whole = np.isin(np.arange(self.lengths.size), piece, invert=True)[origin]
+        lengths[whole] = self.lengths[
+            origin[whole]
+        ]  # to the last digit, for the kernels prepare a length once
+        return Travel(lengths, moved, self.cycles)
+
+    @property
+    def largest(self) -> float:
+        """Largest displacement, to either side, at the ends of pieces [mm]."""
+        last = self.pieces[-1] @ self.lengths[-1] ** np.arange(4.0)
+        return float(max(np.abs(self.pieces[:, 0]).max(), abs(last)))
+
+
+@dataclass(frozen=True)
+class Sine:
+    """A sine wave.
+
+    Parameters
+    ----------
+    amplitude
+        [mm].
+    peak_velocity
+        Largest velocity [mm/s]; the period is 2 pi amplitude / peak_velocity.
+    cycles
+        Full cycles that count.
+    start
+        ``"speed"``: from zero displacement at full velocity, as if the machine had been moving; ``"peak"``: from rest at the
+        amplitude; ``"ramp"``: from rest at zero, with cycles that grow before those that count and shrink after them.
+    ramp_cycles
+        Number of cycles in which the amplitude grows, and in which it shrinks, for a start by ramp.
+    """
+
+    amplitude: float
+    peak_velocity: float
+    cycles: float
+    start: Start = "speed"
+    ramp_cycles: float = 1.0
+    kind: ClassVar[str] = "sine"
+
+    def __post_init__(self) -> None:
+        positive(self.amplitude, "amplitude", "mm")
+        positive(self.peak_velocity, "peak velocity", "mm/s")
+        _whole(self.cycles)
+        if self.start not in STARTS:
+            msg = f"A sine can start at {', '.join(STARTS)}, not {self.start!r}."
+            raise InputError(msg)
+        _countable(self.ramp_cycles, "number of cycles of a ramp")
+
+    @property
+    def period(self) -> float:
+        """Period [s]."""
+        return 2.0 * math.pi * self.amplitude / self.peak_velocity
+
+    def travel(self) -> Travel:
+        """Return the displacement."""
+        ramp = self.ramp_cycles if self.start == "ramp" else 0.0
+        turns = self.cycles + 2.0 * ramp
+        count = max(8, math.ceil(turns * PIECES_PER_CYCLE))
+        phase = 2.0 * math.pi * turns * np.arange(count + 1) / count
+        if self.start == "peak":
+            displacement, slope = np.cos(phase), -np.sin(phase)
+        elif ramp > 0.0:
+            displacement, slope = _ramped(phase, 2.0 * math.pi * ramp, float(phase[-1]))
+        else:
+            displacement, slope = np.sin(phase), np.cos(phase)
+        step = self.period * turns / count
+        spline = CubicHermiteSpline(
+            step * np.arange(count + 1), self.amplitude * displacement, self.peak_velocity * slope
+        )
+        first = self.period * ramp
+        bounds = first + self.period * np.arange(math.floor(self.cycles + 1e-9) + 1, dtype=np.float64)
+        return Travel(np.full(count, step), _rows(spline.c), bounds)
+
+
+def _ramped(phase: FloatArray, ramp: float, last: float) -> tuple[FloatArray, FloatArray]:
+    """Return a sine of growing, full and shrinking amplitude, and its derivative, over the phase [rad]."""
+    rise = np.clip(np.minimum(phase, last - phase) / ramp, 0.0, 1.0)
+    envelope = rise * rise * (3.0 - 2.0 * rise)
+    change = 6.0 * rise * (1.0 - rise) / ramp * np.where(phase < 0.5 * last, 1.0, -1.0)
+    own = phase - ramp
+    return envelope * np.sin(own), envelope * np.cos(own) + change * np.sin(own)
+
+
+@dataclass(frozen=True)
+class Triangle:
+    """A displacement at constant speed to and fro, from zero.
+
+    Parameters
+    ----------
+    amplitude
+        [mm].
+    speed
+        [mm/s].
+    cycles
+        Full cycles.
+    """
+
+    amplitude: float
+    speed: float
+    cycles: float
+    kind: ClassVar[str] = "triangle"
+
+    def __post_init__(self) -> None:
+        positive(self.amplitude, "amplitude", "mm")
+        positive(self.speed, "speed", "mm/s")
+        _whole(self.cycles)
+
+    @property
+    def period(self) -> float:
+        """Period [s]."""
+        return 4.0 * self.amplitude / self.speed
+
+    @property
+    def peak_velocity(self) -> float:
+        """Largest velocity [mm/s]."""
+        return self.speed
+
+    def travel(self) -> Travel:
+        """Return the displacement."""
+        quarters = round(4.0 * self.cycles)
+        per_quarter = PIECES_PER_CYCLE // 4
+        quarter = np.arange(quarters + 1)
+        corners = self.amplitude * np.where(quarter % 2 == 0, 0.0, np.where(quarter % 4 == 1, 1.0, -1.0))
+        displacement = np.interp(np.arange(quarters * per_quarter + 1) / per_quarter, quarter, corners)
+        step = self.period / PIECES_PER_CYCLE
+        pieces = np.zeros((displacement.size - 1, 4))
+        pieces[:, 0] = displacement[:-1]
+        pieces[:, 1] = np.diff(displacement) / step
+        bounds = self.period * np.arange(math.floor(self.cycles + 1e-9) + 1, dtype=np.float64)
+        return Travel(np.full(displacement.size - 1, step), pieces, bounds)
+
+
+@dataclass(frozen=True, eq=False)
+class Recorded:
+    """A measured displacement; between samples it goes one way only, without overshoot.
+
+    Parameters
+    ----------
+    time
+        Increasing, from zero [s], shape (n,).
+    displacement
+        [mm], shape (n,).
+    origin
+        Where it was read from.
+    """
+
+    time: FloatArray
+    displacement: FloatArray
+    origin: str = ""
+    kind: ClassVar[str] = "recorded"
+
+    def __post_init__(self) -> None:
+        if self.time.size < 4 or self.time.shape != self.displacement.shape:
+            msg = (
+                "A recorded displacement needs at least four samples, and as many times as displacements, not"
+                f" {self.time.size} and {self.displacement.size}."
+            )
+            raise InputError(msg)
+        if not (np.isfinite(self.time).all() and np.isfinite(self.displacement).all()):
+            msg = "A recorded displacement must consist of finite numbers."
+            raise InputError(msg)
+        if not (np.diff(self.time) > 0.0).all():
+            msg = "The times of a recorded displacement must increase from sample to sample."
+            raise InputError(msg)
+
+    @property
+    def amplitude(self) -> float:
+        """Largest displacement [mm]."""
+        return float(np.abs(self.displacement).max())
+
+    @property
+    def peak_velocity(self) -> float:
+        """Largest mean velocity between two samples [mm/s]."""
+        return float(np.abs(np.diff(self.displacement) / np.diff(self.time)).max())
+
+    @property
+    def cycles(self) -> float:
+        """Full cycles that were found."""
+        return float(self.travel().cycles.size - 1)
+
+    @property
+    def period(self) -> float:
+        """Mean length of the cycles found [s]; of the whole motion where there is none."""
+        bounds = self.travel().cycles
+        return float((bounds[-1] - bounds[0]) / max(bounds.size - 1, 1)) or float(self.time[-1])
+
+    def travel(self) -> Travel:
+        """Return the displacement."""
+        time = self.time - self.time[0]
+        lengths = np.diff(time)
+        if equally_spaced(time):
+            lengths = np.full(lengths.size, float(time[-1]) / lengths.size)
+        return Travel(
+            lengths,
+            _rows(PchipInterpolator(time, self.displacement).c),
+            cycle_bounds(time, self.displacement),
+        )
+
+
+Waveform: TypeAlias = Sine | Triangle | Recorded
+
+
+def cycle_bounds(time: FloatArray, displacement: FloatArray) -> FloatArray:
+    """Return the times [s] at which the displacement passes zero upwards, with the start if it begins there.
+
+    Only passages between a tenth of the largest displacement on either side count, so that noise around zero makes no cycle. Smaller
+    cycles before and after others that are alike are left out: they are ramps. A motion that has no full cycle is one cycle.
+    """
+    far = CROSSING * float(np.abs(displacement).max())
+    bounds: list[float] = []
+    below = abs(displacement[0]) <= far
+    last_zero = float(time[0])
+    for i in range(displacement.size - 1):
+        y, following = float(displacement[i]), float(displacement[i + 1])
+        if y <= 0.0 < following:
+            last_zero = float(time[i] - y * (time[i + 1] - time[i]) / (following - y))
+        if following < -far:
+            below = True
+        elif following > far and below:
+            bounds.append(last_zero)
+            below = False
+    tail = displacement[time > bounds[-1]] if bounds else displacement
+    if bounds and tail.min() < -far and abs(displacement[-1]) <= far:
+        bounds.append(float(time[-1]))  # the last cycle ends where the motion does
+    if len(bounds) < 2:
+        bounds = [float(time[0]), float(time[-1])]
+    return _without_ramps(np.array(bounds), time, displacement)
+
+
+def _without_ramps(bounds: FloatArray, time: FloatArray, displacement: FloatArray) -> FloatArray:
+    """Leave out smaller cycles at both ends, if all between them are alike: they are ramps, or the start and stop of the machine."""
+    ranges = np.array(
+        [np.ptp(displacement[(time >= first) & (time <= last)]) for first, last in pairwise(bounds.tolist())]
+    )
+    full = np.flatnonzero(ranges >= _FULL_CYCLE * ranges.max())
+    first, last = int(full[0]), int(full[-1])
+    return bounds[first : last + 2] if full.size == last - first + 1 else bounds
+
+
+def _moved(pieces: FloatArray, later: FloatArray) -> FloatArray:
+    """Return cubic pieces that begin `later` [s]."""
+    c0, c1, c2, c3 = pieces.T
+    t = later
+    return np.column_stack(
+        (
+            c0 + t * (c1 + t * (c2 + t * c3)),
+            c1 + t * (2.0 * c2 + t * 3.0 * c3),
+            c2 + 3.0 * t * c3,
+            c3,
+        )
+    )
+
+
+def _rows(coefficients: FloatArray) -> FloatArray:
+    """Return SciPy's coefficients, highest order first, as rows of pieces, lowest order first."""
+    return np.ascontiguousarray(coefficients[::-1].T)
+
+
+def _whole(cycles: float) -> None:
+    _countable(cycles, "number of cycles")
+    if cycles < 1.0:
+        msg = f"A test needs at least one full cycle, not {cycles!r}."
+        raise InputError(msg)
+
+
+def _countable(value: float, name: str) -> None:
+    positive(value, name, "cycles")
+    if value > 10_000.0 or abs(4.0 * value - round(4.0 * value)) > 1e-9:
+        msg = f"The {name} must be a number of whole quarters up to 10000, not {value!r}."
+        raise InputError(msg)

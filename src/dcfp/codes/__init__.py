@@ -1,1 +1,0 @@
-"""What the codes and other methods say of the displacement, each with the conditions under which it may be used."""

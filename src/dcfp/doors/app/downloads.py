@@ -1,0 +1,74 @@
+"""Files to take away, made in memory or in a folder that is gone when they are sent."""
+
+from collections.abc import Callable
+from io import BytesIO
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING, Any
+
+from dcfp.analysis import Response
+from dcfp.analysis.rig import Loops
+from dcfp.doors.app.analysis import Task, scenario_of
+from dcfp.present import tables
+from dcfp.study.scenario import calculate
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def responses_netcdf(responses: list[Response]) -> bytes:
+    """Return analyses as NetCDF."""
+    return _file(lambda path: tables.write_netcdf(path, responses))
+
+
+def responses_csv(responses: list[Response]) -> bytes:
+    """Return the histories of one analysis as CSV, or the peaks of several."""
+    return tables.csv_text(responses).encode()
+
+
+def tests_netcdf(tests: list[Loops]) -> bytes:
+    """Return tests as NetCDF."""
+    return _file(lambda path: tables.write_tests_netcdf(path, tests))
+
+
+def tests_csv(tests: list[Loops]) -> bytes:
+    """Return the history of one test as CSV, or the measures of several."""
+    return tables.cycles_csv(tests).encode()
+
+
+def response_png(response: Response) -> bytes:
+    """Return the sheet of an analysis as PNG."""
+    from dcfp.present.figures import plot_response  # late: Matplotlib takes long to import
+
+    return figure_png(plot_response(response))
+
+
+def report_pdf(task: Task) -> bytes:
+    """Return the report of a task as PDF."""
+    from dcfp.present.report import build_report, check_typst, pdf_of  # late: it needs another package
+
+    check_typst()
+    return pdf_of(build_report(calculate(scenario_of(task))))
+
+
+def workbook(task: Task) -> bytes:
+    """Return every result of a task as a workbook."""
+    from dcfp.exchange import write_workbook
+
+    return _file(lambda path: write_workbook(path, calculate(scenario_of(task))))
+
+
+def figure_png(figure: "Figure") -> bytes:
+    """Return a figure as PNG."""
+    from dcfp.present.figures import save_figure
+
+    stream = BytesIO()
+    save_figure(figure, stream, "png")
+    return stream.getvalue()
+
+
+def _file(write: Callable[[Path], Any]) -> bytes:
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "results"
+        write(path)
+        return path.read_bytes()

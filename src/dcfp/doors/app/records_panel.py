@@ -1,0 +1,125 @@
+"""The fields of the records: which, from which files, how treated and how strong."""
+
+import asyncio
+from collections.abc import Callable
+from typing import Any
+
+from nicegui import ui
+from nicegui.events import UploadEventArguments
+
+from dcfp.doors.app.elements import FileDrop, Slider, Text
+from dcfp.doors.app.fields import Alert, card, choice_field, more, number_field, switch_field
+from dcfp.doors.app.forms import Limits
+from dcfp.doors.app.session import Session
+from dcfp.doors.app.uploads import LARGEST_FILE, MOST_FILES, read_upload, too_large
+from dcfp.errors import InputError
+
+#: Most records that are analysed together.
+MOST_CHOSEN = 8
+_PGVS = (0.05, 1.5)
+_CORNER = Limits(0.005, 5.0, 0.01)
+_TIME_STEP = Limits(0.0001, 1.0, 0.005)
+_UNITS = {"": "as the file says", **{unit: unit for unit in ("mm/s2", "cm/s2", "gal", "m/s2", "g")}}
+
+
+class RecordsPanel:
+    """The fields of the records.
+
+    Parameters
+    ----------
+    session
+        What they hold.
+    changed
+        Called when one of them has changed.
+    """
+
+    def __init__(self, session: Session, changed: Callable[[], None]) -> None:
+        self._session, self._changed = session, changed
+        self._unit: str | None = None
+        self._time_step: float | None = None
+        with card("Ground motion"):
+            self._records = choice_field(
+                "Records", session.choices(), session.chosen, self._choose, several=True, search=True
+            )
+            self._drop = FileDrop(
+                f"or drop them here: AT2, K-NET, KiK-net, JMA, V2, COSMOS, ESM, CWB, columns; up to {MOST_FILES} of {LARGEST_FILE / 1e6:.0f} MB",
+                LARGEST_FILE,
+                on_upload=self._take,
+            )
+            self._drop.on("too_large", lambda event: self._alert.say(too_large(str(event.args))))
+            self._drop.on(
+                "refused",
+                lambda event: self._alert.say(f"{str(event.args)[:80]}: the file could not be sent."),
+            )
+            self._alert = Alert()
+            self._pgv = Slider("PGV of every record", "m/s", 2, session.pgv, _PGVS, 0.01, self._set_pgv)
+            switch_field("As recorded, not scaled", session.as_recorded, self._set_as_recorded)
+            with more("Treatment and plain files"):
+                switch_field("Remove a linear baseline in velocity", session.baseline, self._set_baseline)
+                number_field(
+                    "High-pass filter, corner", "Hz", session.corner, _CORNER, self._set_corner, hint="none"
+                )
+                with ui.element("div").classes("pair"):
+                    choice_field("Unit of plain columns", _UNITS, "", self._set_unit)
+                    number_field(
+                        "Time step of one column",
+                        "s",
+                        None,
+                        _TIME_STEP,
+                        self._set_time_step,
+                        hint="in the file",
+                    )
+                Text("p", "K-NET, KiK-net and JMA files are raw: filter them at 0.05 Hz before trusting a PGV.").classes("note")  # fmt: skip
+
+    def _choose(self, keys: Any) -> None:
+        chosen = [str(key) for key in keys or ()]
+        if len(chosen) > MOST_CHOSEN:
+            self._alert.say(
+                f"The page analyses at most {MOST_CHOSEN} records at a time; for more there is dcfp study."
+            )
+            self._records.value = chosen[:MOST_CHOSEN]
+            return
+        if chosen != self._session.chosen:
+            self._session.chosen = chosen
+            self._changed()
+
+    async def _take(self, event: UploadEventArguments) -> None:
+        session, file = self._session, event.file
+        try:
+            session.refuse_more_files()
+            if file.size() > LARGEST_FILE:
+                raise InputError(too_large(file.name))
+            content = await file.read()
+            uploads = await asyncio.to_thread(
+                read_upload, content, file.name, units=self._unit, time_step=self._time_step
+            )
+            keys = session.take(uploads)
+        except InputError as error:
+            self._alert.say(str(error))
+            return
+        self._alert.say("")
+        self._records.set_options(session.choices(), value=keys[:1])
+
+    def _set_pgv(self, value: float) -> None:
+        self._session.pgv = value
+        if not self._session.as_recorded:
+            self._changed()
+
+    def _set_as_recorded(self, value: bool) -> None:
+        self._session.as_recorded = value
+        self._pgv.set_off(value)
+        self._changed()
+
+    def _set_baseline(self, value: bool) -> None:
+        self._session.baseline = value
+        self._changed()
+
+    def _set_corner(self, value: float | None) -> None:
+        self._session.corner = value
+        self._changed()
+
+    def _set_unit(self, value: str) -> None:
+        self._unit = value or None
+
+    def _set_time_step(self, value: float | None) -> None:
+        self._time_step = value

@@ -1,0 +1,3 @@
+"""A calculation as a workbook for spreadsheets."""
+
+from dcfp.exchange.excel.write import write_workbook as write_workbook

@@ -1,0 +1,100 @@
+"""The sheet of inputs: bearing, friction law, heating model, ground motions."""
+
+from dataclasses import fields
+from typing import TYPE_CHECKING, Any, cast
+
+from dcfp.exchange.excel.sheet import COUNT, Head, Sheet
+from dcfp.schema.notebook import units_of
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dcfp.motion.ground_motion import GroundMotion
+    from dcfp.study.scenario import Calculation
+    from dcfp.system import Bearing
+
+_HEADS = (Head("Quantity", width=26), Head("Value", width=22), Head("Unit", width=12))
+_MOTIONS = (
+    Head("Case", width=18),
+    Head("Record", width=16),
+    Head("PGV", "mm/s"),
+    Head("PGA", "mm/s2"),
+    Head("Time step", "s", number_format="0.0000"),
+    Head("Values", number_format=COUNT),
+    Head("Event", width=22),
+    Head("Station", width=22),
+    Head("Component", width=14),
+    Head("Source", width=26),
+    Head("Format", width=14),
+    Head("Processing in the source", width=26),
+    Head("Treatment", width=26),
+    Head("SHA-256 of time step and acceleration", width=34),
+)
+
+
+def write_inputs(sheet: Sheet, calculation: "Calculation", cases: "Sequence[str]") -> None:
+    """Write everything that the results come from."""
+    model = calculation.scenario.model
+    sheet.heading("Bearing")
+    sheet.table(_HEADS, [*_constants(model.bearing), *_derived(model.bearing)])
+    for title, part in (("Friction law", model.friction), ("Heating model", model.heating)):
+        sheet.skip()
+        sheet.heading(f"{title}: {part.name}")
+        sheet.table(_HEADS, _constants(part))
+    sheet.skip()
+    nominal = calculation.nominal
+    sheet.heading("Nominal coefficient for predictions and codes")
+    sheet.table(_HEADS, [["mu_n", nominal.value, "–"]])
+    sheet.note(f"From: {nominal.source}.")
+    sheet.skip()
+    sheet.heading("Ground motions as they shake the bearing")
+    motions = [one.motion for one in calculation.results]
+    rows = [[case, *_motion(motion)] for case, motion in zip(cases, motions, strict=True)]
+    sheet.table(_MOTIONS, rows)
+    for column, head in enumerate(_HEADS):  # the tables above need more room than that of the motions
+        sheet.page.set_column(column, column, head.width)
+
+
+def _constants(thing: Any) -> list[list[object]]:
+    """Return name, value and unit of every parameter."""
+    units = units_of(thing)
+    rows: list[list[object]] = []
+    for item in fields(thing):
+        if not item.init:
+            continue
+        value = getattr(thing, item.name)
+        several = cast("tuple[object, ...]", value) if isinstance(value, tuple) else (value,)
+        for number, one in enumerate(several, 1):
+            label = f"{item.name} {number}" if len(several) > 1 else item.name
+            shown = "not given" if one is None or one == "" else one
+            rows.append([label.replace("_", " "), shown, units.get(item.name, "")])
+    return rows
+
+
+def _derived(bearing: "Bearing") -> list[list[object]]:
+    return [
+        ["effective radius", bearing.effective_radius, "mm"],
+        ["vertical force", bearing.vertical_force, "N"],
+        ["mass", bearing.mass, "t"],
+        ["restoring stiffness", bearing.restoring_stiffness, "N/mm"],
+        ["period of the pendulum", bearing.period, "s"],
+    ]
+
+
+def _motion(motion: "GroundMotion") -> list[object]:
+    origin = motion.origin
+    return [
+        motion.name,
+        motion.peak_velocity,
+        motion.peak_acceleration,
+        motion.time_step,
+        motion.acceleration.size,
+        origin.event,
+        origin.station,
+        origin.component,
+        origin.source,
+        origin.file_format,
+        origin.processing,
+        "; ".join(motion.treatment) or "none",
+        motion.digest,
+    ]

@@ -1,0 +1,128 @@
+"""The head of a script: what it is, of what, and what is different from the analysis of this package."""
+
+from dataclasses import fields
+from typing import Any
+
+from dcfp.analysis import Response
+from dcfp.exchange.opensees.element import Element, Kind
+from dcfp.exchange.opensees.words import comment, difference_in_words
+from dcfp.schema.citations import citations_of
+from dcfp.version import version
+
+
+def head_lines(response: Response, element: Element, other: Response | None) -> list[str]:
+    """Return the lines of comment at the top of a script."""
+    title = f"{response.bearing.name} under {response.motion.name}: a rigid structure on a friction pendulum bearing"
+    return [
+        *comment(title),
+        "#",
+        *comment(
+            f"Written by dcfp {version()}. It needs Python and openseespy (pip install openseespy; on Linux also the libraries"
+            " BLAS and LAPACK), and nothing else:"
+        ),
+        "#",
+        "#     python THIS_FILE.py [HISTORY.csv]",
+        "#",
+        *comment("Units: N, mm, s and so t, N/mm2, mm/s2; temperatures in degC."),
+        "#",
+        *(line for label, text in _inputs(response) for line in comment(text, first=f"{label:<16}")),
+        "#",
+        *comment(f"In OpenSees this is the element {element.kind.value}."),
+        *_bullets(_representation(response, element)),
+        "#",
+        "# What is different from the analysis of dcfp:",
+        *_bullets(_differences(response, element, other)),
+        *_notes(response),
+    ]
+
+
+def _bullets(sentences: list[str]) -> list[str]:
+    return [line for sentence in sentences for line in comment(sentence, first="- ")]
+
+
+def _notes(response: Response) -> list[str]:
+    remarks = list(response.remarks)
+    return ["#", "# What dcfp remarks on its analysis:", *_bullets(remarks)] if remarks else []
+
+
+def _inputs(response: Response) -> list[tuple[str, str]]:
+    motion, bearing = response.motion, response.bearing
+    origin = motion.origin
+    source = ", ".join(
+        part for part in (origin.event, origin.station, origin.component, origin.source) if part
+    )
+    treatment = "; ".join(motion.treatment) or "as it is"
+    radii = " and ".join(f"{radius:g}" for radius in bearing.radii)
+    return [
+        (
+            "Ground motion",
+            f"{motion.name}{f' ({source})' if source else ''}; {treatment}; PGV {motion.peak_velocity:.6g} mm/s,"
+            f" PGA {motion.peak_acceleration:.6g} mm/s2; SHA-256 {motion.digest}",
+        ),
+        (
+            "Bearing",
+            f"{bearing.name}: radius {radii} mm, slider {bearing.slider_diameter:g} mm, pressure {bearing.pressure:g} N/mm2,"
+            f" stiffness before sliding {bearing.elastic_stiffness:g} N/mm",
+        ),
+        ("Friction law", _parameters(response.friction_law)),
+        ("Heating", _parameters(response.heating)),
+        *(("Source", line) for line in citations_of(response.friction_law.citation)),
+    ]
+
+
+def _parameters(thing: Any) -> str:
+    """Return a law or a heating model with its constants."""
+    known = [f"{item.name} {getattr(thing, item.name)}" for item in fields(thing) if item.init]
+    return f"{thing.name}: {', '.join(known)}" if known else thing.name
+
+
+def _representation(response: Response, element: Element) -> list[str]:
+    """Return how the bearing becomes the element."""
+    count = len(response.bearing.radii)
+    sentences: list[str] = []
+    if count == 2:
+        sentences.append("The two plates are one with the sum of their radii.")
+    if count == 2 and element.rate > 0.0 and response.friction_law.speed_is_of_surface:
+        sentences.append(
+            "The law means the speed on one plate, half of that of the element, so that RATE is half of the law's."
+        )
+    if element.kind is Kind.HEATED:
+        sentences.append(
+            "FRICTION holds the law's factor of the pressure, which stays the same, so that the element's own is switched off."
+        )
+    if element.kind is Kind.HEATED and count == 2:
+        sentences.append(
+            "Each plate takes half of the travel. The element, which takes all of it, has the same heat in the same places if its"
+            " contact is twice as wide (CONTACT_RADIUS; the pressure on it is a quarter) and its conductivity half."
+        )
+    if element.rise_factor != 1.0:
+        sentences.append(
+            f"CONDUCTIVITY is divided by {element.rise_factor:.4f} besides: a rise of the temperature larger by that brings the"
+            " friction of the element nearest to the law. Where the script gives a temperature, that is taken out again."
+        )
+    if element.kind is not Kind.HEATED:
+        sentences.append("It knows no temperature.")
+    return sentences
+
+
+def _differences(response: Response, element: Element, other: Response | None) -> list[str]:
+    """Return what OpenSees does otherwise, with its size where that is known."""
+    sentences: list[str] = []
+    if other is not None:
+        why = "; ".join(element.reasons)
+        sentences.append(
+            f"The element cannot be what was analysed: {why}. Its constants are those that come nearest."
+            f" With them dcfp finds a peak displacement of {other.peak_displacement:.3f} mm, {difference_in_words(response, other)} analysis."
+            " That is the part of the difference that the law makes; what follows comes on top, and where the element heats, its sum of the heat adds"
+            " some tenths of a per cent."
+        )
+    curved = 0.5 * (response.peak_displacement / response.bearing.effective_radius) ** 2
+    sentences.append(
+        f"The pendulum's force is N u / sqrt(R^2 - u^2), not N u / R: at the peak {100.0 * curved:.3f} % more."
+    )
+    if element.kind is Kind.HEATED:
+        sentences.append(
+            "It heats also where it only deforms elastically, takes the friction of the step before, writes pi as 22/7, and sums its heat in"
+            " rectangles, which is low by 1.46 sqrt(STEP) of the present flux: a shorter STEP is nearer, and takes time with its square."
+        )
+    return sentences

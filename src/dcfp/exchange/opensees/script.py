@@ -1,0 +1,115 @@
+"""A script for OpenSeesPy: what is analysed, on which element, and by how much that differs."""
+
+from importlib.resources import files
+from string import Template
+
+from dcfp.analysis import Response, respond
+from dcfp.errors import InputError
+from dcfp.exchange.opensees.constants import constant_lines
+from dcfp.exchange.opensees.element import Element, Kind, element_for
+from dcfp.exchange.opensees.head import head_lines
+from dcfp.exchange.opensees.parts import parts_of
+from dcfp.exchange.opensees.words import difference_in_words
+from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.stepping import check_step_and_tail, parts_in
+from dcfp.system import LI_2020, Bearing, FrictionLaw, Heating, Li2020, Model, SimplifiedHeating
+
+#: Longest step of the script [s].
+STEP = 0.001
+#: Largest displacement over the effective radius for which a pendulum of OpenSees is asked [-].
+_FURTHEST = 0.9
+#: Values of the ground motion in a line.
+_IN_A_LINE = 5
+
+
+def opensees_script(
+    motion: GroundMotion,
+    bearing: Bearing = LI_2020,
+    friction: FrictionLaw | None = None,
+    heating: Heating | None = None,
+    *,
+    step: float = STEP,
+) -> str:
+    """Return a script for OpenSeesPy that analyses a rigid structure on a bearing under a ground motion.
+
+    The script carries the ground motion, needs nothing but Python and openseespy, prints its peaks beside those of this package, and writes its history
+    as CSV. Its head says which element stands for the bearing, and what is different; where that is the friction law, by how much.
+
+    Parameters
+    ----------
+    motion, bearing, friction, heating
+        As for `dcfp.respond`.
+    step
+        Longest step of the script [s].
+
+    Raises
+    ------
+    InputError
+        If OpenSees has no element that comes near, or the step is out of range.
+    """
+    model = Model(
+        bearing,
+        Li2020() if friction is None else friction,
+        SimplifiedHeating() if heating is None else heating,
+    )
+    check_step_and_tail(step, None)
+    interval = motion.time_step / parts_in(motion.time_step, step)
+    element = element_for(motion, model)
+    response = respond(motion, model.bearing, model.friction, model.heating)
+    if response.peak_displacement > _FURTHEST * bearing.effective_radius:
+        msg = (
+            f"{motion.name}: the displacement of {response.peak_displacement:.0f} mm is too near to the effective radius of"
+            f" {bearing.effective_radius:.0f} mm, at which the pendulum of OpenSees ends."
+        )
+        raise InputError(msg)
+    return _text(response, element, _stand_in(motion, element), interval)
+
+
+def _stand_in(motion: GroundMotion, element: Element) -> Response | None:
+    """Return the analysis with what the element is, where that is not the model itself."""
+    other = element.stand_in
+    return None if other is None else respond(motion, other.bearing, other.friction, other.heating)
+
+
+def _text(response: Response, element: Element, other: Response | None, step: float) -> str:
+    parts = parts_of(element.kind)
+    body = files("dcfp.exchange.opensees").joinpath("script_body.txt").read_text(encoding="utf-8")
+    filled = Template(body).substitute(
+        constants=constant_lines(response, element, step),
+        element=parts.element,
+        advance=parts.advance,
+        state_words=parts.state_words,
+        state_value=parts.state_value,
+        csv_head=parts.csv_head,
+        reports="\n".join(_reports(response, element, other)),
+        digest=response.motion.digest,
+        interval=repr(response.motion.time_step),
+        values=_values(response.motion),
+    )
+    return "\n".join([*head_lines(response, element, other), "", filled])
+
+
+def _reports(response: Response, element: Element, other: Response | None) -> list[str]:
+    """Return the lines that print the peaks, and the difference that the head states."""
+    lines = [
+        '    report("peak displacement", "mm", max(abs(row[1]) for row in history), DCFP_PEAK_DISPLACEMENT)',
+        '    report("largest force", "kN", max(abs(row[3]) for row in history) / 1e3, DCFP_PEAK_FORCE)',
+    ]
+    if element.kind is Kind.HEATED:
+        lines.append(
+            '    report("highest temperature", "degC", max(row[4] for row in history), DCFP_PEAK_TEMPERATURE)'
+        )
+    if other is not None:
+        sentence = (
+            f"With the friction of this element dcfp finds {other.peak_displacement:.3f} mm,"
+            f" {difference_in_words(response, other)} analysis."
+        )
+        lines.append(f"    print({sentence!r})")
+    return lines
+
+
+def _values(motion: GroundMotion) -> str:
+    """Return the acceleration to the last bit, some values in a line."""
+    values = [repr(value) for value in motion.acceleration.tolist()]
+    rows = [values[first : first + _IN_A_LINE] for first in range(0, len(values), _IN_A_LINE)]
+    return "\n".join(f"    {', '.join(row)}," for row in rows)

@@ -1,0 +1,189 @@
+"""From a measured loop to the history of the coefficient of friction, and of what it may depend on."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from dcfp.analysis.rig import Measurement
+from dcfp.analysis.rig.load import check_load
+from dcfp.arrays import FloatArray, freeze
+from dcfp.errors import InputError
+from dcfp.inference.identification.contact_temperature import contact_temperature
+from dcfp.inference.identification.smoothing import Smoothed, find_strokes, smooth
+from dcfp.schema.notebook import card
+from dcfp.system import Bearing, Heating
+
+#: Order of the polynomials that displacement and load are smoothed with.
+_DISPLACEMENT_ORDER, _LOAD_ORDER = 4, 2
+#: Root mean square over the mean load of what is scatter of the load, where one parabola goes through each stroke [-].
+_LOAD_SCATTER = 0.03
+#: Least length of a stroke over the largest displacement [-].
+_LEAST_STROKE = 0.02
+#: Speed over the peak speed of the test above which samples are used [-].
+_LEAST_SPEED = 0.05
+#: Distance from a reversal from which on samples are used, over the one in which spring (b) goes from one yield force to the other [-].
+_CLEAR = 2.0
+_FEWEST_SAMPLES = 20
+#: Mean coefficients while sliding that a wrong unit of the force would leave [-].
+_COEFFICIENTS = (1e-3, 1.0)
+
+
+@dataclass(frozen=True, eq=False)
+class FrictionHistory:
+    """What one test tells of friction; arrays have the shape (n,) of the measured ones.
+
+    Attributes
+    ----------
+    measurement
+        Where it comes from.
+    coefficient
+        (F - N y / R) / N, positive against the sliding [-].
+    displacement, speed
+        Without noise [mm, mm/s]; the speed is that of the plates against each other, and positive.
+    load, pressure
+        Vertical force, without noise [N], and over the slider's area [N/mm2].
+    temperature
+        Of the contact, from the measured heat [degC].
+    stroke
+        Number of the stroke of each sample, -1 in none.
+    used
+        Whether a sample tells of sliding: not near a reversal, where spring (b) sticks, and not slower than 5 % of the peak speed.
+    speed_window, load_window
+        Length of the filter that speed and load come from [samples].
+    """
+
+    measurement: Measurement
+    coefficient: FloatArray
+    displacement: FloatArray
+    speed: FloatArray
+    load: FloatArray
+    pressure: FloatArray
+    temperature: FloatArray
+    stroke: NDArray[np.int64]
+    used: NDArray[np.bool_]
+    speed_window: int
+    load_window: int
+
+    @property
+    def name(self) -> str:
+        """Name of the test."""
+        return self.measurement.name
+
+    @property
+    def time(self) -> FloatArray:
+        """Time [s]."""
+        return self.measurement.time
+
+    def _repr_html_(self) -> str:
+        facts = {"samples used": int(self.used.sum()), "of": self.used.size}
+        return card(f"Friction in {self.name}", facts)
+
+
+def friction_history(measurement: Measurement, bearing: Bearing, heating: Heating) -> FrictionHistory:
+    r"""Take the friction out of a measured loop.
+
+    .. math:: \mu = \pm \frac{F - N y / R}{N}
+
+    Parameters
+    ----------
+    measurement
+        With force and load.
+    bearing
+        That was tested; its pressure is not used.
+    heating
+        Gives the temperature from the flux of heat that was measured, (F - N y / R) v over the slider's area, and not from a law of friction.
+        The plates start at its ambient temperature.
+
+    Raises
+    ------
+    InputError
+        If the measurement has no force or no load, nothing slides, or the force has the wrong sign or unit.
+
+    Notes
+    -----
+    Speed and displacement come from polynomials of the fourth order in a moving window, whose length follows the noise and the sampling (`smooth`);
+    each stroke is smoothed by itself, so that a corner of the motion stays one. The load is a parabola over each stroke where that is within 3 %
+    of the mean load, else smoothed in the same way. It has to be: the reciprocal of a load with 2 % of noise is 0.04 % too large in the
+    mean. The force enters once, in the numerator, and stays as it is.
+
+    On two plates that differ, both are taken to have the coefficient of the whole bearing, and the temperature is the mean by their share of the travel.
+    """
+    time, force = measurement.time, measurement.force
+    check_load(measurement.load, bearing)
+    strokes = find_strokes(
+        measurement.displacement, _LEAST_STROKE * float(np.abs(measurement.displacement).max())
+    )
+    motion = smooth(measurement.displacement, time, strokes, _DISPLACEMENT_ORDER)
+    load = smooth(
+        measurement.load, time, strokes, _LOAD_ORDER, _LOAD_SCATTER * float(measurement.load.mean())
+    )
+    friction_force = force - load.values * motion.values / bearing.effective_radius
+    number = np.full(time.size, -1, dtype=np.int64)
+    side = np.sign(motion.slope)
+    for i, stroke in enumerate(strokes):
+        number[stroke] = i
+        side[stroke] = np.sign(
+            measurement.displacement[stroke.stop - 1] - measurement.displacement[stroke.start]
+        )
+    coefficient = side * friction_force / load.values
+    used = _sliding(motion, side, number, coefficient, load.values / bearing.elastic_stiffness, strokes)
+    if np.count_nonzero(used) < _FEWEST_SAMPLES:
+        msg = (
+            f"{measurement.name}: only {np.count_nonzero(used)} samples are of steady sliding, and {_FEWEST_SAMPLES} are needed; the stroke must go"
+            " beyond the elastic deformation of the bearing (look at its --stiffness and at the unit of the force), and be sampled finely."
+        )
+        raise InputError(msg)
+    _check_size(coefficient[used], (coefficient * load.values * side * motion.slope)[used], measurement.name)
+    temperature = contact_temperature(
+        time, motion.values, motion.slope, friction_force, used, bearing, heating
+    )
+    return FrictionHistory(
+        measurement=measurement,
+        coefficient=freeze(coefficient),
+        displacement=freeze(motion.values),
+        speed=freeze(np.abs(motion.slope)),
+        load=freeze(load.values),
+        pressure=freeze(load.values / bearing.slider_area),
+        temperature=freeze(temperature),
+        stroke=number,
+        used=used,
+        speed_window=motion.window,
+        load_window=load.window,
+    )
+
+
+def _check_size(coefficient: FloatArray, power: FloatArray, name: str) -> None:
+    """Refuse a force that helps the sliding [power in N mm/s], or whose coefficient is none of a bearing."""
+    mean = float(coefficient.mean())
+    if mean <= 0.0 or float(power.mean()) <= 0.0:
+        msg = f"{name}: the force helps the sliding instead of opposing it; change the sign of the force or of the displacement."
+        raise InputError(msg)
+    if not _COEFFICIENTS[0] <= mean <= _COEFFICIENTS[1]:
+        msg = (
+            f"{name}: the mean coefficient of friction while sliding is {mean:.3g}, and from {_COEFFICIENTS[0]:g} to {_COEFFICIENTS[1]:g} is possible;"
+            " look at the units of force and load."
+        )
+        raise InputError(msg)
+
+
+def _sliding(
+    motion: Smoothed,
+    side: FloatArray,
+    number: NDArray[np.int64],
+    coefficient: FloatArray,
+    reach: FloatArray,
+    strokes: list[slice],
+) -> NDArray[np.bool_]:
+    """Return which samples are used; `reach` is the elongation of spring (b) under a coefficient of one [mm]."""
+    speed = side * motion.slope
+    inside = number >= 0
+    if not inside.any():
+        return inside
+    peak = float(speed[inside].max())
+    fast = inside & (speed > 0.5 * peak)
+    swing = 2.0 * float(np.median((coefficient * reach)[fast]))
+    moved = np.zeros(speed.size)
+    for stroke in strokes:
+        moved[stroke] = np.abs(motion.values[stroke] - motion.values[stroke.start])
+    return inside & (speed > _LEAST_SPEED * peak) & (moved > _CLEAR * swing)

@@ -1,0 +1,167 @@
+"""What an identification gives."""
+
+from dataclasses import asdict, dataclass
+
+import numpy as np
+
+from dcfp.arrays import FloatArray
+from dcfp.inference.identification.friction_history import FrictionHistory
+from dcfp.inference.identification.intervals import CONFIDENCE
+from dcfp.inference.identification.predict import Prediction
+from dcfp.schema.notebook import card
+from dcfp.system import Bearing, Heating
+from dcfp.system.friction import FittedFriction
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A parameter that was fitted, in its own unit.
+
+    Attributes
+    ----------
+    name, unit, words
+        Of the parameter; the unit of a number is empty.
+    value
+        Where the sum of weighted squares is least.
+    standard_error
+        By leaving out strokes; see `jackknife`.
+    lower, upper
+        Ends of the 95 % interval.
+    """
+
+    name: str
+    unit: str
+    words: str
+    value: float
+    standard_error: float
+    lower: float
+    upper: float
+
+
+@dataclass(frozen=True)
+class Held:
+    """A constant that was not fitted, in its own unit, and why."""
+
+    name: str
+    unit: str
+    value: float
+    reason: str
+
+
+@dataclass(frozen=True)
+class ResidualStatistics:
+    """What the law leaves unexplained of one test.
+
+    Attributes
+    ----------
+    name
+        Of the test.
+    samples, left_out
+        Number of samples that were used, and that were not.
+    scatter, bias
+        Root mean square and mean of measured less fitted [-].
+    relative_scatter
+        Root mean square over the mean coefficient [-].
+    correlation
+        Of each residual with the next [-].
+    pressure, peak_speed, peak_temperature
+        Mean, largest and largest of the samples used [N/mm2, mm/s, degC].
+    speed_window, load_window
+        Length of the filters [samples].
+    """
+
+    name: str
+    samples: int
+    left_out: int
+    scatter: float
+    bias: float
+    relative_scatter: float
+    correlation: float
+    pressure: float
+    peak_speed: float
+    peak_temperature: float
+    speed_window: int
+    load_window: int
+
+
+@dataclass(frozen=True, eq=False)
+class Identification:
+    """A law of friction from measured tests.
+
+    Attributes
+    ----------
+    bearing
+        That was tested.
+    law, heating
+        With the estimates in them.
+    estimates, held
+        Parameters that were fitted, and constants that were not.
+    correlation
+        Of the estimates, in their order, shape (parameters, parameters).
+    blocks
+        Number of blocks of samples that the intervals come from.
+    histories
+        Of the tests that were fitted.
+    temperatures
+        Of the contact in each of them, with the conductivity that was found [degC].
+    residuals
+        For each of them.
+    predictions
+        Of the tests that were held out.
+    remarks
+        What must be known of the result.
+    """
+
+    bearing: Bearing
+    law: FittedFriction
+    heating: Heating
+    estimates: tuple[Estimate, ...]
+    held: tuple[Held, ...]
+    correlation: FloatArray
+    blocks: int
+    histories: tuple[FrictionHistory, ...]
+    temperatures: tuple[FloatArray, ...]
+    residuals: tuple[ResidualStatistics, ...]
+    predictions: tuple[Prediction, ...]
+    remarks: tuple[str, ...]
+
+    def fitted(self, test: int) -> FloatArray:
+        """Return the coefficient of the law along a test [-]."""
+        history = self.histories[test]
+        return self.law.coefficient(history.pressure, history.speed, self.temperatures[test])
+
+    def estimate(self, name: str) -> Estimate:
+        """Return one estimate by its name."""
+        return next(one for one in self.estimates if one.name == name)
+
+    def summary(self) -> dict[str, object]:
+        """Return what JSON holds."""
+        return {
+            "estimates": [asdict(one) for one in self.estimates],
+            "held": [asdict(one) for one in self.held],
+            "confidence": CONFIDENCE,
+            "blocks": self.blocks,
+            "correlation": {
+                one.name: dict(zip((other.name for other in self.estimates), row, strict=True))
+                for one, row in zip(self.estimates, np.asarray(self.correlation).tolist(), strict=True)
+            },
+            "residuals": [asdict(one) for one in self.residuals],
+            "predictions": [row for one in self.predictions for row in one.rows()],
+            "bearing": asdict(self.bearing),
+            "friction": {"law": self.law.name, **asdict(self.law)},
+            "heating": {"model": self.heating.name, **asdict(self.heating)},
+            "remarks": list(self.remarks),
+        }
+
+    def _repr_html_(self) -> str:
+        rows = [
+            {
+                "constant": one.name,
+                "unit": one.unit,
+                "value": one.value,
+                "95 % from": one.lower,
+                "to": one.upper,
+            }
+            for one in self.estimates
+        ]
+        return card(f"Friction law of {self.bearing.name}", rows=rows, remarks=self.remarks)

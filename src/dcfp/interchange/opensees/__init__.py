@@ -1,3 +1,0 @@
-"""A bearing under a ground motion as a script for OpenSeesPy that needs nothing of this package."""
-
-from dcfp.interchange.opensees.script import opensees_script as opensees_script

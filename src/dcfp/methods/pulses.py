@@ -1,0 +1,169 @@
+"""Velocity pulses of a ground motion: Li et al. (2020), section 6.1.1."""
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from dcfp.arrays import FloatArray, freeze
+from dcfp.errors import InputError
+from dcfp.kernels.turning_points import find_turning_points
+from dcfp.motion.ground_motion import GroundMotion
+from dcfp.schema.notebook import card
+
+#: How far the ground velocity must turn back, relative to PGV, for a peak to count [-]; see ``docs/prediction.md`` for the evidence.
+THRESHOLD = 0.2
+
+
+@dataclass(frozen=True, eq=False)
+class Pulses:
+    """Successive peaks of a ground velocity, up and down in turn.
+
+    Pulse i goes from the peak before, vg_(i-1), over its own, vg_i, to the next one, vg_(i+1), so that there are two
+    pulses fewer than peaks. The arrays below have an entry for each pulse.
+
+    Parameters
+    ----------
+    times
+        Of the peaks [s], shape (n,), increasing.
+    velocities
+        Ground velocity at the peaks [mm/s], shape (n,).
+    threshold
+        Part of PGV by which the velocity had to turn back [-].
+    """
+
+    times: FloatArray
+    velocities: FloatArray
+    threshold: float = THRESHOLD
+
+    def __post_init__(self) -> None:
+        times = np.asarray(self.times, dtype=np.float64)
+        velocities = np.asarray(self.velocities, dtype=np.float64)
+        if times.ndim != 1 or times.shape != velocities.shape:
+            msg = f"The peaks need as many times as velocities, not {times.size} and {velocities.size}."
+            raise InputError(msg)
+        if not (np.isfinite(times).all() and np.isfinite(velocities).all() and (np.diff(times) > 0.0).all()):
+            msg = "The times of the peaks must be finite and increase, and their velocities be finite."
+            raise InputError(msg)
+        rises = np.diff(velocities)
+        if (rises[1:] * rises[:-1] >= 0.0).any() or (rises == 0.0).any():
+            msg = "The peaks must go up and down in turn."
+            raise InputError(msg)
+        object.__setattr__(self, "times", freeze(times))
+        object.__setattr__(self, "velocities", freeze(velocities))
+
+    @property
+    def count(self) -> int:
+        """Number of pulses."""
+        return max(self.times.size - 2, 0)
+
+    @property
+    def starts(self) -> FloatArray:
+        """Times of the peaks before [s], shape (count,)."""
+        return self.times[: self.count]
+
+    @property
+    def peaks(self) -> FloatArray:
+        """Times of the pulses' own peaks [s], shape (count,)."""
+        return self.times[1 : 1 + self.count]
+
+    @property
+    def ends(self) -> FloatArray:
+        """Times of the peaks after [s], shape (count,)."""
+        return self.times[2 : 2 + self.count]
+
+    @property
+    def changes(self) -> FloatArray:
+        """Differences dvg_i [mm/s], shape (count,): Eq. (14)."""
+        return velocity_change(self.velocities[: self.count], self.velocities[1 : 1 + self.count])
+
+    @property
+    def mean_accelerations(self) -> FloatArray:
+        """Slopes kg_i before the peaks [mm/s2], shape (count,): Eq. (18)."""
+        return mean_acceleration(self.changes, self.peaks - self.starts)
+
+    @property
+    def next_mean_accelerations(self) -> FloatArray:
+        """Slopes kg_(i+1) after the peaks [mm/s2], shape (count,): Eq. (18)."""
+        after = velocity_change(self.velocities[1 : 1 + self.count], self.velocities[2 : 2 + self.count])
+        return mean_acceleration(after, self.ends - self.peaks)
+
+    def scaled(self, factor: float) -> "Pulses":
+        """Return the pulses of the same motion multiplied by `factor` [-].
+
+        Raises
+        ------
+        InputError
+            If the factor is zero or not a finite number.
+        """
+        if not (math.isfinite(factor) and factor != 0.0):
+            msg = f"Pulses can be scaled by a finite number other than zero, not by {factor!r}."
+            raise InputError(msg)
+        return replace(self, velocities=self.velocities * factor)
+
+    def _repr_html_(self) -> str:
+        rows = [
+            {"peak [s]": time, "velocity [mm/s]": velocity}
+            for time, velocity in zip(self.times.tolist(), self.velocities.tolist(), strict=True)
+        ]
+        return card(f"{self.count} velocity pulses", {"threshold": self.threshold}, rows=rows)
+
+
+def velocity_change(before: FloatArray, peak: FloatArray) -> FloatArray:
+    """Difference dvg_i of the velocity at a peak from that at the peak before [mm/s]: Li et al. (2020), Eq. (14)."""
+    return peak - before
+
+
+def mean_acceleration(change: FloatArray, duration: FloatArray) -> FloatArray:
+    """Mean ground acceleration kg between two peaks [mm/s2]: Li et al. (2020), Eq. (18).
+
+    `change` [mm/s] in `duration` [s].
+    """
+    return change / duration
+
+
+def find_pulses(motion: GroundMotion, threshold: float = THRESHOLD) -> Pulses:
+    """Return the velocity pulses of a ground motion.
+
+    A local extreme of the ground velocity is a peak once the velocity has turned back from it by `threshold` times the PGV.
+    Between the samples the velocity is quadratic, and its extremes are taken where the acceleration passes zero, so that the pulses do not
+    depend on where the motion was sampled. Silence before and after the motion changes nothing. The first peak is where the
+    velocity left for the first one that counts, the last is the furthest point after the last one that counts.
+
+    Parameters
+    ----------
+    motion
+        The ground motion.
+    threshold
+        Part of the PGV [-], above 0 and at most 1.
+
+    Raises
+    ------
+    InputError
+        If the threshold is out of range.
+    """
+    if not (math.isfinite(threshold) and 0.0 < threshold <= 1.0):
+        msg = f"The threshold of a pulse must be above 0 and at most 1 of the PGV, not {threshold!r}."
+        raise InputError(msg)
+    times, velocities = _extremes(motion)
+    least = threshold * float(np.abs(velocities).max())
+    if least == 0.0:
+        return Pulses(times[:0], velocities[:0], threshold)
+    places = np.empty(velocities.size + 1, dtype=np.int64)
+    chosen = places[: find_turning_points(velocities, least, places)]
+    return Pulses(times[chosen], velocities[chosen], threshold)
+
+
+def _extremes(motion: GroundMotion) -> tuple[FloatArray, FloatArray]:
+    """Return time and value of every extreme of the ground velocity, and of its two ends."""
+    a = motion.acceleration
+    first, second = a[:-1], a[1:]
+    # a sample of no acceleration counts where it stands, a change of sign where the straight line passes zero
+    inside = np.flatnonzero(first * second < 0.0)
+    share = first[inside] / (first[inside] - second[inside])
+    at_sample = np.unique(np.concatenate(([0], np.flatnonzero(a == 0.0), [a.size - 1])))
+    times = np.concatenate((inside + share, at_sample)) * motion.time_step
+    reached = motion.velocity[inside] + 0.5 * first[inside] * share * motion.time_step
+    velocities = np.concatenate((reached, motion.velocity[at_sample]))
+    order = np.argsort(times, kind="stable")
+    return times[order], velocities[order]

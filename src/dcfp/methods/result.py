@@ -1,0 +1,143 @@
+"""What a method of a code gives: its answer, how it came to it, and whether it may be used."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from dcfp.schema.notebook import card, fields_card
+
+
+class Verdict(StrEnum):
+    """Whether a condition holds."""
+
+    MET = "met"
+    NOT_MET = "not met"
+    NOT_KNOWN = "not known"
+
+
+@dataclass(frozen=True)
+class Condition:
+    """A condition under which a method may be used.
+
+    Attributes
+    ----------
+    name
+        What is asked, in words.
+    verdict
+        Whether it holds; not known where the software is not told what it would have to know.
+    found, limit
+        In words, with units.
+    source
+        Where the code asks it.
+    confirmed
+        Whether the condition could be confirmed in its source; else it stands as remembered.
+    """
+
+    name: str
+    verdict: Verdict
+    found: str
+    limit: str
+    source: str
+    confirmed: bool = True
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, "Condition")
+
+
+@dataclass(frozen=True)
+class Step:
+    """One round of an iteration.
+
+    Attributes
+    ----------
+    displacement
+        It began with [mm].
+    period
+        Effective period [s].
+    damping
+        Effective damping ratio [-].
+    reduction
+        Factor on the spectrum at a damping of 5 % [-].
+    """
+
+    displacement: float
+    period: float
+    damping: float
+    reduction: float
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a method says.
+
+    Attributes
+    ----------
+    method
+        Its name.
+    displacement
+        Of the isolation layer [mm].
+    base_shear
+        Horizontal force over the weight that goes with it [-].
+    period, damping
+        Effective period [s] and damping ratio [-]; None where the method has none.
+    steps
+        The iteration, the last of them the answer; empty where there is none.
+    conditions
+        Under which the method may be used.
+    unconfirmed
+        What in the method could not be confirmed in its source.
+    remarks
+        Sentences that a reader must know.
+    """
+
+    method: str
+    displacement: float
+    base_shear: float
+    period: float | None = None
+    damping: float | None = None
+    steps: tuple[Step, ...] = ()
+    conditions: tuple[Condition, ...] = ()
+    unconfirmed: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def valid(self) -> bool | None:
+        """Whether every condition is met; None where none is broken but some are not known."""
+        verdicts = {one.verdict for one in self.conditions}
+        if Verdict.NOT_MET in verdicts:
+            return False
+        return None if Verdict.NOT_KNOWN in verdicts else True
+
+    @property
+    def verdict(self) -> str:
+        """The verdict in a word or two, which must stand beside every result."""
+        if not self.conditions:
+            return "no limits known"
+        broken = sum(one.verdict is Verdict.NOT_MET for one in self.conditions)
+        if broken:
+            return f"outside its limits ({broken})"
+        open_ = sum(one.verdict is Verdict.NOT_KNOWN for one in self.conditions)
+        return f"within its limits, {open_} not known" if open_ else "within its limits"
+
+    def _repr_html_(self) -> str:
+        facts = {
+            "verdict": self.verdict,
+            "displacement [mm]": self.displacement,
+            "base shear over weight": self.base_shear,
+            "effective period [s]": self.period,
+            "effective damping": self.damping,
+        }
+        rows = [
+            {"condition": one.name, "verdict": one.verdict.value, "found": one.found, "limit": one.limit}
+            for one in self.conditions
+        ]
+        return card(self.method, facts, rows=rows, remarks=self.remarks)
+
+
+def at_most(value: float, limit: float) -> Verdict:
+    """Return whether a value is at most a limit."""
+    return Verdict.MET if value <= limit * (1.0 + 1e-12) else Verdict.NOT_MET
+
+
+def at_least(value: float, limit: float) -> Verdict:
+    """Return whether a value is at least a limit."""
+    return Verdict.MET if value >= limit * (1.0 - 1e-12) else Verdict.NOT_MET

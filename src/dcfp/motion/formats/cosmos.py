@@ -1,0 +1,168 @@
+"""COSMOS strong-motion format 1.20, volumes 1 and 2.
+
+Each channel has text, integer and real headers, comments and one series; the widths of all fields are
+written in the file. Real header 62 is the time step of the series [ms]. Real header 34 is that of the
+recorder [s]; it differs when the series was resampled, so it is used only where 62 is not given.
+
+Reference: Consortium of Organizations for Strong-Motion Observation Systems (2001), COSMOS Strong Motion Data
+Format, version 1.20.
+"""
+
+import re
+
+from dcfp.arrays import FloatArray
+from dcfp.motion.formats import cosmos_text
+from dcfp.motion.formats.component import Component, build_component
+from dcfp.motion.formats.numbers import NUMBER, fixed_numbers, parse_layout, to_number
+from dcfp.motion.formats.source import SourceText
+from dcfp.motion.formats.units import canonical_unit
+from dcfp.motion.ground_motion import Origin
+
+NAME = "COSMOS"
+
+_REAL_HEADER = re.compile(r"^\s*(\d{1,4})\s+Real-header values follow on.*?Format\s*=\s*(.*)$", re.IGNORECASE)
+_SERIES = re.compile(
+    rf"^\s*(\d{{1,15}})\s+(\w+)\s+pts,\s*approx\s*({NUMBER})\s*secs?,\s*units\s*=\s*([^,(]+?)\s*(?:\((\d+)\))?\s*,"
+    r"\s*Format\s*=\s*(.*)$",
+    re.IGNORECASE,
+)
+_END = re.compile(r"^\s*(?:/&|End-of-data)", re.IGNORECASE)
+
+_SERIES_STEP = 62 - 1
+_RECORDER_STEP = 34 - 1
+
+#: Series that a volume 2 file may hold beside the acceleration.
+_LEFT_OUT = frozenset({"velocity", "displacement"})
+
+#: Table 2 of the format: the codes of units of acceleration.
+_UNIT_CODES = {2: "g", 4: "cm/s2"}
+
+
+def recognises(source: SourceText) -> bool:
+    """Whether the first line names the format, or a line announces the real headers in its words."""
+    return "(Format v" in source.lines[0] or any(
+        "real-header values follow" in line.lower() for line in source.lines
+    )
+
+
+def read(source: SourceText) -> list[Component]:
+    """Return the acceleration of every channel; velocity and displacement are checked and left out.
+
+    Raises
+    ------
+    InputError
+        If a header is incomplete, or does not agree with its values, or no series is acceleration.
+    """
+    series = [(index, found) for index, line in enumerate(source.lines) if (found := _SERIES.match(line))]
+    accelerations = sum(found[2].lower() == "acceleration" for _, found in series)
+    components: list[Component] = []
+    after = 0
+    for start, found in series:
+        header_start = after
+        values, after = _values(source, found, start)
+        if found[2].lower() not in _LEFT_OUT:
+            component = _component(
+                source, (header_start, start), found, values, len(components) + 1, several=accelerations > 1
+            )
+            components.append(component)
+    if after < len(source.lines):
+        source.fail(
+            "the channel that begins here has no series ('acceleration pts, approx'); the file is truncated.",
+            line=after + 1,
+        )
+    if not components:
+        source.fail("the file holds no acceleration; give the file of corrected acceleration.")
+    return components
+
+
+def _values(source: SourceText, found: re.Match[str], start: int) -> tuple[FloatArray, int]:
+    """Return the values of a series and the line after its end."""
+    layout = parse_layout(found[6])
+    if layout is None:
+        source.fail("the series needs a format such as '(8F10.5)'.", line=start + 1)
+    values, after = fixed_numbers(source, start + 1, int(found[1]), layout)
+    return values, _end(source, after)
+
+
+def _component(
+    source: SourceText,
+    lines: tuple[int, int],
+    found: re.Match[str],
+    values: FloatArray,
+    number: int,
+    *,
+    several: bool,
+) -> Component:
+    first, start = lines
+    header = source.lines[first:start]
+    unit = _unit(source, found, start)
+    time_step = _time_step(source, _real_header(source, first, start), found, start)
+    label, *names = cosmos_text.channel_names(header, number)
+    origin = Origin(
+        event=cosmos_text.event(header),
+        station=cosmos_text.station(header),
+        component=label,
+        source=source.path.name,
+        file_format=NAME,
+        processing=cosmos_text.processing(header),
+        citation="COSMOS; Center for Engineering Strong Motion Data.",
+    )
+    return build_component(
+        source, values, unit=unit, time_step=time_step, origin=origin, names=tuple(names), several=several
+    )
+
+
+def _unit(source: SourceText, found: re.Match[str], line: int) -> str:
+    unit = canonical_unit(found[4])
+    if unit is None or found[2].lower() != "acceleration":
+        source.fail(
+            f"the series is {found[2].lower()} in {found[4][:20]}; acceleration in cm/s2 or g was expected "
+            "(volume 1 or 2).",
+            line=line + 1,
+        )
+    coded = _UNIT_CODES.get(int(found[5])) if found[5] and len(found[5]) < 4 else None
+    if found[5] and coded != unit.replace("gal", "cm/s2"):
+        source.fail(f"the unit {found[4]} contradicts its code {found[5][:6]}.", line=line + 1)
+    return unit
+
+
+def _real_header(source: SourceText, first: int, last: int) -> FloatArray:
+    found = [index for index in range(first, last) if _REAL_HEADER.match(source.lines[index])]
+    if len(found) != 1:
+        source.fail(
+            f"the channel that begins here has {len(found)} real headers instead of one.", line=first + 1
+        )
+    announced = _REAL_HEADER.match(source.lines[found[0]])
+    layout = parse_layout(announced[2]) if announced else None
+    if announced is None or layout is None:
+        source.fail("the real header needs a format such as '(6F13.6)'.", line=found[0] + 1)
+    return fixed_numbers(source, found[0] + 1, int(announced[1]), layout)[0]
+
+
+def _time_step(source: SourceText, real: FloatArray, found: re.Match[str], line: int) -> float:
+    if real.size <= _SERIES_STEP:
+        source.fail(f"the real header has {real.size} values; at least {_SERIES_STEP + 1} were expected.")
+    series, recorder = float(real[_SERIES_STEP]), float(real[_RECORDER_STEP])
+    # A number that is not known is written as -999, or as another negative number that the file names.
+    step = series / 1000.0 if series > 0.0 else recorder
+    duration = int(found[1]) * step
+    stated = to_number(found[3])
+    # The duration on this line is rounded, by some agencies down; it still tells 5 ms from 20 ms.
+    if stated is None or not 0.9 * stated - 1.0 <= duration <= 1.1 * stated + 1.0:
+        source.fail(
+            f"{found[1]} values at the header's time step of {step:g} s do not last the {found[3]} s "
+            "that this line states.",
+            line=line + 1,
+        )
+    return step
+
+
+def _end(source: SourceText, line: int) -> int:
+    """Return the line after the end of a channel, which may have a line of its own."""
+    if line >= len(source.lines):
+        return line
+    if _END.match(source.lines[line]):
+        return line + 1
+    if re.fullmatch(r"[\s0-9.+\-EeDd]*", source.lines[line]):
+        source.fail("more values stand here than the header promises.", line=line + 1)
+    return line

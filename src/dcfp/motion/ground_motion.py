@@ -1,0 +1,169 @@
+"""A ground motion: acceleration at equal time steps, and where it came from."""
+
+import hashlib
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+
+from dcfp.arrays import FloatArray, freeze
+from dcfp.errors import InputError
+from dcfp.schema.notebook import card, fields_card
+
+
+@dataclass(frozen=True)
+class Origin:
+    """Where a ground motion came from, as far as its source says.
+
+    Attributes
+    ----------
+    event, station, component
+        As written in the source; empty when the source does not say.
+    source
+        File name, or the package and set that the record came from.
+    file_format
+        Format that the values were read from, for example ``"PEER AT2"``.
+    processing
+        What baseline correction or filter is already in the values, in words.
+    citation
+        How the data ask to be cited; empty when nothing is asked.
+    """
+
+    event: str = ""
+    station: str = ""
+    component: str = ""
+    source: str = ""
+    file_format: str = ""
+    processing: str = ""
+    citation: str = ""
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, "Origin of a ground motion")
+
+
+@dataclass(frozen=True, eq=False)
+class GroundMotion:
+    """Ground acceleration at equal time steps, linear in between, starting at rest.
+
+    Parameters
+    ----------
+    acceleration
+        Ground acceleration at ``0, time_step, 2 time_step, ...`` [mm/s2], shape (n,), n >= 2.
+    time_step
+        Interval between two values [s].
+    name
+        Short name for tables and figures.
+    origin
+        Where the values came from.
+    treatment
+        What this package did to the values since they were read, one phrase for each step.
+
+    Raises
+    ------
+    InputError
+        If the values are fewer than two or not finite, or the time step is not positive.
+    """
+
+    acceleration: FloatArray
+    time_step: float
+    name: str = "motion"
+    origin: Origin = field(default_factory=Origin)
+    treatment: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        """Check the values, and keep them where they cannot be changed."""
+        values = np.asarray(self.acceleration, dtype=np.float64)
+        if values.ndim != 1 or values.size < 2:
+            msg = f"{self.name}: a ground motion needs at least two acceleration values in one column."
+            raise InputError(msg)
+        if not np.isfinite(values).all():
+            first = int(np.flatnonzero(~np.isfinite(values))[0])
+            msg = f"{self.name}: acceleration value {first + 1} is not a finite number."
+            raise InputError(msg)
+        if not (np.isfinite(self.time_step) and self.time_step > 0.0):
+            msg = f"{self.name}: the time step must be a positive number of seconds, not {self.time_step!r}."
+            raise InputError(msg)
+        object.__setattr__(self, "acceleration", freeze(values))
+        object.__setattr__(self, "time_step", float(self.time_step))
+
+    @property
+    def duration(self) -> float:
+        """Time from the first to the last value [s]."""
+        return (self.acceleration.size - 1) * self.time_step
+
+    @cached_property
+    def time(self) -> FloatArray:
+        """Time of each value [s], shape (n,)."""
+        return freeze(np.arange(self.acceleration.size, dtype=np.float64) * self.time_step)
+
+    @cached_property
+    def velocity(self) -> FloatArray:
+        """Ground velocity [mm/s], shape (n,): the exact integral of the acceleration, from rest."""
+        a = self.acceleration
+        steps = 0.5 * self.time_step * (a[1:] + a[:-1])
+        return freeze(np.concatenate(([0.0], np.cumsum(steps))))
+
+    @cached_property
+    def displacement(self) -> FloatArray:
+        """Ground displacement [mm], shape (n,): the exact double integral, from rest."""
+        a, v, dt = self.acceleration, self.velocity, self.time_step
+        steps = v[:-1] * dt + (2.0 * a[:-1] + a[1:]) * dt**2 / 6.0
+        return freeze(np.concatenate(([0.0], np.cumsum(steps))))
+
+    @cached_property
+    def peak_acceleration(self) -> float:
+        """PGA [mm/s2]."""
+        return float(np.abs(self.acceleration).max())
+
+    @cached_property
+    def peak_velocity(self) -> float:
+        """PGV [mm/s], at the times of the values."""
+        return float(np.abs(self.velocity).max())
+
+    @cached_property
+    def peak_displacement(self) -> float:
+        """PGD [mm], at the times of the values."""
+        return float(np.abs(self.displacement).max())
+
+    @cached_property
+    def digest(self) -> str:
+        """SHA-256 of the time step and the acceleration: the same motion has the same digest."""
+        content = np.float64(self.time_step).tobytes() + self.acceleration.tobytes()
+        return hashlib.sha256(content).hexdigest()
+
+    def scaled(self, factor: float) -> "GroundMotion":
+        """Return the motion with its acceleration multiplied by `factor` [-]."""
+        if not np.isfinite(factor):
+            msg = f"{self.name}: the scale factor must be a finite number, not {factor!r}."
+            raise InputError(msg)
+        step = f"scaled by {factor:.6g}"
+        return replace(self, acceleration=self.acceleration * factor, treatment=(*self.treatment, step))
+
+    def scaled_to_pgv(self, peak_velocity: float) -> "GroundMotion":
+        """Return the motion scaled so that its PGV is `peak_velocity` [mm/s].
+
+        Raises
+        ------
+        InputError
+            If `peak_velocity` is not positive, or the motion has no velocity to scale.
+        """
+        if not (np.isfinite(peak_velocity) and peak_velocity > 0.0):
+            msg = f"{self.name}: the target PGV must be positive, not {peak_velocity / 1000.0:g} m/s."
+            raise InputError(msg)
+        if self.peak_velocity == 0.0:
+            msg = f"{self.name}: every value is zero, so the record cannot be scaled to a PGV."
+            raise InputError(msg)
+        return self.scaled(peak_velocity / self.peak_velocity)
+
+    def _repr_html_(self) -> str:
+        facts = {
+            "PGA [mm/s2]": self.peak_acceleration,
+            "PGV [mm/s]": self.peak_velocity,
+            "PGD [mm]": self.peak_displacement,
+            "duration [s]": self.duration,
+            "time_step [s]": self.time_step,
+            "values": self.acceleration.size,
+            **{name: value for name, value in vars(self.origin).items() if value},
+            "SHA-256": self.digest,
+        }
+        return card(f"Ground motion {self.name}", facts, remarks=self.treatment)

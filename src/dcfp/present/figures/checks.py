@@ -1,0 +1,121 @@
+"""Checks: how much of what is allowed each of them takes."""
+
+from itertools import groupby
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from dcfp.present.figures.style import BLUE, GREY, INK, PAGE_WIDTH, RED, drawable, style
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.axes import Axes
+
+    from dcfp.verify import Check
+
+_LINE_HEIGHT = 0.135
+#: Lines that a group's name takes, with the space above it.
+_HEAD = 1.7
+#: Least and largest ratio that the axis reaches [-].
+_LEAST, _LARGEST = 1e-6, 1e4
+
+
+def plot_checks(checks: "Sequence[Check]") -> Figure:
+    """Draw the difference of each check over what is allowed as a bar, in groups, on a new figure."""
+    groups = [(name, list(members)) for name, members in groupby(checks, key=lambda check: check.group)]
+    lines = len(checks) + _HEAD * len(groups)
+    with style():
+        figure = Figure(figsize=(PAGE_WIDTH, 0.75 + _LINE_HEIGHT * lines), layout="constrained")
+        axes = figure.add_subplot()
+        first, last = _reach(checks)
+        axes.set_xscale("log")
+        axes.set_xlim(first, last)
+        line = 0.0
+        for name, members in groups:
+            line += _HEAD
+            _write_group(axes, name, line - 1.0)
+            for check in members:
+                _draw_check(axes, check, line)
+                line += 1.0
+        axes.set_ylim(line - 0.3, -0.2)
+        _finish(axes, checks)
+    return figure
+
+
+def _reach(checks: "Sequence[Check]") -> tuple[float, float]:
+    ratios = [check.ratio for check in checks if check.ratio]
+    least = max(_LEAST, min([0.1, *ratios]))
+    largest = min(_LARGEST, max([1.0, *ratios]))
+    return float(10.0 ** np.floor(np.log10(0.999 * least))), 3.0 * largest
+
+
+def _write_group(axes: "Axes", name: str, line: float) -> None:
+    axes.annotate(
+        drawable(name),
+        (0.0, line),
+        xycoords=axes.get_yaxis_transform(),
+        xytext=(-5.0, 0.0),
+        textcoords="offset points",
+        ha="right",
+        va="center",
+        weight="bold",
+        parse_math=False,
+    )
+
+
+def _draw_check(axes: "Axes", check: "Check", line: float) -> None:
+    first, last = axes.get_xlim()
+    failed = check.passed is False
+    ratio = check.ratio if check.passed is not None else 0.0
+    reach = last if ratio is None else min(max(ratio, first), last)
+    axes.barh(line, reach - first, left=first, height=0.66, color=RED if failed else BLUE)
+    beside: dict[str, Any] = {"va": "center", "size": 6.5, "parse_math": False}
+    colour = RED if failed else INK if check.passed else GREY
+    axes.annotate(
+        drawable(check.name),
+        (0.0, line),
+        xycoords=axes.get_yaxis_transform(),
+        xytext=(-5.0, 0.0),
+        textcoords="offset points",
+        ha="right",
+        color=colour,
+        **beside,
+    )
+    axes.annotate(
+        _numbers(check),
+        (1.0, line),
+        xycoords=axes.get_yaxis_transform(),
+        xytext=(5.0, 0.0),
+        textcoords="offset points",
+        ha="left",
+        color=colour,
+        **beside,
+    )
+
+
+def _numbers(check: "Check") -> str:
+    if check.passed is None:
+        return "skipped"
+    if check.ratio == 0.0 and check.computed != check.expected:
+        return f"{check.difference}, better".replace("-", "−")
+    return f"{check.difference} of {check.tolerance}".replace("-", "−")
+
+
+def _finish(axes: "Axes", checks: "Sequence[Check]") -> None:
+    axes.axvline(1.0, color=INK, linewidth=0.8, zorder=3)
+    axes.grid(axis="x", color="#DDDDDD", linewidth=0.4)
+    axes.set_axisbelow(True)
+    axes.set_yticks([])
+    axes.spines["left"].set_visible(False)
+    axes.tick_params(axis="x", which="minor", length=0.0)
+    axes.set_xlabel("|difference| / allowed")
+    verdicts = [check.passed for check in checks]
+    failed = verdicts.count(False)
+    axes.set_title(
+        f"{verdicts.count(True)} passed, {failed} failed, {verdicts.count(None)} skipped",
+        loc="left",
+        color=RED if failed else INK,
+    )
+    axes.set_title("difference of allowed", loc="right", size=6.5)

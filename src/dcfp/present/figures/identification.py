@@ -1,0 +1,266 @@
+"""A law of friction beside the tests that it was fitted to."""
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from dcfp.present.figures.style import BLUE, GREY, INK, OCHRE, PAGE_WIDTH, RED, calm_ticks, drawable, style
+from dcfp.present.figures.words import number
+from dcfp.schema.nomenclature import quantity
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from matplotlib.axes import Axes
+
+    from dcfp.arrays import FloatArray
+    from dcfp.inference.identification import FrictionHistory, Identification
+
+_COLUMNS = 3
+#: Tests that are drawn over time; of more, the first.
+_MOST_TESTS = 12
+_LONGEST_NAME = 16
+#: Intervals that are written in one line; more take two.
+_IN_ONE_LINE = 2
+#: Dots in one panel, and groups of them whose mean is drawn.
+_MOST_DOTS, _GROUPS = 4000, 15
+_SPEED, _PRESSURE = "relative speed of the plates $|v|$ [mm/s]", "pressure $p$ [N/mm²]"
+
+
+def plot_identification(found: "Identification") -> Figure:
+    """Draw the coefficient of each test over time, the factors of the law, and what is left, on a new figure.
+
+    Points of a factor are measured coefficients over mu_0 and the two other factors, as in Figures 3 and 4 of Li et al. (2020).
+    """
+    drawn = _drawn(found)
+    columns = min(len(drawn), _COLUMNS)
+    rows = math.ceil(len(drawn) / columns)
+    heights = [0.64, 1.25 * rows + 0.1, 1.95, 1.6]
+    with style():
+        figure = Figure(figsize=(PAGE_WIDTH, sum(heights)), layout="constrained")
+        parts: Any = figure.subfigures(4, 1, height_ratios=heights, hspace=0.0)
+        head, histories, factors, residuals = parts
+        _write_head(head, found)
+        panels: Any = histories.subplots(rows, columns, squeeze=False, sharey=True)
+        _draw_histories(drawn, list(panels.flat), columns)
+        handles, labels = panels.flat[0].get_legend_handles_labels()
+        head.legend(
+            handles, labels, loc="center right", bbox_to_anchor=(0.985, 0.7), ncols=2, markerscale=5.0
+        )
+        _draw_factors(found, list(factors.subplots(1, 3)))
+        _draw_residuals(found, list(residuals.subplots(1, 2, sharey=True)))
+    return figure
+
+
+@dataclass(frozen=True)
+class _Drawn:
+    """A test over time: what was measured, and what the law gives."""
+
+    history: "FrictionHistory"
+    law: "FloatArray"
+    temperature: "FloatArray"
+    held_out: bool
+
+
+def _drawn(found: "Identification") -> list[_Drawn]:
+    """Return the tests to draw: those that were held out, and the first that were fitted."""
+    held = [_Drawn(one.history, one.friction, one.temperature, True) for one in found.predictions]
+    fitted = [
+        _Drawn(history, found.fitted(i), found.temperatures[i], False)
+        for i, history in enumerate(found.histories)
+    ]
+    return [*fitted[: max(_MOST_TESTS - len(held), _COLUMNS)], *held[:_MOST_TESTS]]
+
+
+def _write_head(head: Any, found: "Identification") -> None:
+    count = len(found.histories)
+    words = f"{found.bearing.name}: friction from {count} test{'' if count == 1 else 's'}"
+    title = head.text(0.012, 0.7, drawable(words), size=10, weight="bold", va="center")
+    title.set_parse_math(False)
+    intervals = [_interval(found, one.name) for one in found.estimates]
+    first = math.ceil(len(intervals) / 2) if len(intervals) > _IN_ONE_LINE else len(intervals)
+    lines = [",  ".join(part) for part in (intervals[:first], intervals[first:]) if part]
+    head.text(0.012, 0.24, "95 % intervals:  " + ",\n".join(lines), va="center", size=6.5)
+
+
+def _interval(found: "Identification", name: str) -> str:
+    """Return the words, the symbol and the interval of a parameter."""
+    one = found.estimate(name)
+    from dcfp.inference.identification import PARAMETERS  # late: it imports the kernels
+
+    symbol = next(parameter.symbol for parameter in PARAMETERS if parameter.name == name)
+    named = "" if name == "mu_0" else f"{name.replace('_', ' ')} "
+    decimals = min(5, max(0, 1 - math.floor(math.log10(max(one.upper - one.lower, 1e-12)))))
+    unit = {"": "", "1/degC": "/°C", "N/(s degC)": " N/(s °C)"}.get(one.unit, f" {one.unit}")
+    return f"{named}${symbol}$ {number(one.lower, decimals)} to {number(one.upper, decimals)}{unit}"
+
+
+def _draw_histories(drawn: list[_Drawn], panels: "Sequence[Axes]", columns: int) -> None:
+    lows: list[float] = []
+    highs: list[float] = []
+    for i, axes in enumerate(panels):
+        if i >= len(drawn):
+            axes.set_axis_off()
+            continue
+        test = drawn[i]
+        used = test.history.used
+        _dots(axes, test.history.time[used], test.history.coefficient[used], size=1.8)
+        line = np.where(used, test.law, np.nan)
+        colour = RED if test.held_out else BLUE
+        axes.plot(test.history.time, line, color=colour, linewidth=0.7, label="law")
+        low, high = np.quantile(test.history.coefficient[used], (0.005, 0.995))
+        # the first peak is narrow, but the law must not leave the panel there
+        lows.append(min(float(low), float(test.law[used].min())))
+        highs.append(max(float(high), float(test.law[used].max())))
+        _title_of(test, axes)
+        calm_ticks(axes)
+        if i % columns == 0:
+            axes.set_ylabel(quantity("friction").label)
+        if i + columns >= len(drawn):
+            axes.set_xlabel(quantity("time").label)
+    margin = 0.1 * (max(highs) - min(lows))
+    panels[0].set_ylim(max(0.0, min(lows) - margin), max(highs) + margin)
+
+
+def _title_of(test: _Drawn, axes: "Axes") -> None:
+    history, used = test.history, test.history.used
+    name = history.name if len(history.name) <= _LONGEST_NAME else f"{history.name[: _LONGEST_NAME - 1]}…"
+    pressure, speed = float(history.pressure[used].mean()), float(history.speed[used].max())
+    words = f"{name}{' (held out)' if test.held_out else ''}: {pressure:.0f} N/mm², {speed:.0f} mm/s"
+    if not test.held_out:
+        words += f", to {float(test.temperature.max()):.0f} °C"
+    title = axes.set_title(drawable(words), loc="left", size=6.5, color=RED if test.held_out else INK)
+    title.set_parse_math(False)
+
+
+def _draw_factors(found: "Identification", panels: "Sequence[Axes]") -> None:
+    law = found.law
+    coefficient, pressure, speed, temperature = _samples(found)
+    gamma, alpha = law.pressure_factor(pressure), law.velocity_factor(speed)
+    beta = law.temperature_factor(temperature)
+    _draw_factor(
+        panels[0],
+        speed,
+        coefficient / (law.reference * gamma * beta),
+        law.velocity_factor,
+        r"$\alpha$",
+        _SPEED,
+    )
+    _draw_factor(
+        panels[1],
+        pressure,
+        coefficient / (law.reference * alpha * beta),
+        law.pressure_factor,
+        r"$\gamma$",
+        _PRESSURE,
+    )
+    _draw_factor(
+        panels[2],
+        temperature,
+        coefficient / (law.reference * gamma * alpha),
+        law.temperature_factor,
+        r"$\beta$",
+        quantity("temperature").label,
+    )
+    parts = (("speed_drop", "speed_rate"), ("pressure_exponent", "pressure_floor"), ("temperature_rate", "conductivity"))  # fmt: skip
+    fitted = {one.name for one in found.estimates}
+    for axes, names in zip(panels, parts, strict=True):
+        if not fitted & set(names):
+            axes.set_title("not fitted", loc="left", size=6.5, color=RED)
+    panels[0].legend(loc="lower right", markerscale=1.0)
+
+
+def _draw_factor(
+    axes: "Axes",
+    places: "FloatArray",
+    values: "FloatArray",
+    factor: "Callable[[FloatArray], FloatArray]",
+    symbol: str,
+    label: str,
+) -> None:
+    _dots(axes, places, values, name=None)
+    first, last = float(places.min()), float(places.max())
+    # what hardly differs is not drawn as if it did
+    margin = max(0.04 * (last - first), 0.5 * (0.2 * last - (last - first)))
+    along = np.linspace(max(first - margin, 1e-3), last + margin, 200)
+    axes.plot(along, factor(along), color=BLUE, linewidth=1.1, label="law", zorder=3)
+    _means(axes, places, values, (float(along[0]), float(along[-1])))
+    low, high = np.quantile(values, (0.002, 0.998))
+    axes.set_xlim(along[0], along[-1])
+    axes.set_ylim(max(0.0, float(low) - 0.15 * float(high - low)), float(high) + 0.15 * float(high - low))
+    calm_ticks(axes, 5)
+    axes.set_xlabel(label)
+    axes.set_ylabel(symbol)
+
+
+def _draw_residuals(found: "Identification", panels: "Sequence[Axes]") -> None:
+    coefficient, pressure, speed, temperature = _samples(found)
+    residual = coefficient - found.law.coefficient(pressure, speed, temperature)
+    reach = 1.3 * float(np.quantile(np.abs(residual), 0.997))
+    for axes, places, label in zip(
+        panels, (speed, temperature), (_SPEED, quantity("temperature").label), strict=True
+    ):
+        axes.axhline(0.0, color=BLUE, linewidth=0.9, zorder=2)
+        _dots(axes, places, residual, name=None)
+        _means(axes, places, residual, (float(places.min()), float(places.max())))
+        axes.set_ylim(-reach, reach)
+        calm_ticks(axes)
+        axes.set_xlabel(label)
+    panels[0].set_ylabel(r"$\mu$ measured − fitted")
+
+
+def _samples(found: "Identification") -> "tuple[FloatArray, FloatArray, FloatArray, FloatArray]":
+    """Return coefficient, pressure, speed and temperature of all samples that were used."""
+    histories = list(zip(found.histories, found.temperatures, strict=True))
+    return (
+        np.concatenate([history.coefficient[history.used] for history, _ in histories]),
+        np.concatenate([history.pressure[history.used] for history, _ in histories]),
+        np.concatenate([history.speed[history.used] for history, _ in histories]),
+        np.concatenate([temperature[history.used] for history, temperature in histories]),
+    )
+
+
+def _dots(
+    axes: "Axes",
+    places: "FloatArray",
+    values: "FloatArray",
+    name: str | None = "measured",
+    size: float = 1.2,
+) -> None:
+    every = max(1, places.size // _MOST_DOTS)
+    axes.plot(
+        places[::every],
+        values[::every],
+        linestyle="",
+        marker=".",
+        markersize=size,
+        markeredgewidth=0.0,
+        color=GREY,
+        alpha=0.6,
+        label=name,
+        rasterized=True,
+        zorder=1,
+    )
+
+
+def _means(axes: "Axes", places: "FloatArray", values: "FloatArray", reach: tuple[float, float]) -> None:
+    """Draw the means of groups of samples that are near each other; the groups divide `reach`."""
+    order = np.argsort(places)
+    # groups of equal width rather than equal number, so that a fast test shows as much as a slow one
+    edges = np.linspace(*reach, _GROUPS + 1)[1:-1]
+    groups = [part for part in np.split(order, np.searchsorted(places[order], edges)) if part.size >= 10]
+    axes.plot(
+        [float(places[part].mean()) for part in groups],
+        [float(values[part].mean()) for part in groups],
+        linestyle="",
+        marker="o",
+        markersize=3.0,
+        markerfacecolor=OCHRE,
+        markeredgecolor=INK,
+        markeredgewidth=0.4,
+        label="mean of neighbours",
+        zorder=4,
+    )

@@ -1,0 +1,230 @@
+"""What the calculation starts from, and where each value comes from."""
+
+from dataclasses import fields
+from typing import Any
+
+from dcfp.motion.ground_motion import GroundMotion
+from dcfp.present.report.checks import label_of
+from dcfp.present.report.digits import short, written
+from dcfp.present.report.document import (
+    Block,
+    Code,
+    Equations,
+    Maths,
+    Parts,
+    Section,
+    Table,
+    Tone,
+    cells,
+    heads,
+    named_values,
+    words,
+)
+from dcfp.present.report.laws import law_equations
+from dcfp.present.report.references import source_of
+from dcfp.schema.citations import citation
+from dcfp.study.scenario import Calculation
+from dcfp.system import LI_2020, FrictionLaw, Heating
+from dcfp.system.heating import constant_flux_rise
+
+_KILO = 1e3
+_ASSUMED = "the scenario file, or the default of Li et al. (2020) where it says nothing (the file is in the appendix)"
+
+
+def inputs_section(calculation: Calculation) -> Section:
+    """Return the section of the inputs."""
+    return Section(
+        "Inputs",
+        (words(f"Values are those of {_ASSUMED}.", tone=Tone.NOTE),),
+        (
+            Section("Bearing", (_bearing(calculation),)),
+            Section("Friction", _friction(calculation)),
+            Section("Heating of the contact", _heating(calculation.scenario.model.heating)),
+            Section("Ground motions", _motions(calculation)),
+            Section("Analysis", (_settings(calculation),)),
+        ),
+        on_new_page=True,
+    )
+
+
+def _bearing(calculation: Calculation) -> Table:
+    bearing = calculation.scenario.model.bearing
+    radii = ", ".join(f"{short(radius)} mm" for radius in bearing.radii)
+    kind = "lower, upper plate" if len(bearing.radii) > 1 else "single concave plate"
+    capacity = bearing.displacement_capacity
+    return named_values(
+        [
+            ("Name", bearing.name),
+            ("Effective radius", f"{radii} ({kind})"),
+            ("Diameter of the slider", f"{short(bearing.slider_diameter)} mm"),
+            ("Pressure on the slider", f"{short(bearing.pressure)} N/mm²"),
+            (
+                "Stiffness before sliding",
+                (Maths("k_f"), f" = {short(bearing.elastic_stiffness / _KILO)} kN/mm"),
+            ),
+            ("Displacement capacity", "not given" if capacity is None else f"{short(capacity)} mm"),
+            ("Source of the capacity", bearing.capacity_note),
+            ("Bearing of Li et al. (2020)", "unchanged" if bearing == LI_2020 else ""),
+        ]
+    )
+
+
+def _friction(calculation: Calculation) -> tuple[Block, ...]:
+    law = calculation.scenario.model.friction
+    equations = law_equations(law)
+    speed = (
+        "of the slider on one plate"
+        if law.speed_is_of_surface
+        else "of the upper plate relative to the lower"
+    )
+    nominal = calculation.nominal
+    rows: list[tuple[str, str | Parts]] = [
+        ("Law", law.name),
+        ("Source", citation(law.citation) if law.citation else ""),
+        ("Speed in it", f"{speed}, in mm/s; pressure in N/mm², temperature in °C"),
+        *_constants(law),
+        ("Tests behind it", _tests(law)),
+        ("Caution", law.caution),
+        ("Nominal coefficient", (Maths("mu_n"), f" = {nominal.value:.4f}: {nominal.source}")),
+    ]
+    origin = source_of(law.citation) + (", Eqs (7)-(10)" if law.name == "li2020" else "")
+    return (named_values(rows), Equations(equations, origin)) if equations else (named_values(rows),)
+
+
+def _tests(law: FrictionLaw) -> str:
+    tested = law.tests()
+    if tested is None:
+        return "not known"
+    (low, high), (slow, fast) = tested.pressure, tested.speed
+    ambient = "" if tested.ambient is None else f", plates of {short(tested.ambient)} °C at the start"
+    return (
+        f"{tested.source}: {short(low)} to {short(high)} N/mm², {short(slow)} to {short(fast)} mm/s{ambient}"
+    )
+
+
+def _constants(one: Any) -> list[tuple[str, str | Parts]]:
+    """Return the parameters of a law or a model by their names in the scenario file."""
+    values = [(item.name, getattr(one, item.name)) for item in fields(one) if item.init and item.repr]
+    shown = [f"{name} = {_value(value)}" for name, value in values if value is not None]
+    return [("Constants", ", ".join(shown))]
+
+
+def _value(value: object) -> str:
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        return str(value).lower() if isinstance(value, bool) else str(value)
+    return f"{value:.6g}".replace("-", "−")
+
+
+def _heating(heating: Heating) -> tuple[Block, ...]:
+    models = {
+        "simplified": "one point at the centre of each plate, Li et al. (2020), section 4.2, Figure 5b",
+        "precise": "points along the path of the slider, their mean in the contact, Li et al. (2020), section 4.2, Figure 5a",
+        "none": "the contact stays at the temperature of the start",
+    }
+    thick = heating.thickness
+    plates = "endlessly thick" if thick is None else f"{short(thick)} mm thick, back {heating.back}"
+    table = named_values(
+        [
+            ("Model", f"{heating.name}: {models[heating.name]}"),
+            ("Conductivity", (Maths("k"), f" = {short(heating.conductivity)} N/(s °C), which is W/(m °C)")),
+            ("Diffusivity", (Maths("D"), f" = {short(heating.diffusivity)} mm²/s")),
+            ("Temperature at the start", f"{short(heating.ambient)} °C"),
+            ("Plates", plates),
+            ("Cells across the contact", str(getattr(heating, "cells", ""))),
+            ("Rise under 1 N/(mm s) for 1 s", f"{float(constant_flux_rise(heating, 1.0, 1.0)):.4f} °C"),
+        ]
+    )
+    flux = Equations(
+        (
+            "q = (mu p v) / 2",
+            'Delta T = sqrt(D) / (k sqrt(pi)) integral_0^t (q(t - tau)) / sqrt(tau) thin "d" tau',
+        ),
+        "Li et al. (2020), Eqs (12), (11)",
+    )
+    shares = "The flux q goes into each of two equal plates while the contact lies on the point; of different plates each has its share of the travel."
+    return (table,) if heating.name == "none" else (table, flux, words(shares, tone=Tone.NOTE))
+
+
+def _motions(calculation: Calculation) -> tuple[Block, ...]:
+    blocks: list[Block] = [_record(motion) for motion in calculation.scenario.study.motions]
+    rows = [
+        cells(
+            label_of(one),
+            _scale(one.motion),
+            written("pga_m_s2", one.motion.peak_acceleration / _KILO),
+            written("pgv_m_s", one.motion.peak_velocity / _KILO),
+            f"{one.motion.duration:.2f}",
+        )
+        for one in calculation.results
+    ]
+    head = heads("Case", "Scale factor\n[–]", "PGA\n[m/s²]", "PGV\n[m/s]", "Duration\n[s]")
+    blocks.append(Table(head, tuple(rows), "lrrrr", (1.0, 0.0, 0.0, 0.0, 0.0), "As they shake the bearing"))
+    return tuple(blocks)
+
+
+def _record(motion: GroundMotion) -> Table:
+    origin = motion.origin
+    values = motion.acceleration.size
+    return named_values(
+        [
+            ("Record", motion.name),
+            ("Earthquake", origin.event or "not given by the source"),
+            ("Station, component", ", ".join(word for word in (origin.station, origin.component) if word)),
+            ("Source", origin.source),
+            ("Format", origin.file_format),
+            ("Processing in it", origin.processing or "not given by the source"),
+            ("Treatment here", "; ".join(motion.treatment) or "none"),
+            (
+                "As recorded",
+                f"PGA {written('pga_m_s2', motion.peak_acceleration / _KILO)} m/s², PGV {written('pgv_m_s', motion.peak_velocity / _KILO)} m/s,"
+                f" {values} values, {short(motion.time_step)} s apart",
+            ),
+            ("SHA-256 before scaling", (Code(motion.digest),)),
+        ]
+    )
+
+
+def _scale(motion: GroundMotion) -> str:
+    steps = [step for step in motion.treatment if step.startswith("scaled by ")]
+    return steps[-1].removeprefix("scaled by ") if steps else "1"
+
+
+def _settings(calculation: Calculation) -> Table:
+    settings = calculation.scenario.study.settings
+    constants = calculation.setting.constants
+    tail = "until no more sliding can come" if settings.tail is None else f"{short(settings.tail)} s"
+    step = (
+        "that of the record, at most 0.01 s while sliding"
+        if settings.step is None
+        else f"{short(settings.step)} s"
+    )
+    return named_values(
+        [
+            (
+                "Structure",
+                "rigid, on one bearing, in one direction; no viscous damping (Li et al. 2020, section 5.1)",
+            ),
+            (
+                "Integration",
+                "closed forms from event to event; the ground acceleration is linear between its samples",
+            ),
+            ("Longest step", step),
+            ("Time after the record", tail),
+            ("Tolerance of the friction", f"{short(settings.tolerance)} relative, in the middle of a step"),
+            (
+                "Prediction",
+                (
+                    f"pulses where the ground velocity turns back by {short(calculation.setting.threshold)} PGV, for the march by"
+                    f" {short(calculation.setting.march_threshold)} PGV; ",
+                    Maths("epsilon"),
+                    f" {short(constants.fall_ratio)}, ",
+                    Maths("zeta"),
+                    f" {short(constants.change_ratio)}, ",
+                    Maths('k_(g,"ave")'),
+                    f" {short(constants.average_slope)} mm/s², ",
+                    Maths("g"),
+                    f" {short(constants.gravity)} mm/s² (Li et al. 2020, section 6)",
+                ),
+            ),
+        ]
+    )

@@ -1,0 +1,225 @@
+"""Results: peaks of all cases, a page for each, and every method beside the analysis."""
+
+import math
+from typing import Any
+
+from dcfp.analysis import Status
+from dcfp.inference.case import Basis, View
+from dcfp.inference.quantities import CHANGE
+from dcfp.inference.statistics import ratios
+from dcfp.methods import Prediction, iwan_1980
+from dcfp.methods.panel import NAMES
+from dcfp.methods.result import Answer, Verdict
+from dcfp.present.report.checks import label_of
+from dcfp.present.report.digits import powered, written
+from dcfp.present.report.document import (
+    Block,
+    Cell,
+    Drawing,
+    Maths,
+    Parts,
+    Section,
+    Table,
+    Tone,
+    cells,
+    heads,
+    words,
+)
+from dcfp.present.report.figures import draw_pulses, draw_response
+from dcfp.present.report.numbers import energies_of
+from dcfp.present.tables.answers import answer_object
+from dcfp.study.scenario import Calculation, Result
+
+_BASES = {
+    Basis.BLIND: "record",
+    Basis.INFORMED: "record and analysis",
+    Basis.PGV: "PGV",
+    Basis.SPECTRUM: "spectrum",
+}
+_PEAKS: tuple[tuple[str, Parts, str], ...] = (
+    ("pgv_m_s", ("PGV",), "m/s"),
+    ("y_max_mm", (Maths('y_"max"'),), "mm"),
+    ("dy_max_mm", (Maths('Delta y_"max"'),), "mm"),
+    ("v_max_mm_s", (Maths('v_"max"'),), "mm/s"),
+    ("residual_mm", (Maths('y_"r"'),), "mm"),
+    ("force_max_kN", (Maths('F_"max"'),), "kN"),
+    ("temperature_max_degC", (Maths('T_"max"'),), "°C"),
+    ("friction_min", (Maths('mu_"min"'),), "–"),
+    ("V_E_mm_s", (Maths("V_E"),), "mm/s"),
+    ("V_Eh_mm_s", (Maths('V_(E"h")'),), "mm/s"),
+)
+_METHODS: tuple[tuple[str, Parts], ...] = (
+    ("dy_mm", (Maths("Delta y"), "\n[mm]")),
+    ("V_dE_mm_s", (Maths("V_(Delta E)"), "\nlargest of\nany pulse\n[mm/s]")),
+    ("V_dEhr_mm_s", (Maths('V_(Delta E "hr")'), "\nlargest of\nany pulse\n[mm/s]")),
+)
+
+
+def results_section(calculation: Calculation) -> Section:
+    """Return the section of the results."""
+    key: Parts = (
+        Maths('y_"max"'), " largest displacement of the isolation layer, ", Maths('Delta y_"max"'), " largest change between two of its peaks, ",
+        Maths('v_"max"'), " largest relative velocity, ", Maths('y_"r"'), " residual displacement, ", Maths('F_"max"'),
+        " largest horizontal force of the bearing, ", Maths('T_"max"'), " highest temperature of the contact, ", Maths('mu_"min"'),
+        " smallest coefficient while sliding, ", Maths("V_E"), " and ", Maths('V_(E"h")'),
+        " equivalent velocities of input and hysteretic energy. Numbers are rounded to the digits shown; dcfp report --json prints all of them.",
+    )  # fmt: skip
+    parts = [Section(f"Case {place}: {label_of(one)}", _case(one, calculation), on_new_page=True) for place, one in enumerate(calculation.results, 1)]  # fmt: skip
+    return Section(
+        "Results of the analyses", (peaks_table(calculation), words(*key, tone=Tone.NOTE)), tuple(parts)
+    )
+
+
+def peaks_table(calculation: Calculation) -> Table:
+    """Return the peaks of all cases."""
+    head = [("Record",), *((*symbol, f"\n[{unit}]") for _, symbol, unit in _PEAKS), ("Status",)]
+    rows = [_peaks_row(row) for row in calculation.summary]
+    return Table(
+        tuple(head), tuple(rows), "l" + "r" * len(_PEAKS) + "l", (1.0, *[0.0] * len(_PEAKS), 0.9), "Peaks"
+    )
+
+
+def _peaks_row(row: dict[str, Any]) -> tuple[Cell, ...]:
+    status = str(row["status"])
+    verdict = Verdict.MET if status == Status.OK.value else Verdict.NOT_MET
+    numbers = cells(*(written(key, row[key]) for key, _, _ in _PEAKS))
+    return (*cells(str(row["record"])), *numbers, Cell((status,), verdict))
+
+
+def _case(one: Result, calculation: Calculation) -> tuple[Block, ...]:
+    name = label_of(one)
+    blocks: list[Block] = [
+        Drawing(
+            lambda: draw_response(one),
+            f"Force-displacement loop and histories of velocity, displacement, temperature, friction and energy, {name}",
+        ),
+        Drawing(
+            lambda: draw_pulses(one, calculation.setting.constants),
+            f"Ground velocity with its pulses, velocities and displacement, {name}",
+        ),
+        _energies(one),
+    ]
+    return tuple(blocks)
+
+
+def _energies(one: Result) -> Table:
+    found = energies_of(one)
+    names = ("input", "hysteretic", "strain", "kinetic", "residual", "absolute_input")
+    symbols = ("E", "E_h", "E_s", "E_k", "", 'E_"abs"')
+    head: list[Parts] = [(Maths(symbol) if symbol else "residual", "\n[kN m]") for symbol in symbols]
+    row = [
+        powered(found[f"{name}_kN_m"])
+        if name == "residual"
+        else written("energy_kN_m", found[f"{name}_kN_m"])
+        for name in names
+    ]
+    return Table(
+        (*head, ("largest residual\nover largest input",)),
+        (cells(*row, powered(found["largest_residual_over_largest_input"])),),
+        "rrrrrrr",
+        (*[1.0] * 6, 1.6),
+        "Energy balance at the end: input, hysteretic, strain and kinetic energy, what is left over, absolute input",
+    )
+
+
+def methods_section(calculation: Calculation) -> Section:
+    """Return every method beside the analysis, a pair of tables for each case."""
+    note = words(
+        "Methods of Li et al. (2020) predict ", Maths("Delta y"), ", and are above the analysis where it is at least that of the analysis; the march and the codes where their"
+        " largest displacement is. ", Maths('y_"max"'), " over the analysis takes ", Maths("Delta y"), " where a method has no largest displacement, as Li et al. (2020), section 6.1.2, do."
+        " Above or below says nothing of whether a method may be used. Methods that know the record only, and the analysis, have ", Maths("V_(Delta E)"), " and ",
+        Maths('V_(Delta E "hr")'), " as the largest of any pulse or swing, each on its own; those that know the analysis too have them of the pulse that it found to govern."
+        " Codes know the record's own spectrum.",
+        tone=Tone.NOTE,
+    )  # fmt: skip
+    parts = [Section(label_of(one), _methods(one)) for one in calculation.results]
+    return Section("Predictions and codes against the analysis", (note,), tuple(parts), on_new_page=True)
+
+
+def _methods(one: Result) -> tuple[Block, ...]:
+    analysed = one.case.analysed.whole
+    y = one.response.peak_displacement
+    rows: list[tuple[Cell, ...]] = [
+        tuple(
+            Cell((text,), strong=True)
+            for text in (
+                "analysis",
+                "",
+                written("dy_mm", analysed.displacement_change),
+                written("V_dE_mm_s", analysed.input_velocity),
+                written("V_dEhr_mm_s", analysed.hysteretic_velocity),
+                written("y_mm", y),
+                written("ratio", 1.0),
+                written("ratio", 1.0),
+                "",
+            )
+        )
+    ]
+    for view, said in one.case.predicted.items():
+        method, basis = view
+        if basis is Basis.SPECTRUM:
+            continue
+        values = (said.displacement_change, said.input_velocity, said.hysteretic_velocity)
+        rows.append(
+            (
+                *cells(method.value, _BASES[basis]),
+                *cells(
+                    *(written(key, _known(value)) for (key, _), value in zip(_METHODS, values, strict=True))
+                ),
+                *cells(written("y_mm", _known(said.displacement))),
+                *_ratios(one, view, said),
+            )
+        )
+    head = heads("Method", "Knows", *(words for _, words in _METHODS), (Maths('y_"max"'), "\n[mm]"), (Maths("Delta y"), " over\nanalysis\n[–]"), (Maths('y_"max"'), " over\nanalysis\n[–]"), "Against\nanalysis")  # fmt: skip
+    blocks: list[Block] = [Table(head, tuple(rows), "llrrrrrrl", (1.0, 1.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.9), "Predictions")]  # fmt: skip
+    if one.case.answers:
+        blocks.append(_codes(one, y))
+    remarks = [
+        f"{said.method}: {' '.join(said.remarks)}" for said in one.case.answers.values() if said.remarks
+    ]
+    missing = [name for name in (*NAMES, iwan_1980.NAME) if name not in one.case.answers]
+    remarks += [f"No solution: {', '.join(missing)}."] if missing else []
+    return (*blocks, words(" ".join(remarks), tone=Tone.NOTE)) if remarks else tuple(blocks)
+
+
+def _codes(one: Result, y: float) -> Table:
+    rows: list[tuple[Cell, ...]] = []
+    for said in one.case.answers.values():
+        ratio = said.displacement / y if y > 0.0 else None
+        numbers = answer_object(said)
+        keys = ("displacement_mm", "base_shear_over_weight", "effective_period_s", "effective_damping")
+        rows.append(
+            (
+                *cells(said.method, *(written(key, numbers[key]) for key in keys), written("ratio", ratio)),
+                _against(ratio),
+                Cell((said.verdict,), _verdict(said)),
+            )
+        )
+    head = heads("Method", "D\n[mm]", (Maths('V_b "/" W'), "\n[–]"), "Period\n[s]", "Damping\n[–]", "Over the\nanalysis [–]", "Against\nanalysis", "May be used")  # fmt: skip
+    return Table(head, tuple(rows), "lrrrrrll", (1.3, 0.0, 0.0, 0.0, 0.0, 0.0, 0.9, 1.6), "Codes under the record's own spectrum")  # fmt: skip
+
+
+def _verdict(said: Answer) -> Verdict:
+    if not said.conditions or said.valid is None:
+        return Verdict.NOT_KNOWN
+    return Verdict.MET if said.valid else Verdict.NOT_MET
+
+
+def _ratios(one: Result, view: View, said: Prediction) -> tuple[Cell, ...]:
+    """Return change of displacement and largest displacement over the analysis, and the word on what the method predicts."""
+    y = one.response.peak_displacement
+    change = _known(float(ratios([one.case], view, CHANGE)[0]))
+    bound = _known(said.bound / y) if y > 0.0 else None
+    numbers = cells(written("ratio", change), written("ratio", bound))
+    return (*numbers, _against(change if said.displacement is None else bound))
+
+
+def _against(ratio: float | None) -> Cell:
+    """Return a word on a ratio to the analysis; above it has no colour, as it does not make a method safe."""
+    if ratio is None:
+        return Cell(("no prediction",), Verdict.NOT_KNOWN)
+    return Cell(("above analysis",)) if ratio >= 1.0 else Cell(("below analysis",), Verdict.NOT_KNOWN)
+
+
+def _known(value: float | None) -> float | None:
+    return None if value is None or not math.isfinite(value) else value

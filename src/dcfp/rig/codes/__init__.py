@@ -1,9 +1,0 @@
-"""Prototype tests that codes ask for, and what the codes want of their results."""
-
-from dcfp.rig.codes.choice import judge_tests as judge_tests
-from dcfp.rig.codes.choice import prototype_program as prototype_program
-from dcfp.rig.codes.choice import prototype_programs as prototype_programs
-from dcfp.rig.codes.criterion import Criterion as Criterion
-from dcfp.rig.codes.design import PrototypeDesign as PrototypeDesign
-from dcfp.rig.codes.property_factors import PropertyFactor as PropertyFactor
-from dcfp.rig.codes.property_factors import property_factors as property_factors

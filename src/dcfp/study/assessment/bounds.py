@@ -1,0 +1,193 @@
+"""Property bounds: the envelope of a response over the values that the properties of a bearing may take.
+
+ASCE 7-16 has an isolation system analysed with upper-bound and with lower-bound properties (section 17.2.8, *unconfirmed*); usually the one governs the
+forces and the other the displacements. Here every combination of the properties in a study is looked at, and it is said which one governs.
+"""
+
+from collections.abc import Mapping, Sequence
+from itertools import product
+from typing import Any
+
+import numpy as np
+import xarray
+
+from dcfp.arrays import FloatArray
+from dcfp.errors import InputError
+from dcfp.study.assessment.completeness import remarks_of, usable, values_of, with_references, with_remarks
+from dcfp.study.assessment.described import is_number, shown_value
+from dcfp.study.assessment.records import few_records, quantiles_over_records
+from dcfp.study.assessment.selection import intensity_of, only, select, sorted_over
+
+#: Factors of a study that are properties with bounds, and their nominal values.
+NOMINAL: Mapping[str, float | str] = {"lambda": 1.0, "ambient": 20.0}
+#: Results whose bounds are looked at.
+QUANTITIES = ("peak_displacement", "force_ratio", "residual_displacement", "peak_temperature")
+#: Parts of the records that do not exceed [-].
+QUANTILES = (0.5, 0.84)
+#: Factors that make the friction larger.
+_FRICTION = ("lambda", "mu")
+
+
+def bounds(
+    dataset: xarray.Dataset,
+    over: Sequence[str] | None = None,
+    nominal: Mapping[str, float | str] = NOMINAL,
+    quantities: Sequence[str] = QUANTITIES,
+    quantiles: Sequence[float] = QUANTILES,
+    *,
+    unfinished: bool = False,
+) -> xarray.Dataset:
+    """Return the envelope of results over property factors, at each intensity.
+
+    Parameters
+    ----------
+    dataset
+        A study of which at most the properties, the records and the intensity have several values; see `dcfp.study.assessment.select`.
+    over
+        The property factors; by default those of ``lambda`` and ``ambient`` that have several values.
+    nominal
+        Value of each that is nominal.
+    quantities
+        The results; of a residual displacement the size.
+    quantiles
+        Parts of the records that do not exceed [-].
+    unfinished
+        Whether analyses that have not been run are left out rather than refused.
+
+    Returns
+    -------
+    xarray.Dataset
+        Of each result over ``quantile``, the intensity and the properties: the value for each combination, under its own name; and over ``quantile`` and
+        the intensity: ``<quantity>_least``, ``_largest`` and ``_nominal``, ``_ratio``, the largest over the nominal [-], not of temperatures, and ``_least_at`` and
+        ``_largest_at``, the combinations that govern, in words.
+
+    Raises
+    ------
+    InputError
+        If a property does not vary or has no such nominal value, another factor has several values, or the study is not finished.
+    """
+    intensity = intensity_of(dataset)
+    properties = _properties(dataset, over)
+    chosen = only(dataset, (*properties, "record", intensity), "An envelope of property bounds")
+    found = usable(sorted_over(chosen, intensity), quantities, unfinished=unfinished)
+    at = _nominal(found, properties, nominal)
+    variables: dict[str, Any] = {}
+    for name in quantities:
+        values = quantiles_over_records(found[name], quantiles)
+        values = values.transpose("quantile", intensity, *properties)
+        variables |= _envelope(values, name, intensity, properties, at)
+    result = xarray.Dataset(variables, attrs=found.attrs)
+    remarks = [*remarks_of(found), *few_records(quantiles, found.sizes["record"])]
+    remarks += _governs(result, properties, quantities)
+    result = result.assign_attrs(
+        over=", ".join(properties),
+        nominal=", ".join(_combination(found, at)),
+        intensity=intensity,
+        quantities=", ".join(quantities),
+    )
+    return with_remarks(with_references(result, "asce_7_2016"), remarks)
+
+
+def _properties(dataset: xarray.Dataset, over: Sequence[str] | None) -> list[str]:
+    names = [name for name in NOMINAL if dataset.sizes.get(name, 1) > 1] if over is None else list(over)
+    if not names:
+        msg = f"None of {', '.join(NOMINAL)} has several values in this study; say over which factors the bounds are."
+        raise InputError(msg)
+    for name in names:
+        if dataset.sizes.get(name, 1) < 2 or name in ("record", "sample"):
+            varied = ", ".join(str(one) for one, size in dataset.sizes.items() if size > 1)
+            msg = f"{name!r} has no bounds in this study, in which several values are of {varied}."
+            raise InputError(msg)
+    return names
+
+
+def _nominal(
+    found: xarray.Dataset, properties: Sequence[str], nominal: Mapping[str, float | str]
+) -> dict[str, float | str]:
+    without = [name for name in properties if name not in nominal]
+    if without:
+        msg = f"Which {without[0]} is nominal must be said; the study has {', '.join(_told(found, without[0]))}."
+        raise InputError(msg)
+    at = {name: nominal[name] for name in properties}
+    select(found, at)  # refuses a value that is not there
+    return at
+
+
+def _envelope(
+    values: xarray.DataArray,
+    name: str,
+    intensity: str,
+    properties: Sequence[str],
+    nominal: Mapping[str, float | str],
+) -> dict[str, Any]:
+    """Return the variables of one result."""
+    table = np.asarray(values.to_numpy(), dtype=np.float64)
+    table = table.reshape(*table.shape[:2], -1)
+    single = values.to_dataset(name=name)
+    told = [
+        ", ".join(_combination(single, dict(zip(properties, one, strict=True))))
+        for one in product(*(values[one].to_numpy().tolist() for one in properties))
+    ]
+    least, largest = _extremes(table)
+    known = np.isfinite(table).any(axis=-1)
+    at_nominal = select(single, nominal, keep=("quantile", intensity))[name].to_numpy()
+    over = ("quantile", intensity)
+    return {
+        name: values,
+        f"{name}_least": (over, _taken(table, least), values.attrs),
+        f"{name}_largest": (over, _taken(table, largest), values.attrs),
+        f"{name}_nominal": (over, at_nominal, values.attrs),
+        f"{name}_ratio": (over, _ratio(values, _taken(table, largest), at_nominal), {"units": "1"}),
+        f"{name}_least_at": (over, np.where(known, np.array(told)[least], "")),
+        f"{name}_largest_at": (over, np.where(known, np.array(told)[largest], "")),
+    }
+
+
+def _extremes(table: FloatArray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the places of the least and the largest along the last axis; what is no number is neither."""
+    known = np.isfinite(table)
+    return np.where(known, table, np.inf).argmin(axis=-1), np.where(known, table, -np.inf).argmax(axis=-1)
+
+
+def _taken(table: FloatArray, places: np.ndarray) -> FloatArray:
+    return np.take_along_axis(table, places[..., None], axis=-1)[..., 0]
+
+
+def _ratio(values: xarray.DataArray, largest: FloatArray, nominal: FloatArray) -> FloatArray:
+    """Return the largest over the nominal [-]; not a number of temperatures, whose zero means nothing."""
+    there = (nominal > 0.0) & (values.attrs.get("units") != "degC")
+    return np.divide(largest, nominal, out=np.full(largest.shape, np.nan), where=there)
+
+
+def _combination(found: xarray.Dataset, at: Mapping[str, object]) -> list[str]:
+    return [f"{name} {shown_value(found[name], value)}" for name, value in at.items()]
+
+
+def _told(found: xarray.Dataset, name: str) -> list[str]:
+    return [shown_value(found[name], value) for value in found[name].to_numpy().tolist()]
+
+
+def _governs(result: xarray.Dataset, properties: Sequence[str], quantities: Sequence[str]) -> list[str]:
+    """Return whether the bounds of the friction govern what they usually do: the lower the displacement, the upper the force."""
+    name = next((one for one in properties if one in _FRICTION and is_number(result[one])), None)
+    asked = [one for one in ("peak_displacement", "force_ratio") if one in quantities]
+    if name is None or len(asked) < 2:
+        return []
+    lower, upper = float(result[name].min()), float(result[name].max())
+    told: list[str] = []
+    every = True
+    for quantity, bound, words in (
+        ("peak_displacement", lower, "displacement"),
+        ("force_ratio", upper, "force"),
+    ):
+        values = result[quantity].max([one for one in properties if one != name])
+        known = values.notnull().any(name).to_numpy()
+        governing = values.fillna(-np.inf).argmax(name).to_numpy()[known]
+        hits, whole = int((values_of(result, name)[governing] == bound).sum()), governing.size
+        every = every and hits == whole
+        side = "lower" if bound == lower else "upper"
+        told.append(
+            f"the {side} bound of {name} ({shown_value(result[name], bound)}) governs the {words} in {hits} of {whole}"
+        )
+    verdict = "as usual" if every else "which is not everywhere as usual"
+    return [f"Of all intensities and quantiles {' and '.join(told)}, {verdict}; ASCE 7-16 asks for both."]

@@ -1,0 +1,224 @@
+"""Fragility: how probable it is that a capacity is exceeded, over the intensity.
+
+Every record is used at every intensity, so that its analyses are not independent trials: what is observed of a record is one value, the intensity
+at which it first exceeds the capacity, known to lie between two intensities of the study, or below the first, or above the last. A lognormal
+distribution is fitted to those intervals by maximum likelihood, which is the fit of Baker (2015) to truncated incremental dynamic analyses with an
+interval in place of the exact intensity.
+"""
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import xarray
+
+from dcfp.arrays import FloatArray
+from dcfp.errors import InputError
+from dcfp.study.assessment.completeness import remarks_of, usable, values_of, with_references, with_remarks
+from dcfp.study.assessment.described import coordinates_of, events_of, shown_value
+from dcfp.study.assessment.first_exceedance import FirstExceedance, first_exceedance
+from dcfp.study.assessment.fragility_fit import Draws, Fit, drawn_counts
+from dcfp.study.assessment.selection import intensity_of, only, sorted_over
+
+#: Records that a distribution needs, and earthquakes that its confidence needs.
+FEWEST = 4
+#: Draws of earthquakes, and where their random numbers start.
+DRAWS, SEED = 1000, 2015
+#: Points of a curve.
+_POINTS = 201
+#: Part of the draws without a fit from which on the others no longer say how sure it is [-].
+_MANY_WITHOUT = 0.05
+
+
+def fragility(
+    dataset: xarray.Dataset,
+    capacity: float | Sequence[float] | None = None,
+    quantity: str = "peak_displacement",
+    *,
+    further_dispersions: Mapping[str, float] | None = None,
+    confidence: float = 0.9,
+    draws: int = DRAWS,
+    seed: int = SEED,
+    unfinished: bool = False,
+) -> xarray.Dataset:
+    """Fit the probability that a capacity is exceeded.
+
+    Parameters
+    ----------
+    dataset
+        A study of which at most the records and the intensity have several values; see `dcfp.study.assessment.select`.
+    capacity
+        One or several, in the unit of the quantity; by default the displacement capacity of the study's bearing [mm].
+    quantity
+        The result that is compared with it.
+    further_dispersions
+        Further dispersions by their names [-], for example of design and model, which are added to that between the records as the root of the sum of
+        squares, after FEMA P-695; the median stays.
+    confidence
+        Part of the draws inside the bounds [-].
+    draws, seed
+        Whole earthquakes are drawn with replacement, all components of one together.
+    unfinished
+        Whether analyses that have not been run are left out rather than refused.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over ``capacity``: ``median`` (in the unit of the intensity), ``dispersion`` and ``total_dispersion`` [-]; with ``bound`` (``low``, ``high``)
+        their ``median_bound`` and ``dispersion_bound``; ``fraction``, what part of the records is observed to exceed, over the intensity; and
+        ``probability`` with its ``probability_bound`` over ``point``, whose intensities are ``<intensity>_of_curve``. Not a number where a capacity has no fit, of
+        which a remark says why.
+
+    Raises
+    ------
+    InputError
+        If no capacity can be fitted, there are too few records, another factor has several values, or the study is not finished.
+    """
+    intensity = intensity_of(dataset)
+    chosen = only(dataset, ("record", intensity), "A fragility")
+    found = usable(sorted_over(chosen, intensity), [quantity], unfinished=unfinished)
+    capacities = _capacities(dataset, capacity, quantity)
+    _check_options(confidence, draws, further_dispersions)
+    grid, table = values_of(found, intensity), values_of(found, quantity)
+    known = np.isfinite(table).any(axis=1)
+    table, events = table[known], events_of(found)[known]
+    if len(table) < FEWEST:
+        msg = f"A fragility needs at least {FEWEST} records, and here are {len(table)}."
+        raise InputError(msg)
+    crossings = [first_exceedance(grid, table, one) for one in capacities]
+    reasons = [one.reason(lambda value: shown_value(found[intensity], value)) for one in crossings]
+    named = [shown_value(found[quantity], one) for one in capacities]
+    if all(reasons):
+        told = "; of ".join(f"{name} {why}" for name, why in zip(named, reasons, strict=True))
+        msg = f"No fragility can be fitted: of {told}."
+        raise InputError(msg)
+    further = dict(further_dispersions or {})
+    points = np.linspace(0.0, float(grid[-1]), _POINTS)
+    drawn = Draws(drawn_counts(events, draws, seed), points, confidence)
+    fits = [drawn.fit(one, math.hypot(*further.values())) for one in crossings]
+    earthquakes = int(np.unique(events).size)
+    result = _dataset(found, intensity, quantity, capacities, points, fits, earthquakes)
+    result["fraction"] = (
+        ("capacity", intensity),
+        np.stack([_fractions(table, one) for one in capacities]),
+        {"units": "1", "long_name": "part of the records that exceeds the capacity"},
+    )
+    told = [f"{name}: {why}." for name, why in zip(named, reasons, strict=True) if why]
+    remarks = [*remarks_of(found), *told, *_remarks(crossings, named, fits, earthquakes)]
+    result = result.assign_attrs(
+        confidence=confidence,
+        draws=draws,
+        seed=seed,
+        records=len(table),
+        earthquakes=earthquakes,
+        further_dispersions=", ".join(f"{name} {value:g}" for name, value in further.items()) or "none",
+    )
+    return with_remarks(with_references(result, "baker_2015", "fema_p695_2009"), remarks)
+
+
+def _capacities(
+    dataset: xarray.Dataset, capacity: float | Sequence[float] | None, quantity: str
+) -> list[float]:
+    if capacity is None:
+        known = dataset.attrs.get("displacement_capacity")
+        if known is None or quantity != "peak_displacement":
+            msg = f"A fragility of {quantity} needs a capacity, because the study has none for it."
+            raise InputError(msg)
+        capacity = float(known)
+    listed = [float(one) for one in (capacity if isinstance(capacity, Sequence) else [capacity])]
+    wrong = [one for one in listed if not (math.isfinite(one) and one > 0.0)]
+    if wrong or not listed:
+        msg = (
+            f"A capacity must be a positive number, not {wrong[0]:g}."
+            if wrong
+            else "Give at least one capacity."
+        )
+        raise InputError(msg)
+    return sorted(set(listed))
+
+
+def _check_options(confidence: float, draws: int, further: Mapping[str, float] | None) -> None:
+    if not 0.0 < confidence < 1.0:
+        msg = f"The confidence must lie between 0 and 1, not {confidence:g}."
+        raise InputError(msg)
+    if draws < 1:
+        msg = f"The earthquakes must be drawn at least once, not {draws} times."
+        raise InputError(msg)
+    for name, value in (further or {}).items():
+        if not (math.isfinite(value) and value >= 0.0):
+            msg = f"The dispersion {name} must be zero or a positive number, not {value:g}."
+            raise InputError(msg)
+
+
+def _fractions(table: FloatArray, capacity: float) -> FloatArray:
+    """Return what part of the records exceeds the capacity at each intensity; not a number where there is none."""
+    known = np.isfinite(table).sum(axis=0)
+    exceed = (np.nan_to_num(table, nan=-np.inf) > capacity).sum(axis=0)
+    return np.where(known > 0, exceed / np.maximum(known, 1), np.nan)
+
+
+def _dataset(
+    found: xarray.Dataset,
+    intensity: str,
+    quantity: str,
+    capacities: Sequence[float],
+    points: FloatArray,
+    fits: Sequence[Fit],
+    earthquakes: int,
+) -> xarray.Dataset:
+    units = {"units": str(found[intensity].attrs.get("units", "1"))}
+    sure = 1.0 if earthquakes >= FEWEST else np.nan  # too few to say how sure it is
+    part = {"units": "1"}
+
+    def stacked(name: str, scale: float = 1.0) -> FloatArray:
+        return scale * np.array([getattr(one, name) for one in fits])
+
+    variables: dict[str, Any] = {
+        "median": ("capacity", stacked("median"), units | {"long_name": "median intensity"}),
+        "dispersion": ("capacity", stacked("dispersion"), part | {"long_name": "dispersion between records"}),
+        "total_dispersion": (
+            "capacity",
+            stacked("total_dispersion"),
+            part | {"long_name": "total dispersion"},
+        ),
+        "median_bound": (("capacity", "bound"), stacked("median_bound", sure), units),
+        "dispersion_bound": (("capacity", "bound"), stacked("dispersion_bound", sure), part),
+        "probability": (("capacity", "point"), stacked("probability"), part),
+        "probability_bound": (("capacity", "bound", "point"), stacked("probability_bound", sure), part),
+    }
+    coordinates: dict[str, Any] = {
+        "capacity": ("capacity", list(capacities), dict(found[quantity].attrs)),
+        "bound": ["low", "high"],
+        f"{intensity}_of_curve": ("point", points, dict(found[intensity].attrs)),
+        intensity: found[intensity],
+        **{name: one for name, one in coordinates_of(found).items() if one.ndim == 0},
+    }
+    return xarray.Dataset(
+        variables, coordinates, {**found.attrs, "quantity": quantity, "intensity": intensity}
+    )
+
+
+def _remarks(
+    crossings: Sequence[FirstExceedance], named: Sequence[str], fits: Sequence[Fit], earthquakes: int
+) -> list[str]:
+    remarks: list[str] = []
+    for name, one, fit in zip(named, crossings, fits, strict=True):
+        if one.returns:
+            remarks.append(
+                f"{name}: {one.returns} of the records exceed it and are within it again at a higher intensity; the first time counts."
+            )
+        if fit.without > _MANY_WITHOUT and math.isfinite(fit.median) and earthquakes >= FEWEST:
+            remarks.append(
+                f"{name}: {100.0 * fit.without:.0f} % of the draws of earthquakes have no fit, so that the bounds are too narrow;"
+                " more intensities or records would help."
+            )
+    if earthquakes < FEWEST:
+        remarks.append(
+            f"How sure it is cannot be said from {earthquakes} earthquakes; {FEWEST} are the fewest."
+        )
+    remarks.append(
+        "Fitted to the intervals of intensity in which each record first exceeds the capacity, because the same records are used at every intensity;"
+        " no factor for the shape of the spectrum (FEMA P-695, SSF) is applied."
+    )
+    return remarks

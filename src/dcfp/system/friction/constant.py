@@ -1,0 +1,41 @@
+"""A constant coefficient of friction (Coulomb)."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from dcfp.kernels.friction import ExponentialLaw
+from dcfp.system.checks import fraction
+from dcfp.system.friction.law import FrictionLaw
+
+#: Nominal coefficient mu_n [-], Li et al. (2020), section 4.4: mean of the tests at zero displacement
+#: in the second cycle of dependency test T01.
+NOMINAL_COEFFICIENT = 0.043
+
+
+@dataclass(frozen=True)
+class ConstantFriction(FrictionLaw):
+    """The same coefficient at every pressure, speed and temperature.
+
+    Parameters
+    ----------
+    mu
+        Coefficient of friction [-]; by default the nominal one of Li et al. (2020), section 4.4.
+    """
+
+    mu: float = NOMINAL_COEFFICIENT
+    name: ClassVar[str] = "constant"
+    citation: ClassVar[str] = "li_2020"
+    reference_parameter: ClassVar[str] = "mu"
+
+    def __post_init__(self) -> None:
+        fraction(self.mu, "coefficient of friction")
+
+    @property
+    def reference(self) -> float:
+        """Coefficient of friction [-]."""
+        return self.mu
+
+    def at_pressure(self, pressure: float) -> ExponentialLaw:
+        """Return the constants for the kernels."""
+        del pressure
+        return ExponentialLaw(self.mu, 0.0, 0.0, 1.0, 0.0, 0.0)

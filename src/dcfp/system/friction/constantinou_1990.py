@@ -1,0 +1,72 @@
+"""Friction that depends on velocity: Constantinou, Mokha and Reinhorn (1990)."""
+
+from dataclasses import dataclass, replace
+from typing import ClassVar, Self
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from dcfp.arrays import FloatArray
+from dcfp.errors import InputError
+from dcfp.kernels.friction import ExponentialLaw
+from dcfp.system.checks import fraction, positive
+from dcfp.system.friction import li_2020
+from dcfp.system.friction.law import FrictionLaw
+
+
+@dataclass(frozen=True)
+class Constantinou1990(FrictionLaw):
+    r"""The exponential rise from a slow to a fast coefficient.
+
+    .. math:: \mu = f_{max} - (f_{max} - f_{min})\,e^{-a |v|}
+
+    Parameters
+    ----------
+    fast
+        Coefficient at high speed, f_max [-].
+    slow
+        Coefficient at zero speed, f_min [-].
+    rate
+        a [s/mm], for the speed of the slider on a plate.
+
+    Notes
+    -----
+    The paper measured sheets of Teflon on steel; its coefficients are not those of a bearing of another
+    material. The defaults therefore restate mu_0 and Eq. (8) of Li et al. (2020), whose rate
+    is for the relative speed of two plates, twice that of the slider on one.
+    """
+
+    fast: float = li_2020.MU_0
+    slow: float = 0.45 * li_2020.MU_0
+    rate: float = 2.0 * 0.019
+    name: ClassVar[str] = "constantinou1990"
+    citation: ClassVar[str] = "constantinou_1990"
+    reference_parameter: ClassVar[str] = "fast"
+    speed_is_of_surface: ClassVar[bool] = True
+
+    def __post_init__(self) -> None:
+        fraction(self.fast, "coefficient of friction at high speed")
+        fraction(self.slow, "coefficient of friction at zero speed")
+        positive(self.rate, "rate of the friction law", "s/mm")
+        if self.slow > self.fast:
+            msg = f"The slow coefficient of friction, {self.slow!r}, must not exceed the fast one, {self.fast!r}."
+            raise InputError(msg)
+
+    @property
+    def reference(self) -> float:
+        """Coefficient at high speed [-]."""
+        return self.fast
+
+    def with_reference(self, coefficient: float) -> Self:
+        """Return the law with another coefficient at high speed [-], and that at zero speed in proportion."""
+        return replace(self, fast=coefficient, slow=self.slow / self.fast * coefficient)
+
+    def velocity_factor(self, speed: ArrayLike) -> FloatArray:
+        """Rise from f_min / f_max to one [-]."""
+        drop = 1.0 - self.slow / self.fast
+        return np.asarray(1.0 - drop * np.exp(-self.rate * np.abs(speed)))
+
+    def at_pressure(self, pressure: float) -> ExponentialLaw:
+        """Return the constants for the kernels."""
+        del pressure
+        return ExponentialLaw(self.fast, 1.0 - self.slow / self.fast, self.rate, 0.0, 0.0, 1.0)

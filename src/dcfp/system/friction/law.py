@@ -1,0 +1,134 @@
+"""What a friction law is."""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar, Self
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from dcfp.arrays import FloatArray
+from dcfp.errors import InputError
+from dcfp.kernels.friction import Law
+from dcfp.schema.notebook import fields_card
+
+
+@dataclass(frozen=True)
+class Tested:
+    """The tests that a law rests on.
+
+    Attributes
+    ----------
+    pressure
+        Smallest and largest on the slider's area [N/mm2].
+    speed
+        Smallest and largest relative speed of the plates [mm/s].
+    source
+        Where they are described.
+    ambient
+        Temperature of the bearing before the tests [degC]; None where it is not known.
+    """
+
+    pressure: tuple[float, float]
+    speed: tuple[float, float]
+    source: str
+    ambient: float | None = None
+
+
+class FrictionLaw(ABC):
+    """The coefficient of friction as a function of pressure, speed and temperature.
+
+    Attributes
+    ----------
+    name
+        Name on the command line and in results.
+    citation
+        Key of the source in the bibliography; empty for a law that needs none.
+    speed_is_of_surface
+        True where the law means the speed of the slider on one plate, False where it means the
+        relative speed of the two plates.
+    reference_parameter
+        Name of the parameter that scales the whole law; empty for a law that has none.
+    tested
+        The tests that it rests on, where they are known.
+    caution
+        A sentence that must stand beside every result; empty for a law that needs none.
+    """
+
+    name: ClassVar[str]
+    citation: ClassVar[str] = ""
+    speed_is_of_surface: ClassVar[bool] = False
+    reference_parameter: ClassVar[str] = ""
+    tested: ClassVar[Tested | None] = None
+    caution: ClassVar[str] = ""
+
+    def tests(self) -> Tested | None:
+        """Return the tests that the law rests on, where they are known."""
+        return self.tested
+
+    @property
+    def reference(self) -> float:
+        """Coefficient [-] where every factor is one."""
+        return 1.0
+
+    def with_reference(self, coefficient: float) -> Self:
+        """Return the same law with another reference coefficient [-].
+
+        Raises
+        ------
+        InputError
+            If the law has none, or it is out of range.
+        """
+        if not self.reference_parameter:
+            msg = f"The friction law {self.name} has no reference coefficient that could be changed."
+            raise InputError(msg)
+        law: Any = self
+        return replace(law, **{self.reference_parameter: coefficient})
+
+    def pressure_factor(self, pressure: ArrayLike) -> FloatArray:
+        """Effect of the pressure [N/mm2] on the coefficient [-]; one unless a law says otherwise."""
+        return np.ones_like(pressure, dtype=np.float64)
+
+    def velocity_factor(self, speed: ArrayLike) -> FloatArray:
+        """Effect of the speed [mm/s] on the coefficient [-]; one unless a law says otherwise."""
+        return np.ones_like(speed, dtype=np.float64)
+
+    def temperature_factor(self, temperature: ArrayLike) -> FloatArray:
+        """Effect of the temperature of the contact [degC] on the coefficient [-]; one unless a law says otherwise."""
+        return np.ones_like(temperature, dtype=np.float64)
+
+    def dose_factor(self, dose: ArrayLike) -> FloatArray:
+        """Effect of the dose of rubbing, the integral of p v2 over time [N/s], on the coefficient [-]; one unless a law says otherwise."""
+        return np.ones_like(dose, dtype=np.float64)
+
+    @abstractmethod
+    def at_pressure(self, pressure: float) -> Law:
+        """Return the law at a constant pressure [N/mm2] in the form that the kernels take."""
+
+    def coefficient(
+        self, pressure: ArrayLike, speed: ArrayLike, temperature: ArrayLike, dose: ArrayLike = 0.0
+    ) -> FloatArray:
+        """Coefficient of friction [-].
+
+        Parameters
+        ----------
+        pressure
+            On the slider's area [N/mm2].
+        speed
+            Of the upper plate relative to the lower one, or of the slider on a plate
+            where ``speed_is_of_surface`` [mm/s].
+        temperature
+            Of the contact [degC].
+        dose
+            Of rubbing so far [N/s], for laws that wear off. The arguments are broadcast together.
+        """
+        return np.asarray(
+            self.reference
+            * self.pressure_factor(pressure)
+            * self.velocity_factor(np.abs(speed))
+            * self.temperature_factor(temperature)
+            * self.dose_factor(dose)
+        )
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, f"Friction law {self.name}", remarks=(self.caution,) if self.caution else ())

@@ -1,0 +1,111 @@
+"""Friction that depends on pressure, velocity and temperature: Li et al. (2020), section 4.1."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from dcfp.arrays import FloatArray
+from dcfp.kernels.friction import ExponentialLaw
+from dcfp.system.checks import fraction, yes_or_no
+from dcfp.system.friction.law import FrictionLaw, Tested
+
+#: Coefficient at 60 N/mm2, 400 mm/s and about 20 degC [-], section 4.1.
+MU_0 = 0.075
+_ALPHA_DROP, _ALPHA_RATE = 0.55, 0.019
+_BETA_SCALE, _BETA_RATE = 1.13, 0.007
+
+
+def pressure_factor(pressure: ArrayLike) -> FloatArray:
+    r"""Pressure dependency factor [-] at a pressure [N/mm2].
+
+    .. math:: \gamma = 2.03\,\sigma^{-0.19} + 0.068
+
+    Li et al. (2020), Eq. (7).
+    """
+    return np.asarray(2.03 * np.asarray(pressure, dtype=np.float64) ** -0.19 + 0.068)
+
+
+def velocity_factor(speed: ArrayLike) -> FloatArray:
+    r"""Velocity dependency factor [-] at a relative speed of the plates [mm/s].
+
+    .. math:: \alpha = 1 - 0.55\,e^{-0.019 |v|}
+
+    Li et al. (2020), Eq. (8).
+    """
+    return np.asarray(1.0 - _ALPHA_DROP * np.exp(-_ALPHA_RATE * np.abs(speed)))
+
+
+def temperature_factor(temperature: ArrayLike) -> FloatArray:
+    r"""Temperature dependency factor [-] at a temperature of the contact [degC].
+
+    .. math:: \beta = 1.13\,e^{-0.007 T}
+
+    Li et al. (2020), Eq. (9).
+    """
+    return np.asarray(_BETA_SCALE * np.exp(-_BETA_RATE * np.asarray(temperature, dtype=np.float64)))
+
+
+@dataclass(frozen=True)
+class Li2020(FrictionLaw):
+    r"""The paper's law, :math:`\mu = \mu_0 \gamma \alpha \beta`: Li et al. (2020), Eq. (10).
+
+    Parameters
+    ----------
+    mu_0
+        Coefficient at 60 N/mm2, 400 mm/s and 17.5 degC [-], where each factor is one within 0.05 %.
+    pressure_dependent, velocity_dependent, temperature_dependent
+        Whether a factor is used; one that is not is replaced by one.
+
+    Notes
+    -----
+    The speed of Eq. (8) is that of the upper plate relative to the lower one, as the paper writes, and was fitted to bearings
+    of two equal plates. On a single or two different plates it is still taken as that, not as twice the speed on one plate.
+    """
+
+    mu_0: float = MU_0
+    pressure_dependent: bool = True
+    velocity_dependent: bool = True
+    temperature_dependent: bool = True
+    name: ClassVar[str] = "li2020"
+    citation: ClassVar[str] = "li_2020"
+    reference_parameter: ClassVar[str] = "mu_0"
+    tested: ClassVar[Tested | None] = Tested(
+        (30.0, 90.0), (0.0, 644.0), "Li et al. 2020, Tables 1 and 2", 20.0
+    )
+
+    def __post_init__(self) -> None:
+        fraction(self.mu_0, "coefficient of friction mu_0")
+        for effect in ("pressure", "velocity", "temperature"):
+            yes_or_no(getattr(self, f"{effect}_dependent"), f"{effect}_dependent")
+
+    @property
+    def reference(self) -> float:
+        """Coefficient mu_0 [-]."""
+        return self.mu_0
+
+    def pressure_factor(self, pressure: ArrayLike) -> FloatArray:
+        """Factor gamma [-], Eq. (7), or one."""
+        return pressure_factor(pressure) if self.pressure_dependent else np.ones_like(pressure, np.float64)
+
+    def velocity_factor(self, speed: ArrayLike) -> FloatArray:
+        """Factor alpha [-], Eq. (8), or one."""
+        return velocity_factor(speed) if self.velocity_dependent else np.ones_like(speed, np.float64)
+
+    def temperature_factor(self, temperature: ArrayLike) -> FloatArray:
+        """Factor beta [-], Eq. (9), or one."""
+        if self.temperature_dependent:
+            return temperature_factor(temperature)
+        return np.ones_like(temperature, np.float64)
+
+    def at_pressure(self, pressure: float) -> ExponentialLaw:
+        """Return the constants for the kernels at a pressure [N/mm2]."""
+        return ExponentialLaw(
+            self.mu_0 * float(self.pressure_factor(pressure)),
+            _ALPHA_DROP if self.velocity_dependent else 0.0,
+            _ALPHA_RATE,
+            _BETA_SCALE if self.temperature_dependent else 0.0,
+            _BETA_RATE,
+            0.0 if self.temperature_dependent else 1.0,
+        )

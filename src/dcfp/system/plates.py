@@ -1,0 +1,188 @@
+"""The heat in the plates, and a bearing under its load, as the kernels take them."""
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from dcfp.arrays import FloatArray
+from dcfp.kernels.heat_state import (
+    BANK_ROWS,
+    DOSE,
+    LEFT_CELL,
+    NOTES,
+    PLATE_NOTE,
+    PLATE_NOTES,
+    PRESENT,
+    RATES,
+    RATIO,
+    STEP_NOTE,
+    WEIGHTS,
+    Heat,
+)
+from dcfp.kernels.memory import HORIZON, MODES, fading_modes
+from dcfp.kernels.motion import Structure
+from dcfp.kernels.slab import slab_modes
+from dcfp.system.bearing import Bearing
+from dcfp.system.friction import FrictionLaw
+from dcfp.system.heating import INSULATED, Heating, PreciseHeating
+
+#: Displacement for which the line of cells has room at first [mm].
+FIRST_REACH = 600.0
+#: Horizons for which heat is remembered [-], and the longest horizon [s]; see `horizon_for`.
+_REMEMBERED, _LONGEST_HORIZON = 3.0, 1200.0
+
+
+@dataclass(frozen=True)
+class PlateHeat:
+    """Heat in the plates, which the kernels change in place.
+
+    Attributes
+    ----------
+    bank, notes, cells
+        As in `dcfp.kernels.heat_state`.
+    instant
+        Instant weight of the modes in the bank [s^1/2].
+    """
+
+    bank: FloatArray
+    notes: FloatArray
+    cells: FloatArray
+    instant: float
+
+    @property
+    def temperature(self) -> FloatArray:
+        """Temperature of the contact on each plate that differs [degC], shape (plates,)."""
+        return self.notes[PRESENT : PRESENT + self.cells.shape[0]]
+
+    def copy(self) -> "PlateHeat":
+        """Return a copy that shares no array with this one."""
+        return replace(self, bank=self.bank.copy(), notes=self.notes.copy(), cells=self.cells.copy())
+
+    def with_room(self, cells: int) -> "PlateHeat":
+        """Return a copy with so many more cells at each end of the plates."""
+        wider = self.copy()
+        blank = np.zeros((self.cells.shape[0], cells, self.cells.shape[2]))
+        for plate in range(self.cells.shape[0]):
+            wider.notes[PLATE_NOTE + plate * PLATE_NOTES + LEFT_CELL] += cells
+        return replace(wider, cells=np.concatenate((blank, wider.cells, blank), axis=1))
+
+
+def structure_of(bearing: Bearing, friction: FrictionLaw) -> Structure:
+    """Return the structure on `bearing` per unit mass; two equal plates become one with half the travel."""
+    shares = bearing.shares
+    plates = len(set(bearing.radii))
+    speeds = shares if friction.speed_is_of_surface else (1.0,) * len(shares)
+    return Structure(
+        restoring=bearing.restoring_stiffness / bearing.mass,
+        elastic=bearing.elastic_stiffness / bearing.mass,
+        gravity=bearing.vertical_force / bearing.mass,
+        pressure=bearing.pressure,
+        reach=bearing.vertical_force / bearing.elastic_stiffness,
+        plates=plates,
+        first_share=shares[0],
+        second_share=shares[-1],
+        first_speed=speeds[0],
+        second_speed=speeds[-1],
+    )
+
+
+def memory_of(duration: float) -> float:
+    """Return for how long [s] the modes chosen for a `duration` [s] remember heat within 1 % of a temperature."""
+    return _REMEMBERED * horizon_for(duration)
+
+
+def mean_temperature(bearing: Bearing, temperatures: FloatArray) -> FloatArray:
+    """Return the mean temperature of the contacts [degC], by the plates' share of the travel, shape (n,).
+
+    `temperatures` [degC] are those of each plate that differs, shape (n, plates).
+    """
+    return temperatures[:, 0] if temperatures.shape[1] == 1 else temperatures @ np.array(bearing.shares)
+
+
+def cell_width(bearing: Bearing, heating: Heating) -> float:
+    """Width of a cell of the plate [mm]."""
+    return 2.0 * bearing.contact_half_side / cells_across(heating)
+
+
+def horizon_for(duration: float) -> float:
+    """Return the horizon [s] of modes that are to remember heat through a `duration` [s].
+
+    Heat is remembered within 1 % of a temperature for three horizons. The longest, of 20 minutes, leaves the fastest mode quick enough for the tests themselves: within
+    0.06 degC; after a day of cooling the plates then are up to 0.8 degC too cold.
+    """
+    return min(max(HORIZON, duration / _REMEMBERED), _LONGEST_HORIZON)
+
+
+def cold_plates(
+    bearing: Bearing, heating: Heating, *, reach: float = FIRST_REACH, horizon: float = HORIZON
+) -> PlateHeat:
+    """Return plates at the ambient temperature.
+
+    Parameters
+    ----------
+    bearing, heating
+        What they belong to.
+    reach
+        Displacement for which the line of cells of the precise model has room [mm].
+    horizon
+        Time within which the slowest mode of a half-space hardly fades [s]; see `fading_modes`.
+    """
+    plates = len(set(bearing.radii))
+    rates, weights, instant = modes_of(heating, horizon)
+    bank = np.zeros((BANK_ROWS, MODES))
+    bank[RATES] = rates
+    bank[WEIGHTS] = weights * heating.rise_factor
+    notes = cold_notes(heating.ambient)
+    margin = margin_for(bearing, heating, reach)
+    for i in range(plates):
+        notes[PLATE_NOTE + i * PLATE_NOTES + LEFT_CELL] = margin
+    return PlateHeat(bank, notes, no_heat(plates, heating, margin), instant)
+
+
+def modes_of(heating: Heating, horizon: float = HORIZON) -> tuple[FloatArray, FloatArray, float]:
+    """Return rates [1/s], weights [s^-1/2] and the instant weight [s^1/2] of the modes of a plate; `horizon` as for `cold_plates`."""
+    if heating.thickness is None:
+        return fading_modes(horizon)
+    insulated = heating.back == INSULATED
+    return slab_modes(heating.diffusivity, heating.thickness, insulated=insulated)
+
+
+def cold_notes(ambient: float) -> FloatArray:
+    """Return the notes of plates at an ambient temperature [degC], without the place of the slider."""
+    notes = np.zeros(NOTES)
+    notes[PRESENT:DOSE] = ambient
+    notes[RATIO:PLATE_NOTE] = 1.0
+    notes[STEP_NOTE:] = math.nan  # no step is prepared
+    return notes
+
+
+def cells_across(heating: Heating) -> int:
+    """Return the number of cells that the length of the contact is divided into."""
+    return heating.cells if isinstance(heating, PreciseHeating) else 1
+
+
+def margin_for(bearing: Bearing, heating: Heating, reach: float = FIRST_REACH) -> int:
+    """Return the number of cells on each side of the contact that a displacement of `reach` [mm] needs."""
+    if not isinstance(heating, PreciseHeating):
+        return 0
+    return 1 + math.ceil(max(bearing.shares) * reach / cell_width(bearing, heating))
+
+
+def no_heat(plates: int, heating: Heating, margin: int) -> FloatArray:
+    """Return the cells of `plates` cold plates with so many on each side of the contact."""
+    return np.zeros((plates, cells_across(heating) + 1 + 2 * margin, MODES + 1))
+
+
+def heat_of(plates: PlateHeat, bearing: Bearing, heating: Heating) -> Heat:
+    """Return the kernels' view of the heat in `plates`, which they will change."""
+    return Heat(
+        kind=heating.kind,
+        ambient=heating.ambient,
+        half_contact=bearing.contact_half_side,
+        cell=cell_width(bearing, heating),
+        instant=plates.instant * heating.rise_factor,
+        bank=plates.bank,
+        notes=plates.notes,
+        cells=plates.cells,
+    )

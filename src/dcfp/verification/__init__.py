@@ -1,4 +1,0 @@
-"""What is checked against what, and by how much it differs: `dcfp verify` and the tests run the same checks."""
-
-from dcfp.verification.check import Check as Check
-from dcfp.verification.run import run_checks as run_checks

@@ -1,0 +1,150 @@
+"""A check: something computed beside what it ought to be, and how far apart the two may be."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from dcfp.schema.notebook import fields_card
+
+
+@dataclass(frozen=True)
+class Check:
+    """Outcome of a check, ready to be printed.
+
+    Attributes
+    ----------
+    group, name
+        Which check this is.
+    computed, expected
+        What the package gives and what it ought to give, in `unit`; None where the check was skipped.
+    unit
+        Unit of both, or "-".
+    tolerance, difference
+        How far apart they may be, and are, in words.
+    passed
+        Whether the difference is within the tolerance; None where the check was skipped.
+    note
+        What a reader should know: where the tolerance comes from, the worst case, why it was skipped.
+    source
+        Where the expected value comes from.
+    ratio
+        Size of the difference over the largest that is allowed [-]: zero where the computed value is better by any
+        amount, None where the check was skipped or this is not a finite number.
+    """
+
+    group: str
+    name: str
+    computed: float | None
+    expected: float | None
+    unit: str
+    tolerance: str
+    difference: str
+    passed: bool | None
+    note: str
+    source: str
+    ratio: float | None = None
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, f"{self.group}: {self.name}")
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What a check has found.
+
+    Parameters
+    ----------
+    computed, expected
+        Values in `unit`.
+    unit
+        Unit of both, or "-".
+    limit
+        Largest difference that is allowed: a fraction of the expected value where `relative`, else in `unit`.
+    note, source
+        As in `Check`.
+    relative
+        Whether the limit is a fraction of the expected value.
+    more_is_better
+        Whether the computed value may be larger than expected by any amount.
+    """
+
+    computed: float
+    expected: float
+    unit: str
+    limit: float
+    note: str = ""
+    source: str = ""
+    relative: bool = False
+    more_is_better: bool = False
+
+
+@dataclass(frozen=True)
+class Skipped:
+    """Why a check could not be made."""
+
+    reason: str
+    source: str = ""
+
+
+@dataclass(frozen=True)
+class Task:
+    """A check that has not been made yet.
+
+    Parameters
+    ----------
+    group, name
+        As in `Check`.
+    measure
+        Makes the check.
+    long
+        Whether it takes so long that only the full run makes it.
+    """
+
+    group: str
+    name: str
+    measure: Callable[[], Finding | Skipped]
+    long: bool = False
+
+    def run(self) -> Check:
+        """Make the check."""
+        outcome = self.measure()
+        if isinstance(outcome, Skipped):
+            return Check(self.group, self.name, None, None, "-", "", "", None, outcome.reason, outcome.source)
+        return judge(self.group, self.name, outcome)
+
+
+def judge(group: str, name: str, finding: Finding) -> Check:
+    """Return the check that a finding amounts to; what is not a finite number never passes."""
+    difference = finding.computed - finding.expected
+    if finding.relative:
+        difference /= abs(finding.expected)
+    return Check(
+        group=group,
+        name=name,
+        computed=finding.computed,
+        expected=finding.expected,
+        unit=finding.unit,
+        tolerance=_in_words(finding.limit, finding),
+        difference=_in_words(difference, finding),
+        passed=math.isfinite(difference) and _is_close(difference, finding),
+        note=finding.note,
+        source=finding.source,
+        ratio=_ratio(difference, finding),
+    )
+
+
+def _ratio(difference: float, finding: Finding) -> float | None:
+    if difference == 0.0 or (finding.more_is_better and 0.0 < difference < math.inf):
+        return 0.0
+    ratio = abs(difference) / finding.limit if finding.limit > 0.0 else math.inf
+    return ratio if math.isfinite(ratio) else None
+
+
+def _is_close(difference: float, finding: Finding) -> bool:
+    return abs(difference) <= finding.limit or (finding.more_is_better and difference > 0.0)
+
+
+def _in_words(value: float, finding: Finding) -> str:
+    if finding.relative:
+        return f"{100.0 * value:.2g} %"
+    return f"{value:.2g}" if finding.unit == "-" else f"{value:.2g} {finding.unit}"

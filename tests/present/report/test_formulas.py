@@ -1,0 +1,170 @@
+"""Formulas: their numbers give their results, and both forms show the same mathematics."""
+
+import math
+import re
+from dataclasses import replace
+from xml.etree import ElementTree
+
+import pytest
+
+import dcfp
+from dcfp.present.report.laws import State, friction_formulas, law_equations
+from dcfp.present.report.maths import (
+    Fraction,
+    Name,
+    Node,
+    Number,
+    Operator,
+    Root,
+    Row,
+    Script,
+    Space,
+    Word,
+    mathml,
+    read_maths,
+)
+from dcfp.present.report.worked import worked_out
+from dcfp.study.scenario import Calculation
+from dcfp.study.scenario.scenario import Scenario
+from dcfp.system import FittedFriction, FrictionLaw, friction_law
+
+_FUNCTIONS = {"exp": math.exp, "max": max}
+
+
+def evaluate(source: str) -> float:
+    """Return the value of a source without unknowns: products are written side by side or with a cross."""
+    return _sum(list(read_maths(source).items))
+
+
+def _sum(items: list[Node]) -> float:
+    total, sign, factors = 0.0, 1.0, []
+    for item in [*items, Operator("+")]:
+        if isinstance(item, Operator) and item.text in "+−":
+            if factors:
+                total += sign * math.prod(_factors(factors))
+                sign, factors = 1.0, []
+            sign *= 1.0 if item.text == "+" else -1.0
+        else:
+            factors.append(item)
+    return total
+
+
+def _factors(items: list[Node]) -> list[float]:
+    found: list[float] = []
+    place = 0
+    while place < len(items):
+        item = items[place]
+        place += 1
+        if isinstance(item, Word):
+            inside = items[place]
+            assert isinstance(inside, Row)
+            place += 1
+            found.append(_FUNCTIONS[item.text](*_arguments(inside)))
+        elif not isinstance(item, Space) and item != Operator("×"):
+            found.append(_value(item))
+    return found
+
+
+def _arguments(row: Row) -> list[float]:
+    parts: list[list[Node]] = [[]]
+    for item in row.items:
+        if item == Operator(","):
+            parts.append([])
+        else:
+            parts[-1].append(item)
+    return [_sum(part) for part in parts]
+
+
+def _value(node: Node) -> float:
+    match node:
+        case Number(text):
+            return float(text)
+        case Name("π"):
+            return math.pi
+        case Row(items):
+            return _sum(list(items))
+        case Fraction(above, below):
+            return _value(above) / _value(below)
+        case Root(inside):
+            return math.sqrt(_value(inside))
+        case Script(base, None, sup) if sup is not None:
+            return _value(base) ** _value(sup)
+        case _:
+            msg = f"{node} has no value"
+            raise ValueError(msg)
+
+
+def agrees(formula) -> bool:
+    found = evaluate(formula.numbers)
+    # printed numbers have four digits or more, and differences of them lose some
+    return found == pytest.approx(formula.value, rel=1.5e-3, abs=1.01 * 10.0**-formula.decimals)
+
+
+def worked(model: dcfp.Bearing | None = None, **changes) -> Calculation:
+    from dcfp.study import Study
+    from dcfp.study.scenario import calculate
+    from dcfp.system import Model
+
+    motion = dcfp.load_motion(changes.pop("record", "NCC")).scaled_to_pgv(changes.pop("pgv", 500.0))
+    chosen = replace(Model(), **({} if model is None else {"bearing": model}), **changes)
+    return calculate(Scenario(Study([motion], model=chosen)))
+
+
+def test_the_numbers_of_every_formula_give_its_result(calculation: Calculation) -> None:
+    formulas = worked_out(calculation).formulas
+    assert len(formulas) > 60
+    with_numbers = [one for one in formulas if one.numbers]
+    assert len(with_numbers) > 50
+    wrong = [(one.name, one.numbers, one.value) for one in with_numbers if not agrees(one)]
+    assert wrong == []
+
+
+@pytest.mark.parametrize(
+    "made",
+    [
+        # an amplified pulse; a soft pulse that moves nothing; a single plate with another law; no heating
+        {"record": "LPG", "pgv": 250.0},
+        {"record": "NCC", "pgv": 40.0},
+        {"model": dcfp.Bearing((3000.0,), 300.0, 50.0, 1.9e6), "friction": dcfp.Kumar2015(0.06, 50.0), "record": "IVD", "pgv": 1000.0},
+        {"heating": dcfp.NoHeating(), "friction": dcfp.ConstantFriction(0.12)},
+    ],
+)  # fmt: skip
+def test_so_they_do_of_other_bearings_and_records(made) -> None:
+    formulas = worked_out(worked(**made)).formulas
+    assert [(one.name, one.numbers, one.value) for one in formulas if one.numbers and not agrees(one)] == []
+
+
+@pytest.mark.parametrize("name", [*(set(dcfp.system.friction_names()) - {"fitted"}), "fitted"])
+def test_every_law_has_equations_and_its_own_coefficient(name: str) -> None:
+    law: FrictionLaw = FittedFriction(pressure_floor=0.1) if name == "fitted" else friction_law(name)
+    assert all(mathml(equation) for equation in law_equations(law))
+    formulas = friction_formulas(law, State(50.0, 123.4, 67.8), "source")
+    if name == "lomiento2013":  # it wears off: no single state has a coefficient
+        assert formulas == ()
+        return
+    assert formulas[-1].value == float(law.coefficient(50.0, 123.4, 67.8))
+    assert all(agrees(one) for one in formulas if one.numbers)
+
+
+def test_every_formula_is_mathematics_for_a_browser(calculation: Calculation) -> None:
+    for formula in worked_out(calculation).formulas:
+        for line in formula.lines:
+            tree = ElementTree.fromstring(mathml(line))
+            numbers = " ".join(tree.itertext())
+            assert set(re.findall(r"\d+\.\d+", line)) <= set(re.findall(r"\d+\.\d+", numbers))
+
+
+def test_fractions_and_scripts_take_parentheses_away() -> None:
+    assert "<mfrac><mrow><mi>a</mi><mo>+</mo><mi>b</mi></mrow><mi>c</mi></mfrac>" in mathml("(a + b) / c")
+    assert "<msub><mi>k</mi><mtext>ra</mtext></msub>" in mathml('k_"ra"')
+    assert "<mo>(</mo>" in mathml("2 (a + b)")
+    assert mathml('"<b>"').count("&lt;b&gt;") == 1
+
+
+@pytest.mark.parametrize("wrong", ["(a + b", "a + b)  )", "velocity", "a_"])
+def test_what_is_no_mathematics_is_refused(wrong: str) -> None:
+    if wrong == "a + b)  )":
+        assert read_maths(wrong)  # a lone parenthesis is a sign
+        return
+    with pytest.raises(ValueError, match=r"mathematics|symbol"):
+        read_maths(wrong)

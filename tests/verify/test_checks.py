@@ -1,0 +1,177 @@
+"""Every check of `dcfp verify` passes, and every kind of check can fail."""
+
+from dataclasses import replace
+from functools import partial
+
+import pytest
+
+from dcfp.verify import Check, analytic, check, opensees, run, run_checks
+from dcfp.verify.check import Finding, Skipped, Task, judge
+
+SHORT = run.tasks()
+LONG = [task for task in run.tasks(full=True) if task.long]
+
+
+def identifier(task: Task) -> str:
+    return f"{task.group}: {task.name}"
+
+
+def must_pass(task: Task) -> None:
+    outcome = task.run()
+    if outcome.passed is None:
+        pytest.skip(outcome.note)
+    assert outcome.passed, f"{outcome.difference} is more than {outcome.tolerance}; {outcome.note}"
+
+
+@pytest.mark.parametrize("task", SHORT, ids=identifier)
+def test_check(task: Task) -> None:
+    must_pass(task)
+
+
+@pytest.mark.parametrize("task", LONG, ids=identifier)
+def test_long_check(task: Task) -> None:
+    must_pass(task)
+
+
+def test_every_check_has_a_name_of_its_own() -> None:
+    names = [identifier(task) for task in run.tasks(full=True)]
+    assert len(set(names)) == len(names)
+
+
+def test_the_full_run_only_adds() -> None:
+    assert set(map(identifier, SHORT)) < set(map(identifier, run.tasks(full=True)))
+
+
+# ----- a check can fail -----
+
+
+@pytest.mark.parametrize(
+    ("finding", "passed"),
+    [
+        (Finding(1.0, 1.0, "mm", 0.0), True),
+        (Finding(1.1, 1.0, "mm", 0.2), True),
+        (Finding(1.3, 1.0, "mm", 0.2), False),
+        (Finding(0.7, 1.0, "mm", 0.2), False),
+        (Finding(101.0, 100.0, "mm", 0.02, relative=True), True),
+        (Finding(103.0, 100.0, "mm", 0.02, relative=True), False),
+        (Finding(-103.0, -100.0, "mm", 0.02, relative=True), False),
+        (Finding(float("nan"), 1.0, "mm", 1e9), False),
+        (Finding(float("inf"), 1.0, "mm", 1e9, more_is_better=True), False),
+        (Finding(3.0, 2.0, "-", 0.5, more_is_better=True), True),
+        (Finding(1.0, 2.0, "-", 0.5, more_is_better=True), False),
+    ],
+)
+def test_a_finding_is_judged_by_its_limit(finding: Finding, passed: bool) -> None:
+    assert judge("group", "name", finding).passed is passed
+
+
+@pytest.mark.parametrize(
+    ("finding", "ratio"),
+    [
+        (Finding(1.0, 1.0, "mm", 0.0), 0.0),
+        (Finding(1.1, 1.0, "mm", 0.0), None),
+        (Finding(0.7, 1.0, "mm", 0.2), 1.5),
+        (Finding(-103.0, -100.0, "mm", 0.02, relative=True), 1.5),
+        (Finding(float("nan"), 1.0, "mm", 1.0), None),
+        (Finding(3.0, 2.0, "-", 0.5, more_is_better=True), 0.0),
+        (Finding(1.0, 2.0, "-", 0.5, more_is_better=True), 2.0),
+    ],
+)
+def test_the_ratio_is_the_difference_over_what_is_allowed(finding: Finding, ratio: float | None) -> None:
+    assert judge("group", "name", finding).ratio == (None if ratio is None else pytest.approx(ratio))
+
+
+@pytest.mark.parametrize("task", [task for task in SHORT if task.group != opensees.GROUP], ids=identifier)
+def test_a_wrong_expectation_is_noticed(task: Task) -> None:
+    finding = task.measure()
+    assert isinstance(finding, Finding)
+    size = abs(finding.expected) if finding.relative else 1.0
+    wrong = replace(
+        finding, expected=finding.computed + 1.01 * finding.limit * size + 1e-12, more_is_better=False
+    )
+    if finding.relative:
+        wrong = replace(
+            wrong,
+            expected=finding.computed * (1.0 + 1.02 * finding.limit + 1e-12) / (1.0 - 1.02 * finding.limit),
+        )
+    assert judge(task.group, task.name, wrong).passed is False
+
+
+def test_a_wrong_formula_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(analytic, "STANDARD_GRAVITY", 9810.0)
+    found = {task.name: task.run().passed for task in analytic.TASKS}
+    assert found["distance of a slide to its stop"] is False
+    assert found["velocity when a slide stops"] is False
+    assert found["distance of a slide on a flat plate"] is False
+
+
+# ----- the run -----
+
+
+def test_each_check_is_reported_as_it_is_made(monkeypatch: pytest.MonkeyPatch) -> None:
+    def measure(value: float) -> Finding:
+        return Finding(value, 1.0, "mm", 0.5, "a note", "a source")
+
+    tasks = [
+        Task("one", "right", partial(measure, 1.0)),
+        Task("one", "wrong", partial(measure, 2.0)),
+        Task("two", "skipped", lambda: Skipped("not here")),
+    ]
+    monkeypatch.setattr(run, "tasks", lambda full: tasks)
+    reported: list[Check] = []
+    checks = run_checks(report=reported.append)
+    assert reported == checks
+    assert [outcome.passed for outcome in checks] == [True, False, None]
+    assert checks[0] == Check(
+        "one", "right", 1.0, 1.0, "mm", "0.5 mm", "0 mm", True, "a note", "a source", 0.0
+    )
+    assert checks[2].note == "not here"
+    assert checks[2].computed is None
+
+
+# ----- OpenSees that is not there -----
+
+
+@pytest.fixture
+def without_opensees(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(opensees, "find_spec", lambda name: None)
+    monkeypatch.delenv(opensees.REQUIRED, raising=False)
+    opensees.analyse.cache_clear()
+
+
+@pytest.mark.usefixtures("without_opensees")
+@pytest.mark.parametrize("task", opensees.TASKS, ids=identifier)
+def test_without_opensees_its_checks_are_skipped_with_a_way_to_get_it(task: Task) -> None:
+    outcome = task.run()
+    assert outcome.passed is None
+    assert "openseespy" in outcome.note
+
+
+@pytest.mark.usefixtures("without_opensees")
+def test_without_opensees_its_checks_fail_where_it_is_required(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(opensees.REQUIRED, "1")
+    outcome = opensees.TASKS[0].run()
+    assert outcome.passed is False
+    assert opensees.REQUIRED in outcome.note
+
+
+def test_a_failure_of_the_other_process_is_told(monkeypatch: pytest.MonkeyPatch, tmp_path) -> None:
+    program = tmp_path / "program.py"
+    program.write_text("raise RuntimeError('libblas.so.3 is missing')")
+    monkeypatch.setattr(opensees, "find_spec", lambda name: object())
+    monkeypatch.setattr(opensees, "_PROGRAM", program)
+    monkeypatch.delenv(opensees.REQUIRED, raising=False)
+    opensees.analyse.cache_clear()
+    outcome = opensees.TASKS[0].run()
+    opensees.analyse.cache_clear()
+    assert outcome.passed is None
+    assert "libblas" in outcome.note
+
+
+def test_values_with_both_errors_are_extrapolated_exactly() -> None:
+    values = [100.0 - 3.0 * step**0.5 + 7.0 * step for step in (0.004, 0.002, 0.001)]
+    assert opensees.extrapolated((values[0], values[1], values[2])) == pytest.approx(100.0, rel=1e-12)
+
+
+def test_a_skipped_check_is_not_a_finding() -> None:
+    assert check.Task("group", "name", lambda: Skipped("why")).run().passed is None

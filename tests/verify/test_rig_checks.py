@@ -1,0 +1,95 @@
+"""Checks of the virtual test machine without OpenSees, and its brute-force integration by itself."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from dcfp.analysis.rig import Sine
+from dcfp.system import LI_2020, PreciseHeating, SimplifiedHeating
+from dcfp.verify import rig_opensees
+from dcfp.verify.check import Task
+from dcfp.verify.opensees import REQUIRED
+from dcfp.verify.rig_cases import FinerSine, refined
+from dcfp.verify.rig_explicit import Path, integrate, sine, twice
+
+CONSTANT = np.array([0.043, 0.0, 0.0, 0.0, 0.0, 1.0])
+
+
+@pytest.fixture
+def without_opensees(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(rig_opensees, "find_spec", lambda name: None)
+    monkeypatch.delenv(REQUIRED, raising=False)
+
+
+@pytest.mark.usefixtures("without_opensees")
+@pytest.mark.parametrize("task", rig_opensees.TASKS, ids=lambda task: task.name)
+def test_without_opensees_its_checks_are_skipped_with_a_way_to_get_it(task: Task) -> None:
+    outcome = task.run()
+    assert outcome.passed is None
+    assert "openseespy" in outcome.note
+
+
+@pytest.mark.usefixtures("without_opensees")
+def test_without_opensees_its_checks_fail_where_it_is_required(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(REQUIRED, "1")
+    outcome = rig_opensees.TASKS[0].run()
+    assert outcome.passed is False
+    assert REQUIRED in outcome.note
+
+
+def test_a_finer_sine_is_the_same_sine() -> None:
+    coarse = Sine(200.0, 400.0, 2).travel()
+    fine = FinerSine(200.0, 400.0, 2, parts=3).travel()
+    assert fine.pieces[::3] == pytest.approx(coarse.pieces, abs=1e-9)
+    exact = 200.0 * np.sin(2.0 * fine.time[:-1])
+    assert np.abs(fine.pieces[:, 0] - exact).max() < 2e-10 * 200.0
+    assert refined(coarse, 1).pieces == pytest.approx(coarse.pieces)
+
+
+def test_brute_force_is_a_coulomb_loop_under_constant_friction() -> None:
+    story = integrate(sine(200.0, 400.0, 2, 4000), LI_2020, CONSTANT, SimplifiedHeating())
+    slip = 0.043 * LI_2020.vertical_force
+    assert np.abs(story.force[[2000, 4000, 6000]]) == pytest.approx(slip, rel=1e-12)
+    area = 4.0 * slip * (200.0 - slip / LI_2020.elastic_stiffness)
+    assert story.work[8000] - story.work[4000] == pytest.approx(area, rel=1e-5)
+
+
+def steady_slide(distance: float, steps: int, time: float) -> Path:
+    velocity = distance / time
+    return Path(time / steps, np.linspace(0.0, distance, steps + 1), np.full(steps + 1, velocity))
+
+
+def test_brute_force_heats_as_a_constant_flux_does() -> None:
+    """2 q sqrt(D t / pi) / k, Carslaw and Jaeger (1959), section 2.9, where the slider stays over the point."""
+    stiff = replace(LI_2020, elastic_stiffness=1e15)
+    heating = SimplifiedHeating()
+    story = integrate(steady_slide(100.0, 1000, 1.0), stiff, CONSTANT, heating)
+    flux = 0.5 * 0.043 * 60.0 * 100.0
+    rise = 2.0 * flux * np.sqrt(heating.diffusivity * 1.0 / np.pi) / heating.conductivity
+    assert story.temperature[-1] - 20.0 == pytest.approx(rise, rel=1e-12)
+
+
+def test_the_overlap_is_the_mean_of_many_points() -> None:
+    """The precise model at once against points one by one."""
+    heating = PreciseHeating()
+    path = sine(400.0, 600.0, 1, 400)
+    story = integrate(path, replace(LI_2020, elastic_stiffness=1e15), CONSTANT, heating)
+    middle = 0.25 * (path.displacement[1:] + path.displacement[:-1])
+    flux = 0.5 * 0.043 * 60.0 * np.abs(np.diff(path.displacement)) / path.step
+    last = 250
+    half = LI_2020.contact_half_side
+    points = 0.5 * path.displacement[last] + half * (2.0 * (np.arange(4000) + 0.5) / 4000 - 1.0)
+    covered = np.abs(points[:, np.newaxis] - middle[np.newaxis, :last]) <= half
+    ago = np.sqrt(path.step * (last - np.arange(last + 1)))
+    rises = heating.rise_factor * (covered @ (2.0 * (ago[:-1] - ago[1:]) * flux[:last]))
+    assert story.temperature[last] - 20.0 == pytest.approx(rises.mean(), rel=1e-4)
+
+
+def test_a_rest_is_left_out_only_where_nothing_is_asked() -> None:
+    path = sine(50.0, 100.0, 1, 200)
+    doubled = twice(path, 100)
+    story = integrate(doubled, LI_2020, CONSTANT, SimplifiedHeating())
+    assert doubled.displacement.size == 2 * 200 + 100 + 1
+    assert story.temperature[300] < story.temperature[200]
+    assert story.work[300] == story.work[200]
