@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import dcfp
 from dcfp.analysis.batch import GroundSet, Lanes, Peaks, respond_in_batch
-from dcfp.analysis.status import FAILED, NUMBERS
+from dcfp.analysis.response import FAILED, NUMBERS
 from dcfp.errors import InputError
 from dcfp.system import LI_2020, Model
 from dcfp.system.friction import KimConstantinou2023Third

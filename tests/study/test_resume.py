@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from dcfp.analysis.status import NOT_RUN
+from dcfp.analysis.response import NOT_RUN
 from dcfp.errors import InputError
 from dcfp.study import Study, run_study
 from dcfp.study import run as engine

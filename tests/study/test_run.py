@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import dcfp
-from dcfp.analysis.status import FAILED
+from dcfp.analysis.response import FAILED
 from dcfp.errors import InputError
 from dcfp.inference import compare
 from dcfp.study import Plan, Sampling, Settings, Study, Uniform, run_study

@@ -3,4 +3,4 @@
 from dcfp.analysis.energy import EnergyBalance as EnergyBalance
 from dcfp.analysis.respond import respond as respond
 from dcfp.analysis.response import Response as Response
-from dcfp.analysis.status import Status as Status
+from dcfp.analysis.response import Status as Status

@@ -1,25 +1,46 @@
-"""The result of a response history analysis."""
+"""The result of a response history analysis: histories, peaks and how it ended; its remarks, its data set and its summary."""
 
+import json
 import math
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
+from enum import Enum
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from dcfp.analysis.energy import EnergyBalance, equivalent_velocity
 from dcfp.analysis.kernel_input import State
-from dcfp.analysis.status import Status
-from dcfp.analysis.validity import validity_remarks
 from dcfp.arrays import FloatArray
 from dcfp.kernels import march as m
+from dcfp.kernels.march import TEMPERATURE
 from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.remarks import motion_remarks
+from dcfp.schema.citations import citations_of
+from dcfp.schema.nomenclature import quantity
 from dcfp.schema.notebook import card, with_units
 from dcfp.system import Bearing, FrictionLaw, Heating
 from dcfp.system.plates import mean_temperature
-from dcfp.system.profiles import Profiles
-from dcfp.system.validity import LARGEST_ANGLE
+from dcfp.system.profiles import Profiles, profile_variables
+from dcfp.system.validity import LARGEST_ANGLE, History, assumption_remarks
+from dcfp.version import version
 
 if TYPE_CHECKING:
     import xarray
+
+
+class Status(Enum):
+    """How an analysis ended; the value is what results and tables show."""
+
+    OK = "ok"
+    BEYOND_CAPACITY = "beyond capacity"
+    STILL_MOVING = "still moving"
+
+
+#: The same as numbers, for arrays.
+NUMBERS = {Status.OK: 1, Status.BEYOND_CAPACITY: 2, Status.STILL_MOVING: 3}
+#: Numbers for what has no `Status`: not analysed yet, and an analysis that could not be finished.
+NOT_RUN, FAILED = 0, 4
 
 
 @dataclass(frozen=True)
@@ -227,14 +248,10 @@ class Response:
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return histories, peaks and provenance as a data set with units."""
-        from dcfp.analysis.dataset import dataset
-
         return dataset(self)
 
     def summary(self) -> dict[str, float | str]:
         """Return the peaks with their units in their names, ready for JSON."""
-        from dcfp.analysis.summary import summary
-
         return summary(self)
 
     def __str__(self) -> str:
@@ -245,3 +262,110 @@ class Response:
 
     def _repr_html_(self) -> str:
         return card(f"Response to {self.motion.name}", with_units(self.summary()), remarks=self.remarks)
+
+
+#: Time for which the heat in the plates is remembered within 1 % of the temperature [s].
+LONGEST_MEMORY = 600.0
+
+
+def validity_remarks(response: "Response") -> list[str]:
+    """Return a sentence for each assumption that the analysis left."""
+    return assumption_remarks(
+        History(
+            name=response.motion.name,
+            bearing=response.bearing,
+            friction_law=response.friction_law,
+            heating=response.heating,
+            velocity=response.velocity,
+            friction=response.friction,
+            temperatures=response.histories.lines[:, TEMPERATURE:],
+            slides=bool(response.sliding.any()),
+            load=np.array([response.bearing.vertical_force]),
+            duration=float(response.time[-1]),
+            memory=LONGEST_MEMORY,
+        )
+    )
+
+
+def remarks_on(response: Response) -> list[str]:
+    """Return every remark on one analysis."""
+    return [*motion_remarks(response.motion), *response.remarks]
+
+
+# As a data set with units and provenance.
+
+
+def dataset(response: "Response") -> "xarray.Dataset":
+    """Return histories as variables over ``time``, and peaks and provenance as attributes."""
+    import xarray  # late: it takes long to import
+
+    energy = response.energy
+    histories = {
+        "ground_acceleration": response.ground_acceleration,
+        "ground_velocity": response.ground_velocity,
+        "displacement": response.displacement,
+        "velocity": response.velocity,
+        "structure_velocity": response.structure_velocity,
+        "structure_acceleration": response.structure_acceleration,
+        "force": response.force,
+        "friction": response.friction,
+        "temperature": response.temperature,
+        "sliding": response.sliding,
+        "input_energy": energy.input,
+        "absolute_input_energy": energy.absolute_input,
+        "kinetic_energy": energy.kinetic,
+        "strain_energy": energy.strain,
+        "hysteretic_energy": energy.hysteretic,
+        "energy_residual": energy.residual,
+    }
+    result = xarray.Dataset(
+        {name: ("time", np.array(values), quantity(name).attributes) for name, values in histories.items()},
+        coords={"time": ("time", np.array(response.time), quantity("time").attributes)},
+        attrs=_provenance(response),
+    )
+    return result if response.profiles is None else result.merge(profile_variables(response.profiles))
+
+
+def _provenance(response: "Response") -> dict[str, str | float]:
+    motion = response.motion
+    law = response.friction_law
+    return {
+        "Conventions": "CF-1.11",
+        "title": f"Response of {response.bearing.name} under {motion.name}",
+        "source": f"dcfp {version()}",
+        "references": "\n".join(citations_of(response.friction_law.citation, "li_2020")),
+        **response.summary(),
+        "remarks": " ".join(response.remarks),
+        "record_sha256": motion.digest,
+        "record_origin": json.dumps(asdict(motion.origin)),
+        "record_treatment": "; ".join(motion.treatment) or "none",
+        "bearing": json.dumps(asdict(response.bearing)),
+        "friction_law": repr(law),
+        "heating_model": repr(response.heating),
+        "settings": json.dumps(asdict(response.settings)),
+    }
+
+
+# The peaks with their units in their names.
+
+
+def summary(response: "Response") -> dict[str, float | str]:
+    """Return what the command line's JSON holds for one analysis."""
+    return {
+        "record": response.motion.name,
+        "pgv_m_s": response.motion.peak_velocity / 1e3,
+        "friction": response.friction_law.name,
+        "heating": response.heating.name,
+        "y_max_mm": response.peak_displacement,
+        "dy_max_mm": response.peak_change,
+        "v_max_mm_s": response.peak_velocity,
+        "residual_mm": response.residual_displacement,
+        "force_max_kN": response.peak_force / 1e3,
+        "temperature_max_degC": response.peak_temperature,
+        "friction_min": response.least_friction,
+        "V_E_mm_s": response.input_velocity,
+        "V_Eh_mm_s": response.hysteretic_velocity,
+        "energy_residual": response.energy.relative_residual,
+        "status": response.status.value,
+        "elapsed_s": response.elapsed,
+    }

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from dcfp.analysis.batch import GroundSet, Lanes, Peaks, available_threads, respond_in_batch
-from dcfp.analysis.status import FAILED
+from dcfp.analysis.response import FAILED
 from dcfp.arrays import FloatArray
 from dcfp.errors import AnalysisError, InputError
 from dcfp.inference.case import Setting

@@ -14,7 +14,7 @@ import xarray
 import zarr
 from zarr.storage import MemoryStore
 
-from dcfp.analysis.status import NOT_RUN
+from dcfp.analysis.response import NOT_RUN
 from dcfp.errors import InputError
 from dcfp.schema.nomenclature import quantity
 from dcfp.study.coordinates import coordinates

@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from dcfp.analysis import Response, respond
 from dcfp.analysis.batch import Lanes, respond_in_batch
-from dcfp.analysis.status import FAILED, NUMBERS, Status
+from dcfp.analysis.response import FAILED, NUMBERS, Status
 from dcfp.arrays import IntArray
 from dcfp.errors import AnalysisError
 from dcfp.study.plan import Block, Cases, Plan

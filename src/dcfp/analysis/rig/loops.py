@@ -1,6 +1,8 @@
-"""The result of a virtual test: histories of force, friction and temperature."""
+"""The result of a virtual test: histories of force, friction and temperature; its remarks, its data set and its rows."""
 
-from dataclasses import dataclass
+import json
+import math
+from dataclasses import asdict, dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -8,16 +10,22 @@ import numpy as np
 
 from dcfp.analysis.rig.measures import Cycle, cycles_of, zero_crossings
 from dcfp.analysis.rig.program import RigTest
-from dcfp.analysis.rig.validity import validity_remarks
 from dcfp.arrays import FloatArray
 from dcfp.kernels import drive as d
+from dcfp.kernels.drive import TEMPERATURE
+from dcfp.schema.citations import citations_of
+from dcfp.schema.nomenclature import quantity
 from dcfp.schema.notebook import card, with_units
 from dcfp.system import Bearing, FrictionLaw, Heating
-from dcfp.system.plates import mean_temperature
-from dcfp.system.profiles import Profiles
+from dcfp.system.plates import mean_temperature, memory_of
+from dcfp.system.profiles import Profiles, profile_variables
+from dcfp.system.validity import History, assumption_remarks
+from dcfp.version import version
 
 if TYPE_CHECKING:
     import xarray
+
+    from dcfp.analysis.rig.measurement import Measurement
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,8 +145,6 @@ class Loops:
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return histories, measures and provenance as a data set with units."""
-        from dcfp.analysis.rig.dataset import dataset
-
         return dataset(self)
 
     def __str__(self) -> str:
@@ -149,7 +155,131 @@ class Loops:
         )
 
     def _repr_html_(self) -> str:
-        from dcfp.analysis.rig.summary import cycle_rows
 
         rows = [with_units(row) for row in cycle_rows(self)]
         return card(f"Virtual test {self.test.name}", rows=rows, remarks=self.remarks)
+
+
+def validity_remarks(loops: "Loops") -> list[str]:
+    """Return a sentence for each assumption that a test left."""
+    duration = loops.begins + float(loops.time[-1])
+    return assumption_remarks(
+        History(
+            name=loops.test.name,
+            bearing=loops.bearing,
+            friction_law=loops.friction_law,
+            heating=loops.heating,
+            velocity=loops.velocity,
+            friction=loops.friction,
+            temperatures=loops.lines[:, TEMPERATURE:],
+            slides=bool(loops.sliding.any()),
+            load=loops.load,
+            duration=duration,
+            memory=memory_of(duration) * (1.0 + 1e-9),  # chosen for the whole story, up to a longest
+            rests=loops.begins > 0.0,
+        )
+    )
+
+
+# The measures of each cycle with their units in their names.
+
+
+def cycle_rows(loops: "Loops") -> list[dict[str, float | str | None]]:
+    """Return what the command line's JSON holds for each cycle of a test."""
+    shared = {
+        "test": loops.test.name,
+        "friction": loops.friction_law.name,
+        "heating": loops.heating.name,
+        "waveform": loops.test.waveform.kind,
+        "peak_velocity_mm_s": loops.test.waveform.peak_velocity,
+        "period_s": loops.test.waveform.period,
+    }
+    pressure = 1.0 / loops.bearing.slider_area
+    return [
+        {**shared, **measures(cycle), "pressure_N_mm2": cycle.load * pressure, "elapsed_s": loops.elapsed}
+        for cycle in loops.cycles
+    ]
+
+
+def measured_rows(name: str, measurement: "Measurement") -> list[dict[str, float | str | None]]:
+    """Return the same for each cycle of a measured test beside the test `name`; there is no model, which is said in place of its names."""
+    shared = {
+        "test": name,
+        "friction": "measured",
+        "heating": "measured",
+        "waveform": "recorded",
+        "file": measurement.name,
+    }
+    return [{**shared, **measures(cycle)} for cycle in measurement.cycles]
+
+
+def measures(cycle: Cycle) -> dict[str, float | None]:
+    """Return the measures of one cycle; None where one does not exist."""
+    return {
+        "cycle": cycle.number,
+        "displacement_max_mm": cycle.largest,
+        "displacement_min_mm": cycle.least,
+        "force_at_displacement_max_kN": cycle.force_at_largest / 1e3,
+        "force_at_displacement_min_kN": cycle.force_at_least / 1e3,
+        "load_kN": cycle.load / 1e3,
+        "keff_kN_mm": _known(cycle.effective_stiffness / 1e3),
+        "beta_eff": _known(cycle.effective_damping),
+        "post_yield_stiffness_kN_mm": _known(cycle.post_yield_stiffness / 1e3),
+        "strength_kN": _known(cycle.strength / 1e3),
+        "energy_kN_m": cycle.energy / 1e6,
+        "friction_of_loop": _known(cycle.loop_friction),
+        "friction_at_zero": _known(cycle.friction),
+        "friction_at_zero_first": cycle.crossings[0] if cycle.crossings else None,
+        "friction_at_zero_second": cycle.crossings[1] if len(cycle.crossings) > 1 else None,
+        "temperature_max_degC": _known(cycle.peak_temperature),
+    }
+
+
+def _known(value: float) -> float | None:
+    return None if math.isnan(value) else value
+
+
+# As a data set with units and provenance.
+
+
+def dataset(loops: "Loops") -> "xarray.Dataset":
+    """Return histories over ``time``, measures over ``cycle``, and provenance as attributes."""
+    import xarray  # late: it takes long to import
+
+    histories = {
+        "displacement": loops.displacement,
+        "velocity": loops.velocity,
+        "force": loops.force,
+        "load": loops.load,
+        "friction": loops.friction,
+        "temperature": loops.temperature,
+        "sliding": loops.sliding,
+        "work": loops.work,
+        "hysteretic_energy": loops.hysteretic_energy,
+    }
+    result = xarray.Dataset(
+        {name: ("time", np.array(values), quantity(name).attributes) for name, values in histories.items()},
+        coords={"time": ("time", np.array(loops.time), quantity("time").attributes)},
+        attrs=_provenance(loops),
+    )
+    return result if loops.profiles is None else result.merge(profile_variables(loops.profiles))
+
+
+def _provenance(loops: "Loops") -> dict[str, str | float]:
+    test = loops.test
+    return {
+        "Conventions": "CF-1.11",
+        "title": f"Virtual test {test.name} of {loops.bearing.name}",
+        "source": f"dcfp {version()}",
+        "references": "\n".join(citations_of(loops.friction_law.citation, "li_2020")),
+        "test": test.name,
+        "waveform": test.waveform.kind,
+        "begins_s": loops.begins,
+        "cycles": json.dumps(cycle_rows(loops)),
+        "vertical_load": json.dumps(None if test.load is None else asdict(test.load)),
+        "bearing": json.dumps(asdict(loops.bearing)),
+        "friction_law": repr(loops.friction_law),
+        "heating_model": repr(loops.heating),
+        "remarks": " ".join(loops.remarks),
+        "elapsed_s": loops.elapsed,
+    }

@@ -10,10 +10,9 @@ from typing import Any, cast
 
 import numpy as np
 
-from dcfp.analysis.rig.codes.choice import prototype_programs
-from dcfp.analysis.rig.load import VerticalLoad
+from dcfp.analysis.rig.codes import prototype_programs
 from dcfp.analysis.rig.measurement import Measurement, read_measurement
-from dcfp.analysis.rig.program import Program, RigTest
+from dcfp.analysis.rig.program import Program, RigTest, VerticalLoad
 from dcfp.analysis.rig.waveform import Recorded, Sine, Triangle, Waveform
 from dcfp.errors import InputError
 from dcfp.schema.reading import read_toml

@@ -1,14 +1,14 @@
-"""Runs a test program on the virtual machine."""
+"""Runs a test program on the virtual machine, with one model or with several side by side."""
 
 import math
 import time
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from dcfp.analysis.rig.load import VerticalLoad
 from dcfp.analysis.rig.loops import Loops
-from dcfp.analysis.rig.program import Program, RigTest, check_stroke
+from dcfp.analysis.rig.program import Program, RigTest, VerticalLoad, check_stroke
 from dcfp.analysis.rig.waveform import Travel
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import AnalysisError, InputError
@@ -18,7 +18,18 @@ from dcfp.kernels.grip import Rig, available
 from dcfp.kernels.heat_state import PRESENT, Heat
 from dcfp.kernels.heating import place_slider
 from dcfp.kernels.path import Piece
-from dcfp.system import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating
+from dcfp.system import (
+    LI_2020,
+    Bearing,
+    ConstantFriction,
+    FrictionLaw,
+    Heating,
+    Li2020,
+    NoHeating,
+    PreciseHeating,
+    SimplifiedHeating,
+    plates_of,
+)
 from dcfp.system.plates import PlateHeat, cold_plates, heat_of, horizon_for, structure_of
 from dcfp.system.profiles import Profiles, profile_now
 
@@ -223,3 +234,53 @@ class _Machine:
 def _reference_at(friction: FrictionLaw, pressure: float) -> float:
     law = friction.at_pressure(pressure)
     return law.reference if isinstance(law, (ExponentialLaw, CyclingLaw)) else 1.0
+
+
+# The same tests with several models, side by side.
+
+
+@dataclass(frozen=True)
+class Model:
+    """A friction law and a heating model under a short name."""
+
+    name: str
+    friction: FrictionLaw
+    heating: Heating
+
+
+def paper_models(friction: FrictionLaw, heating: Heating) -> tuple[Model, ...]:
+    """Return the three models that Li et al. (2020), section 4, compare.
+
+    A law with precise and with simplified heating, and the constant nominal coefficient without any.
+
+    Parameters
+    ----------
+    friction
+        Law of the first two.
+    heating
+        From which the plates are taken; if it is the precise model, its cells too.
+    """
+    plates = plates_of(heating)
+    precise = heating if isinstance(heating, PreciseHeating) else PreciseHeating(**plates)
+    return (
+        Model("precise", friction, precise),
+        Model("simplified", friction, SimplifiedHeating(**plates)),
+        Model("constant", ConstantFriction(), NoHeating(**plates)),
+    )
+
+
+def run_models(
+    program: Program,
+    bearing: Bearing,
+    models: tuple[Model, ...],
+    *,
+    tolerance: float = TOLERANCE,
+    report: Callable[[], None] | None = None,
+) -> dict[str, tuple[Loops, ...]]:
+    """Run a program with every model; return the tests by the name of the model. Arguments as in `run_program`."""
+    return {
+        model.name: run_program(
+            program, bearing, model.friction, model.heating, tolerance=tolerance, report=report
+        )
+        for model in models
+    }

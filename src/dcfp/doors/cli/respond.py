@@ -41,7 +41,7 @@ def run(chosen: argparse.Namespace) -> int:
     inputs.record_names(chosen)
     outputs = Outputs.checked(chosen, inputs.input_files(chosen), (*DATA_EXTENSIONS, _WORKBOOK, _SCRIPT))
     # late, so that a slip in the command is answered at once
-    from dcfp.analysis.remarks import remarks_on
+    from dcfp.analysis.response import remarks_on
     from dcfp.doors.cli.response_table import print_responses
 
     model = inputs.model(chosen)

@@ -96,7 +96,7 @@ def run(chosen: argparse.Namespace) -> int:
     if chosen.checks:
         _show_checks(program, runs, as_json=chosen.json)
     elif chosen.json:
-        from dcfp.analysis.rig.summary import cycle_rows, measured_rows
+        from dcfp.analysis.rig.loops import cycle_rows, measured_rows
 
         rows = [{**row, "remarks": list(test.remarks)} for test in loops for row in cycle_rows(test)]
         rows += [row for name, test in measured.items() for row in measured_rows(name, test)]
@@ -178,8 +178,7 @@ def _run(
     program: "Program", model: "inputs.Model", chosen: argparse.Namespace
 ) -> "dict[str, tuple[Loops, ...]]":
     from dcfp.analysis.rig import run_program
-    from dcfp.analysis.rig.compare import paper_models, run_models
-    from dcfp.analysis.rig.run import TOLERANCE
+    from dcfp.analysis.rig.run import TOLERANCE, paper_models, run_models
     from dcfp.doors.cli.progress import progress
 
     finely = TOLERANCE if chosen.tolerance is None else chosen.tolerance
@@ -228,11 +227,11 @@ def _write(
 
 
 def _show_checks(program: "Program", runs: "dict[str, tuple[Loops, ...]]", *, as_json: bool) -> None:
-    from dcfp.analysis.rig.codes import judge_tests, property_factors
+    from dcfp.analysis.rig.codes import judge_tests, prototype
     from dcfp.doors.cli.test_table import print_checks
 
     name, loops = next(iter(runs.items()))
-    criteria, factors = judge_tests(program, loops), property_factors(loops)
+    criteria, factors = judge_tests(program, loops), prototype(loops)
     if not as_json:
         print_checks(program, loops, criteria, factors)
         return

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.analysis.rig import Measurement
-from dcfp.analysis.rig.load import check_load
+from dcfp.analysis.rig.program import check_load
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
 from dcfp.inference.identification.contact_temperature import contact_temperature

@@ -3,7 +3,7 @@
 from dataclasses import asdict
 from typing import Any
 
-from dcfp.analysis.remarks import remarks_on
+from dcfp.analysis.response import remarks_on
 from dcfp.kernels._jit import source_digest
 from dcfp.present.report.checks import checks_of
 from dcfp.present.report.digits import DECIMALS

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray
 
-from dcfp.analysis.rig.summary import cycle_rows
+from dcfp.analysis.rig.loops import cycle_rows
 from dcfp.present.tables.columns import Column, compressed, histories_csv, table_text
 from dcfp.version import version
 

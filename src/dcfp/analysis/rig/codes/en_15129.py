@@ -8,8 +8,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from dcfp.analysis.rig.codes.criterion import Criterion
-from dcfp.analysis.rig.codes.design import PrototypeDesign
+from dcfp.analysis.rig.codes.prototype import Criterion, PrototypeDesign
 from dcfp.analysis.rig.loops import Loops
 from dcfp.analysis.rig.program import Program, RigTest
 from dcfp.analysis.rig.waveform import Sine

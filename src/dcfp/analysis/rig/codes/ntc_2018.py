@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from dcfp.analysis.rig.codes.criterion import Criterion
+from dcfp.analysis.rig.codes.prototype import Criterion
 from dcfp.analysis.rig.loops import Loops
 
 CODE = "NTC 2018"

@@ -20,7 +20,7 @@ def add_arguments(parser: Parser) -> None:
 def run(chosen: argparse.Namespace) -> int:
     """Analyse the case and show it."""
     outputs = Outputs.checked(chosen, [Path(chosen.study)])
-    from dcfp.analysis.remarks import remarks_on
+    from dcfp.analysis.response import remarks_on
     from dcfp.doors.cli.response_table import print_responses
     from dcfp.study import read_study
     from dcfp.study.assessment.single import numbered_cases, response_at

@@ -1,0 +1,201 @@
+"""Prototype tests of codes: what they are made from, what a code wants of each, and the property factors that they show."""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from dcfp.analysis.rig.loops import Loops
+from dcfp.analysis.rig.measures import Cycle
+from dcfp.analysis.rig.program import VerticalLoad
+from dcfp.errors import InputError
+from dcfp.system.checks import positive
+
+#: Minimum of the total maximum displacement over the maximum displacement [-]: ASCE/SEI 7, section 17.5.3.5.
+LEAST_TOTAL = 1.15
+
+
+@dataclass(frozen=True)
+class PrototypeDesign:
+    """Design values of an isolation system.
+
+    Parameters
+    ----------
+    displacement
+        Maximum displacement: D_M of ASCE/SEI 7, d_bd of EN 15129 [mm].
+    period
+        Effective period at that displacement [s].
+    pressure
+        On the slider under the average load [N/mm2].
+    total_displacement
+        With torsion, D_TM [mm]; by default 1.15 times the displacement, the least that ASCE/SEI 7 allows.
+    least_load, largest_load
+        Smallest and largest vertical load over the average one [-]; by default those of Li et al. (2020), Table 2, T10 and T11.
+    wind_displacement
+        Amplitude of the wind cycles [mm]; by default that of Li et al. (2020), Table 2, T02.
+    endurance_cycles
+        Cycles at 0.75 D_M, at least 10: 30 S_M1 / (S_MS B_M); by default the 20 of Li et al. (2020), Table 2, T12.
+    """
+
+    displacement: float
+    period: float
+    pressure: float = 60.0
+    total_displacement: float | None = None
+    least_load: float = 0.5
+    largest_load: float = 1.5
+    wind_displacement: float = 10.0
+    endurance_cycles: int = 20
+
+    def __post_init__(self) -> None:
+        positive(self.displacement, "design displacement", "mm")
+        positive(self.period, "effective period", "s")
+        positive(self.pressure, "pressure on the slider", "N/mm2")
+        if self.total_displacement is not None:
+            positive(self.total_displacement, "total displacement", "mm")
+            if self.total_displacement < self.displacement:
+                msg = f"The total displacement, {self.total_displacement:g} mm, must not be below the displacement, {self.displacement:g} mm."
+                raise InputError(msg)
+        positive(self.least_load, "smallest over the average load", "[-]")
+        positive(self.largest_load, "largest over the average load", "[-]")
+        positive(self.wind_displacement, "displacement of the wind cycles", "mm")
+        positive(self.endurance_cycles, "number of cycles", "cycles")
+
+    @property
+    def total(self) -> float:
+        """Total maximum displacement [mm]."""
+        if self.total_displacement is None:
+            return LEAST_TOTAL * self.displacement
+        return self.total_displacement
+
+    def load(self, factor: float = 1.0) -> VerticalLoad:
+        """Return a constant load, as a factor of the average one [-]."""
+        return VerticalLoad((factor * self.pressure,))
+
+
+@dataclass(frozen=True)
+class Criterion:
+    """One requirement on one test.
+
+    Attributes
+    ----------
+    code, clause
+        Where it stands.
+    test
+        Name of the test.
+    statement
+        What must hold, in words.
+    value, limit
+        What was found and what is allowed, in `unit`; the value must not exceed the limit, or where `at_least` not fall below it.
+    unit
+        Unit of both, or "-".
+    at_least
+        Whether the limit is a lower one.
+    confirmed
+        Whether the requirement was read in the code or in two independent sources; if not, it is from memory of the code.
+    """
+
+    code: str
+    clause: str
+    test: str
+    statement: str
+    value: float
+    limit: float
+    unit: str = "-"
+    at_least: bool = False
+    confirmed: bool = False
+
+    @property
+    def passed(self) -> bool:
+        """Whether it holds; what is not a finite number never does."""
+        return math.isfinite(self.value) and (
+            self.value >= self.limit if self.at_least else self.value <= self.limit
+        )
+
+
+# Property modification factors that tests show: lambda_test of ASCE/SEI 7-16, section 17.2.8.4.
+#
+# A prototype test gives first-cycle properties that are higher than the three-cycle average, on which
+# nominal design properties rest, and later ones that are lower, since the plates heat up. With a heated
+# model both follow from the sequence of tests, before any is made:
+#
+# .. math:: \lambda_{test,max} = \frac{first\ cycle}{mean\ of\ three}, \qquad \lambda_{test,min} = \frac{last\ cycle}{mean\ of\ three}
+#
+# at the maximum displacement; the endurance test gives a lower one after many cycles. Which cycle counts as
+# the last is *unconfirmed*, so both are given.
+
+
+#: Cycles on which nominal properties rest.
+NOMINAL_CYCLES = 3
+
+
+@dataclass(frozen=True)
+class PropertyFactor:
+    """How much one property of the bearing changes in the tests.
+
+    Attributes
+    ----------
+    name
+        Of the property, in words.
+    nominal
+        Mean over the first three cycles at the maximum displacement, in `unit`.
+    unit
+        Its unit.
+    upper
+        lambda_test,max: the first of these cycles over the nominal value [-].
+    lower
+        lambda_test,min: the last of these cycles over the nominal value [-].
+    first_over_third
+        The first over the third of these cycles [-].
+    enduring
+        The last cycle of the endurance tests over their own first three's mean [-]; None where there are none.
+    tests
+        Names of the tests that it comes from.
+    """
+
+    name: str
+    nominal: float
+    unit: str
+    upper: float
+    lower: float
+    first_over_third: float
+    enduring: float | None
+    tests: tuple[str, ...]
+
+
+_PROPERTIES: tuple[tuple[str, str, Callable[[Cycle], float]], ...] = (
+    ("friction of the loop", "-", lambda cycle: cycle.loop_friction),
+    ("effective stiffness", "kN/mm", lambda cycle: cycle.effective_stiffness / 1e3),
+    ("effective damping", "-", lambda cycle: cycle.effective_damping),
+    ("energy per cycle", "kN m", lambda cycle: cycle.energy / 1e6),
+)
+
+
+def property_factors(loops: Sequence[Loops]) -> list[PropertyFactor]:
+    """Return the factors of the tests; an empty list where none has the role of the maximum with three cycles or more."""
+    largest = [t for t in loops if t.test.role == "maximum" and len(t.cycles) >= NOMINAL_CYCLES]
+    if not largest:
+        return []
+    first = largest[0]
+    enduring = [t for t in loops if t.test.role == "endurance"]
+    many = [cycle for test in enduring for cycle in test.cycles]
+    names = (first.test.name, *(test.test.name for test in enduring))
+    factors: list[PropertyFactor] = []
+    for name, unit, of in _PROPERTIES:
+        values = [of(cycle) for cycle in first.cycles[:NOMINAL_CYCLES]]
+        nominal = sum(values) / len(values)
+        late = None
+        if len(many) > NOMINAL_CYCLES:
+            early = many[:NOMINAL_CYCLES]
+            late = of(many[-1]) * len(early) / sum(of(cycle) for cycle in early)
+        factors.append(
+            PropertyFactor(
+                name=name,
+                nominal=nominal,
+                unit=unit,
+                upper=values[0] / nominal,
+                lower=values[-1] / nominal,
+                first_over_third=values[0] / values[-1],
+                enduring=late,
+                tests=names,
+            )
+        )
+    return factors
