@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.read import read_motion, read_motions
+from dcfp.motion.load import read_motion, read_motions
 
 RELAXED = settings(deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 PIECES = (

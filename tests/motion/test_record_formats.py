@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from dcfp.errors import InputError
-from dcfp.motion.read import read_motion, read_motions
+from dcfp.motion.load import read_motion, read_motions
 
 
 def test_values_and_time_step(made, written):

@@ -6,8 +6,8 @@ import re
 import numpy as np
 import pytest
 
+from dcfp.motion.load import read_motion, read_motions
 from dcfp.motion.measures import baseline_warning
-from dcfp.motion.read import read_motion, read_motions
 from dcfp.motion.treatment import high_pass, remove_leading_mean, remove_mean
 
 FILTERED = "pre-event mean removed + zero-phase Butterworth HP 0.05 Hz"

@@ -15,11 +15,9 @@ from dcfp.kernels.friction import ExponentialLaw, Law, mean_coefficient
 from dcfp.kernels.heat_state import FINEST_LEVEL, NO_HEATING, PRESENT
 from dcfp.kernels.march import AT_REST, NO_PROGRESS, OUT_OF_CELLS, TEMPERATURE, march
 from dcfp.kernels.motion import Structure
-from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.stepping import check_step_and_tail, parts_in, refined, with_tail
+from dcfp.motion.ground_motion import GroundMotion, check_step_and_tail, parts_in, refined, with_tail
 from dcfp.system import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating
-from dcfp.system.plates import structure_of
-from dcfp.system.profiles import Profiles, profile_now
+from dcfp.system.plates import Profiles, profile_now, structure_of
 
 #: Default of `Settings.tolerance`.
 TOLERANCE = 0.02

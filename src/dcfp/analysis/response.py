@@ -15,13 +15,12 @@ from dcfp.arrays import FloatArray
 from dcfp.kernels import march as m
 from dcfp.kernels.march import TEMPERATURE
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.remarks import motion_remarks
+from dcfp.motion.measures import motion_remarks
 from dcfp.schema.citations import citations_of
 from dcfp.schema.nomenclature import quantity
 from dcfp.schema.notebook import card, with_units
 from dcfp.system import Bearing, FrictionLaw, Heating
-from dcfp.system.plates import mean_temperature
-from dcfp.system.profiles import Profiles, profile_variables
+from dcfp.system.plates import Profiles, mean_temperature, profile_variables
 from dcfp.system.validity import LARGEST_ANGLE, History, assumption_remarks
 from dcfp.version import version
 

@@ -22,7 +22,7 @@ from dcfp.methods.spectra.oscillators import DAMPING, LONGEST
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.system import LI_2020, Bearing
 from dcfp.system.checks import finite
-from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
+from dcfp.system.friction.law import NOMINAL_COEFFICIENT
 
 NAME, SECANT = "Iwan (1980)", "secant stiffness"
 #: Factor and power of the period, and of the damping [-]; unconfirmed.

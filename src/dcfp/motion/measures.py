@@ -1,4 +1,4 @@
-"""Measures of a ground motion's strength, exact for acceleration that is linear between its values."""
+"""Measures of a ground motion's strength, exact for acceleration that is linear between its values; and what a reader of them must know."""
 
 import math
 from dataclasses import dataclass
@@ -161,3 +161,17 @@ def refuse_a_drift(motion: GroundMotion) -> None:
             " that of its baseline; treat the record with --high-pass 0.05 or --baseline."
         )
         raise InputError(msg)
+
+
+# What a reader of a motion's numbers must know beside them.
+
+
+_SCALING = "scaled by"
+
+
+def motion_remarks(motion: GroundMotion, *, with_scale: bool = True) -> list[str]:
+    """Return what was done to a motion, and whether its baseline is in doubt."""
+    steps = [step for step in motion.treatment if with_scale or not step.startswith(_SCALING)]
+    remarks = [f"{motion.name}: {'; '.join(steps)}."] if steps else []
+    warning = baseline_warning(motion)
+    return [*remarks, *([warning] if warning else [])]

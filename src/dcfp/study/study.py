@@ -10,9 +10,8 @@ import numpy as np
 
 from dcfp.analysis.respond import TOLERANCE
 from dcfp.errors import InputError
-from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.ground_motion import GroundMotion, check_step_and_tail
 from dcfp.motion.measures import refuse_a_drift
-from dcfp.motion.stepping import check_step_and_tail
 from dcfp.schema.notebook import card
 from dcfp.study.factors import CHOICES, Factor, Value, factor
 from dcfp.study.procedures import ANALYSIS, PROCEDURES

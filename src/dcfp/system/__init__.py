@@ -2,6 +2,7 @@
 
 from dcfp.system.bearing import LI_2020 as LI_2020
 from dcfp.system.bearing import Bearing as Bearing
+from dcfp.system.bearing import Model as Model
 from dcfp.system.friction import ConstantFriction as ConstantFriction
 from dcfp.system.friction import Constantinou1990 as Constantinou1990
 from dcfp.system.friction import FittedFriction as FittedFriction
@@ -19,5 +20,4 @@ from dcfp.system.heating import SimplifiedHeating as SimplifiedHeating
 from dcfp.system.heating import heating_model as heating_model
 from dcfp.system.heating import heating_names as heating_names
 from dcfp.system.heating import plates_of as plates_of
-from dcfp.system.model import Model as Model
 from dcfp.system.read import read_bearing as read_bearing

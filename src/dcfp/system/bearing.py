@@ -1,12 +1,14 @@
-"""The bearing: one or two concave plates and a slider."""
+"""The bearing: one or two concave plates and a slider; and with its friction law and its heating model, what stands on the ground."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
 from dcfp.schema.notebook import fields_card
 from dcfp.system.checks import positive
+from dcfp.system.friction import FrictionLaw, Li2020
+from dcfp.system.heating import Heating, SimplifiedHeating
 
 
 @dataclass(frozen=True)
@@ -119,3 +121,16 @@ LI_2020 = Bearing(
     capacity_note="largest amplitude tested by Li et al. (2020), Table 2; the paper prints no capacity",
     name="Li et al. (2020), phi 400",
 )
+
+
+@dataclass(frozen=True)
+class Model:
+    """A bearing, its friction law and its heating model; by default those of Li et al. (2020), the heating simplified."""
+
+    bearing: Bearing = LI_2020
+    friction: FrictionLaw = field(default_factory=Li2020)
+    heating: Heating = field(default_factory=SimplifiedHeating)
+
+    def _repr_html_(self) -> str:
+        facts = {"friction": repr(self.friction), "heating": repr(self.heating)}
+        return fields_card(self.bearing, self.bearing.name, facts)

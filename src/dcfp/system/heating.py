@@ -11,8 +11,7 @@ from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.kernels.heat_state import LINE, NO_HEATING, POINT
 from dcfp.schema.notebook import fields_card
-from dcfp.system.checks import finite, positive
-from dcfp.system.choice import make_named
+from dcfp.system.checks import finite, make_named, positive
 
 #: Thermal conductivity k of steel [N/(s degC)]: 0.016 W/(mm degC), and 1 W is 1000 N mm/s; section 4.2.
 CONDUCTIVITY = 16.0

@@ -6,10 +6,9 @@ from typing import Any, cast
 
 from dcfp.errors import InputError
 from dcfp.schema.reading import read_toml
-from dcfp.system.bearing import LI_2020, Bearing
+from dcfp.system.bearing import LI_2020, Bearing, Model
 from dcfp.system.friction import FrictionLaw, friction_law
 from dcfp.system.heating import Heating, heating_model
-from dcfp.system.model import Model
 
 #: Kilonewton per millimetre in newton per millimetre.
 _KILO = 1000.0

@@ -7,7 +7,7 @@ import statistics
 from urllib.parse import urlsplit
 
 import dcfp
-from dcfp.motion.read import motions_of
+from dcfp.motion.load import motions_of
 
 from .conftest import at2_text, pulse_motion, sync_api
 

@@ -13,8 +13,7 @@ from dcfp.kernels.batch import Ground
 from dcfp.kernels.friction import CyclingLaw, ExponentialLaw, Law
 from dcfp.kernels.heat_state import BANK_ROWS, Heat
 from dcfp.kernels.memory import MODES
-from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.stepping import LONGEST_TAIL, check_step_and_tail, parts_in, refined
+from dcfp.motion.ground_motion import LONGEST_TAIL, GroundMotion, check_step_and_tail, parts_in, refined
 from dcfp.system import Heating, Model
 from dcfp.system.plates import (
     FIRST_REACH,

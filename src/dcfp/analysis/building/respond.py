@@ -11,8 +11,7 @@ from dcfp.analysis.building.transition import building_of
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import AnalysisError
 from dcfp.kernels import building as k
-from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.stepping import check_step_and_tail, parts_in, with_tail
+from dcfp.motion.ground_motion import GroundMotion, check_step_and_tail, parts_in, with_tail
 from dcfp.system import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating
 from dcfp.system.plates import cold_plates, heat_of, structure_of
 

@@ -17,8 +17,7 @@ from dcfp.schema.citations import citations_of
 from dcfp.schema.nomenclature import quantity
 from dcfp.schema.notebook import card, with_units
 from dcfp.system import Bearing, FrictionLaw, Heating
-from dcfp.system.plates import mean_temperature, memory_of
-from dcfp.system.profiles import Profiles, profile_variables
+from dcfp.system.plates import Profiles, mean_temperature, memory_of, profile_variables
 from dcfp.system.validity import History, assumption_remarks
 from dcfp.version import version
 

@@ -30,8 +30,15 @@ from dcfp.system import (
     SimplifiedHeating,
     plates_of,
 )
-from dcfp.system.plates import PlateHeat, cold_plates, heat_of, horizon_for, structure_of
-from dcfp.system.profiles import Profiles, profile_now
+from dcfp.system.plates import (
+    PlateHeat,
+    Profiles,
+    cold_plates,
+    heat_of,
+    horizon_for,
+    profile_now,
+    structure_of,
+)
 
 #: Default of how far the coefficient may be off its chord in a step, relative [-].
 TOLERANCE = 0.02

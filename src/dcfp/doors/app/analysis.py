@@ -8,8 +8,7 @@ from dcfp.errors import InputError
 from dcfp.inference import Case, Setting, compare
 from dcfp.inference.nominal import Nominal
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.measures import refuse_a_drift
-from dcfp.motion.remarks import motion_remarks
+from dcfp.motion.measures import motion_remarks, refuse_a_drift
 from dcfp.motion.treatment import treated
 from dcfp.study import Study
 from dcfp.study.procedures import setting_of

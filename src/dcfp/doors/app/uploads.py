@@ -5,9 +5,8 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 
 from dcfp.errors import InputError
-from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.read import motions_of
-from dcfp.motion.stepping import LONGEST_TAIL
+from dcfp.motion.ground_motion import LONGEST_TAIL, GroundMotion
+from dcfp.motion.load import motions_of
 
 #: Largest file [bytes], most files and most components that one visitor can have.
 LARGEST_FILE, MOST_FILES, MOST_COMPONENTS = 20_000_000, 12, 36
@@ -47,7 +46,7 @@ def read_upload(
     name
         What its sender calls it; used in words only.
     units, time_step
-        As for `dcfp.motion.read.read_motions`.
+        As for `dcfp.motion.load.read_motions`.
 
     Raises
     ------

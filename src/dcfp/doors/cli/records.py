@@ -66,8 +66,7 @@ class Described:
     @classmethod
     def of(cls, motion: "GroundMotion") -> "Described":
         """Measure a motion."""
-        from dcfp.motion.measures import measure
-        from dcfp.motion.remarks import motion_remarks
+        from dcfp.motion.measures import measure, motion_remarks
 
         return cls(motion, measure(motion), motion_remarks(motion))
 
@@ -93,8 +92,7 @@ class Described:
 
 
 def _motions(name: str, chosen: argparse.Namespace) -> "list[GroundMotion]":
-    from dcfp.motion.load import load_motion
-    from dcfp.motion.read import read_motions
+    from dcfp.motion.load import load_motion, read_motions
 
     if chosen.component is None and Path(name).is_file():
         return read_motions(name, units=chosen.units, time_step=chosen.time_step)

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 from dcfp.doors.cli.remarks import grouped
 from dcfp.doors.cli.tables import add_row, new_table, page, print_labelled, print_remarks
-from dcfp.motion.remarks import motion_remarks
+from dcfp.motion.measures import motion_remarks
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

@@ -10,8 +10,7 @@ from dcfp.exchange.opensees.element import Element, Kind, element_for
 from dcfp.exchange.opensees.head import head_lines
 from dcfp.exchange.opensees.parts import parts_of
 from dcfp.exchange.opensees.words import difference_in_words
-from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.stepping import check_step_and_tail, parts_in
+from dcfp.motion.ground_motion import GroundMotion, check_step_and_tail, parts_in
 from dcfp.system import LI_2020, Bearing, FrictionLaw, Heating, Li2020, Model, SimplifiedHeating
 
 #: Longest step of the script [s].

@@ -8,8 +8,8 @@ import numpy as np
 
 from dcfp.errors import InputError
 from dcfp.methods.spectra.elastic import TabulatedSpectrum
+from dcfp.motion.formats.component import canonical_unit, unit_size
 from dcfp.motion.formats.numbers import to_number
-from dcfp.motion.formats.units import canonical_unit, unit_size
 from dcfp.schema.reading import read_bytes
 
 _EXAMPLE = "'period [s], acceleration [g]'"

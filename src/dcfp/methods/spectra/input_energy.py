@@ -7,8 +7,7 @@ import numpy as np
 from dcfp.arrays import FloatArray, freeze
 from dcfp.kernels import oscillators as k
 from dcfp.methods.spectra.oscillators import DAMPING, PERIODS, checked, coefficients, pieces
-from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.stepping import refined
+from dcfp.motion.ground_motion import GroundMotion, refined
 from dcfp.schema.notebook import fields_card
 
 

@@ -12,8 +12,7 @@ from dcfp.errors import InputError
 from dcfp.kernels import oscillators as k
 from dcfp.methods.spectra.elastic import TabulatedSpectrum
 from dcfp.methods.spectra.oscillators import DAMPING, PERIODS, checked, coefficients, pieces
-from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.stepping import refined
+from dcfp.motion.ground_motion import GroundMotion, refined
 from dcfp.schema.notebook import fields_card
 
 #: Acceleration in place of none, of which there is no logarithm [mm/s2].

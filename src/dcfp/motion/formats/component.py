@@ -1,12 +1,16 @@
-"""One component of a record file: from values in the file's unit to a ground motion with names."""
+"""The components of a record file: from values in the file's unit and times in a column to ground motions with names; and which of them is asked for."""
 
+import re
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
 from dcfp.arrays import FloatArray
+from dcfp.constants import STANDARD_GRAVITY
+from dcfp.errors import InputError
 from dcfp.motion.formats.source import SourceText
-from dcfp.motion.formats.units import unit_size
 from dcfp.motion.ground_motion import GroundMotion, Origin
 
 #: Time steps that a record can have [s]; anything else is a damaged header.
@@ -91,3 +95,160 @@ def check_time_step(source: SourceText, time_step: float) -> None:
             f"the time step is {time_step:g} s; a record has one between {SHORTEST_STEP:g} and "
             f"{LONGEST_STEP:g} s."
         )
+
+
+# Units of acceleration in which records are written.
+
+
+#: Size of each unit [mm/s2], under the spelling that `canonical_unit` makes of it.
+_SIZES = {"mm/s2": 1.0, "cm/s2": 10.0, "gal": 10.0, "m/s2": 1000.0, "g": STANDARD_GRAVITY}
+
+_SPELLINGS = {"gals": "gal", "gal(cm/s/s)": "gal", "g's": "g", "gs": "g"}
+
+
+def canonical_unit(text: str) -> str | None:
+    """Return one of mm/s2, cm/s2, gal, m/s2, g for any usual spelling of it, or None."""
+    word = re.sub(r"[\s^*.]+", "", text.lower())
+    word = _SPELLINGS.get(word, word)
+    word = re.sub(r"/(?:sec|s)/(?:sec|s)$", "/s2", word)
+    word = re.sub(r"/sec2$", "/s2", word)
+    word = word.replace("²", "2")
+    return word if word in _SIZES else None
+
+
+def unit_size(text: str) -> float:
+    """Return the size of a unit of acceleration [mm/s2].
+
+    Raises
+    ------
+    InputError
+        If the unit is not known.
+    """
+    unit = canonical_unit(text)
+    if unit is None:
+        msg = f"the unit {text!r} is not known; use one of {', '.join(_SIZES)}."
+        raise InputError(msg)
+    return _SIZES[unit]
+
+
+# Times in a column: whether they are equally spaced, as far as the printed digits can tell.
+
+
+def printed_resolution(word: str) -> float:
+    """Return the last digit's place in a printed number: 0.01 for ``"1.25"`` and for ``"1.25e0"``."""
+    mantissa, _, exponent = word.strip().upper().replace("D", "E").partition("E")
+    decimals = len(mantissa.partition(".")[2])
+    power = int(exponent) if re.fullmatch(r"[+-]?\d{1,3}", exponent) else 0
+    return float(10.0 ** max(min(power - decimals, 300), -300))
+
+
+def check_times(source: SourceText, time: FloatArray, time_step: float, resolution: float) -> None:
+    """Check that `time` [s] goes up by `time_step` [s], within the rounding of its printed digits.
+
+    Raises
+    ------
+    InputError
+        If a time is off by more than `resolution` [s].
+    """
+    with np.errstate(over="ignore", invalid="ignore"):
+        expected = time[0] + np.arange(time.size) * time_step
+        off = ~(np.abs(time - expected) <= 1.001 * resolution + 1e-9 * np.abs(expected))
+    if off.any():
+        place = int(np.flatnonzero(off)[0])
+        source.fail(
+            f"the times are not equally spaced: time {place + 1} is {time[place]:g} s where "
+            f"{expected[place]:g} s was expected."
+        )
+
+
+def uniform_step(source: SourceText, time: FloatArray, resolution: float) -> float:
+    """Return the step [s] of equally spaced times: the roundest step or rate that agrees with them.
+
+    Raises
+    ------
+    InputError
+        If the times do not go up, are printed with too few digits, or are not equally spaced.
+    """
+    if time.size < 2:
+        source.fail("the file holds fewer than two times.")
+    with np.errstate(over="ignore"):
+        steps = np.diff(time)
+    if not (steps > 0.0).all():
+        place = int(np.flatnonzero(~(steps > 0.0))[0])
+        source.fail(
+            f"time {place + 2} ({time[place + 1]:g} s) is not later than the one before it; "
+            "times must go up and be printed with enough digits."
+        )
+    mean_step = (float(time[-1]) - float(time[0])) / (time.size - 1)
+    step, tolerance = next(_fitting_steps(time, mean_step, resolution), (mean_step, resolution))
+    if tolerance > 0.0 and resolution > 0.5 * mean_step:
+        source.fail("the times are printed with too few digits to tell their step; print more digits.")
+    check_times(source, time, step, resolution)
+    return step
+
+
+def _fitting_steps(time: FloatArray, mean_step: float, resolution: float) -> Iterator[tuple[float, float]]:
+    """Yield steps, or rates, of few digits and how far the times are off: not at all, rounded, or cut off."""
+    if not 1e-9 < mean_step < 1e9:
+        return
+    place = np.arange(time.size)
+    for tolerance in (0.0, 0.5 * resolution, resolution):
+        for digits in range(1, 10):
+            for step in (float(f"{mean_step:.{digits}g}"), 1.0 / float(f"{1.0 / mean_step:.{digits}g}")):
+                off = np.abs(time - time[0] - place * step).max()
+                if off <= tolerance + 1e-3 * resolution:
+                    yield step, tolerance
+
+
+# Choose one component of a file by its name, its channel number or its direction.
+
+
+_DIRECTIONS = {
+    "NS": ("ns", "n", "north", "northsouth", "360", "360deg", "0", "0deg", "000"),
+    "EW": ("ew", "e", "east", "eastwest", "90", "90deg", "090"),
+    "UD": ("ud", "u", "up", "z", "v", "vertical", "updown"),
+}
+
+
+def direction(label: str) -> str | None:
+    """Return NS, EW or UD for a label that plainly means it (``"N-S"``, ``"360 Deg"``, ``"Up"``), or None."""
+    word = _plain(label)
+    return next((name for name, words in _DIRECTIONS.items() if word in words), None)
+
+
+def select_component(components: Sequence[Component], wanted: str | None, path: Path) -> Component:
+    """Return the component that is asked for.
+
+    Raises
+    ------
+    InputError
+        If there are several and none is asked for, or none or several have that name.
+    """
+    if wanted is None:
+        if len(components) == 1:
+            return components[0]
+        msg = f"{path}: the file holds {len(components)} components; choose one of {_choices(components)}."
+        raise InputError(msg)
+    found = _matches(components, wanted)
+    if len(found) == 1:
+        return found[0]
+    how = "has no component" if not found else "has more than one component"
+    msg = f"{path}: the file {how} {wanted!r}; choose one of {_choices(components)}."
+    raise InputError(msg)
+
+
+def _matches(components: Sequence[Component], wanted: str) -> list[Component]:
+    word = _plain(wanted)
+    by_name = [item for item in components if word in {_plain(name) for name in item.names if name}]
+    if by_name or direction(wanted) is None:
+        return by_name
+    return [item for item in components if direction(wanted) in {direction(name) for name in item.names}]
+
+
+def _plain(label: str) -> str:
+    return re.sub(r"[\s._:-]+", "", label.casefold())
+
+
+def _choices(components: Sequence[Component]) -> str:
+    labels = [item.names[0] or f"channel {number}" for number, item in enumerate(components, 1)]
+    return ", ".join(repr(label) for label in labels)

@@ -9,13 +9,12 @@ Format, version 1.20.
 """
 
 import re
+from collections.abc import Sequence
 
 from dcfp.arrays import FloatArray
-from dcfp.motion.formats import cosmos_text
-from dcfp.motion.formats.component import Component, build_component
+from dcfp.motion.formats.component import Component, build_component, canonical_unit
 from dcfp.motion.formats.numbers import NUMBER, fixed_numbers, parse_layout, to_number
 from dcfp.motion.formats.source import SourceText
-from dcfp.motion.formats.units import canonical_unit
 from dcfp.motion.ground_motion import Origin
 
 NAME = "COSMOS"
@@ -97,14 +96,14 @@ def _component(
     header = source.lines[first:start]
     unit = _unit(source, found, start)
     time_step = _time_step(source, _real_header(source, first, start), found, start)
-    label, *names = cosmos_text.channel_names(header, number)
+    label, *names = channel_names(header, number)
     origin = Origin(
-        event=cosmos_text.event(header),
-        station=cosmos_text.station(header),
+        event=event(header),
+        station=station(header),
         component=label,
         source=source.path.name,
         file_format=NAME,
-        processing=cosmos_text.processing(header),
+        processing=processing(header),
         citation="COSMOS; Center for Engineering Strong Motion Data.",
     )
     return build_component(
@@ -166,3 +165,48 @@ def _end(source: SourceText, line: int) -> int:
     if re.fullmatch(r"[\s0-9.+\-EeDd]*", source.lines[line]):
         source.fail("more values stand here than the header promises.", line=line + 1)
     return line
+
+
+# What the lines of text at the head of a COSMOS channel say, in words.
+
+
+_CHANNEL = re.compile(r"^Sta Chan?\s*:?\s*(\d+|\?)\s*:\s*(.*?)\s*\(Rcrdr", re.IGNORECASE)
+_CODES = re.compile(r"<SCNL>\s*([^\s.]*)\.([^\s.]+)\.")
+_STATION = re.compile(r"^Statn No:.*?Code:\s*(\S*)\s*(.*?)\s*$", re.IGNORECASE)
+_FILTER = re.compile(r"^Record filtered below\s*([\d.]+)\s*Hz.*?above\s*([\d.]+)\s*Hz", re.IGNORECASE)
+
+
+def channel_names(header: Sequence[str], index: int) -> tuple[str, ...]:
+    """Return the names of a channel, the plainest first: direction, SEED code, number."""
+    number, direction, code = "", "", ""
+    for line in header:
+        if found := _CHANNEL.match(line):
+            number, direction = found[1].strip("?"), found[2]
+        if found := _CODES.search(line):
+            code = found[2]
+    if direction.casefold() in {"other", "unknown"}:
+        direction = ""
+    number = number or str(index)
+    names = (direction, code, f"channel {number}", f"chan {number}", number)
+    return tuple(name for name in names if name)
+
+
+def station(header: Sequence[str]) -> str:
+    """Return the station's code and name."""
+    found = next((found for line in header if (found := _STATION.match(line))), None)
+    return " ".join(f"{found[1]} {found[2]}".split()) if found else ""
+
+
+def event(header: Sequence[str]) -> str:
+    """Return the line that names the event, the second of the header."""
+    return " ".join(header[1].split()).removeprefix("Record of ") if len(header) > 1 else ""
+
+
+def processing(header: Sequence[str]) -> str:
+    """Return what filter and correction the header states."""
+    found = next((found for line in header if (found := _FILTER.match(line))), None)
+    band = f"band-pass {found[1]}-{found[2]} Hz" if found else "no filter stated"
+    title = header[0].casefold()
+    if "uncorrected" in title:
+        return f"{band}, uncorrected (header)"
+    return f"{band}, {'corrected' if 'corrected' in title else 'correction not stated'} (header)"

@@ -10,10 +10,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from dcfp.arrays import FloatArray
-from dcfp.motion.formats.component import Component, build_component
+from dcfp.motion.formats.component import Component, build_component, canonical_unit
 from dcfp.motion.formats.numbers import NUMBER, fixed_numbers, parse_layout, to_number
 from dcfp.motion.formats.source import SourceText
-from dcfp.motion.formats.units import canonical_unit
 from dcfp.motion.ground_motion import Origin
 
 NAME = "CSMIP V2"

@@ -2,12 +2,17 @@
 
 import re
 
-from dcfp.motion.formats.component import Component, build_component
-from dcfp.motion.formats.header import promised_count, required_number, required_text
-from dcfp.motion.formats.numbers import Layout, check_count, fixed_numbers, parse_layout
+from dcfp.motion.formats.component import Component, build_component, canonical_unit, check_times
+from dcfp.motion.formats.numbers import (
+    Layout,
+    check_count,
+    fixed_numbers,
+    parse_layout,
+    promised_count,
+    required_number,
+    required_text,
+)
 from dcfp.motion.formats.source import SourceText
-from dcfp.motion.formats.uniform import check_times
-from dcfp.motion.formats.units import canonical_unit
 from dcfp.motion.ground_motion import Origin
 
 NAME = "CWB"

@@ -2,11 +2,9 @@
 
 import re
 
-from dcfp.motion.formats.component import Component, build_component
-from dcfp.motion.formats.header import required_number, required_text
-from dcfp.motion.formats.numbers import check_count, free_numbers
+from dcfp.motion.formats.component import Component, build_component, canonical_unit
+from dcfp.motion.formats.numbers import check_count, free_numbers, required_number, required_text
 from dcfp.motion.formats.source import SourceText
-from dcfp.motion.formats.units import canonical_unit
 from dcfp.motion.ground_motion import Origin
 
 NAME = "ESM ASCII"

@@ -5,11 +5,9 @@ The text is Shift-JIS. The header gives the sampling rate and the unit but no nu
 
 import re
 
-from dcfp.motion.formats.component import Component, build_component
-from dcfp.motion.formats.header import required_number, required_text
-from dcfp.motion.formats.numbers import table_numbers
+from dcfp.motion.formats.component import Component, build_component, canonical_unit
+from dcfp.motion.formats.numbers import required_number, required_text, table_numbers
 from dcfp.motion.formats.source import SourceText
-from dcfp.motion.formats.units import canonical_unit
 from dcfp.motion.ground_motion import Origin
 
 NAME = "JMA CSV"

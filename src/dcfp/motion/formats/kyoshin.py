@@ -7,8 +7,15 @@ instrument. KiK-net numbers the directions: 1 to 3 are NS, EW and UD in the bore
 import re
 
 from dcfp.motion.formats.component import Component, build_component
-from dcfp.motion.formats.header import promised_count, required_number, required_text
-from dcfp.motion.formats.numbers import NUMBER, check_count, free_numbers, to_number
+from dcfp.motion.formats.numbers import (
+    NUMBER,
+    check_count,
+    free_numbers,
+    promised_count,
+    required_number,
+    required_text,
+    to_number,
+)
 from dcfp.motion.formats.source import SourceText
 from dcfp.motion.ground_motion import Origin
 

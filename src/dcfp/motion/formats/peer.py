@@ -6,10 +6,9 @@ Three or four lines of text, of which one says ``NPTS= 5372, DT= .0100 SEC`` or,
 
 import re
 
-from dcfp.motion.formats.component import Component, build_component
+from dcfp.motion.formats.component import Component, build_component, canonical_unit
 from dcfp.motion.formats.numbers import NUMBER, check_count, free_numbers
 from dcfp.motion.formats.source import SourceText
-from dcfp.motion.formats.units import canonical_unit
 from dcfp.motion.ground_motion import Origin
 
 NAME = "PEER AT2"

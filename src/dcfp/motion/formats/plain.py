@@ -4,11 +4,15 @@ Lines before the first line of numbers are a header. Columns are parted by comma
 """
 
 from dcfp.arrays import FloatArray
-from dcfp.motion.formats.component import Component, build_component
+from dcfp.motion.formats.component import (
+    Component,
+    build_component,
+    canonical_unit,
+    printed_resolution,
+    uniform_step,
+)
 from dcfp.motion.formats.numbers import table_numbers, to_number
 from dcfp.motion.formats.source import SourceText
-from dcfp.motion.formats.uniform import printed_resolution, uniform_step
-from dcfp.motion.formats.units import canonical_unit
 from dcfp.motion.ground_motion import Origin
 
 NAME = "plain columns"

@@ -3,9 +3,8 @@
 from collections.abc import Callable
 
 from dcfp.motion.formats import cosmos, csmip, cwb, esm, jma, kyoshin, peer, plain
-from dcfp.motion.formats.component import Component
+from dcfp.motion.formats.component import Component, unit_size
 from dcfp.motion.formats.source import SourceText
-from dcfp.motion.formats.units import unit_size
 
 Recogniser = Callable[[SourceText], bool]
 Reader = Callable[[SourceText], list[Component]]

@@ -174,7 +174,7 @@ def _draw_friction(
         if fast is not None:
             time, friction = _at_zero(fast)
             axes.plot(time, friction, marker="o", markersize=3.5, linewidth=0.7, color=colour)
-    from dcfp.system.friction.constant import (
+    from dcfp.system.friction.law import (
         NOMINAL_COEFFICIENT,  # late: the package of bearings imports the kernels
     )
 

@@ -1,7 +1,7 @@
 """What a reader must know besides the numbers: remarks, limits, sources, provenance, and the scenario itself."""
 
 from dcfp.kernels._jit import source_digest
-from dcfp.motion.remarks import motion_remarks
+from dcfp.motion.measures import motion_remarks
 from dcfp.present.report.document import Block, Bullets, Code, Listing, Section, Table, cells, words
 from dcfp.present.report.references import record_citations, sources_of
 from dcfp.present.report.versions import versions

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from dcfp.system.friction.kumar_2015 import Kumar2015
-from dcfp.system.friction.temperature_law import TemperatureLaw
+from dcfp.system.friction.law import TemperatureLaw
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,7 @@ from dcfp.arrays import FloatArray
 from dcfp.kernels.friction import ExponentialLaw
 from dcfp.system.checks import fraction, positive, yes_or_no
 from dcfp.system.friction import li_2020
-from dcfp.system.friction.law import FrictionLaw
-from dcfp.system.friction.temperature_law import TemperatureLaw
+from dcfp.system.friction.law import FrictionLaw, TemperatureLaw
 
 #: Rate of the velocity factor [s/mm]: 100 s/m.
 VELOCITY_RATE = 0.1
