@@ -9,7 +9,7 @@ from stopwatch import in_turn, once
 
 from dcfp.inference.calibration import calibration_set
 from dcfp.methods.spectra import input_energy_spectrum, response_spectrum
-from dcfp.methods.spectra.oscillators import PERIODS
+from dcfp.methods.spectra.of_record import PERIODS
 from dcfp.motion.named import named_motion
 
 ROUNDS = 3

@@ -20,13 +20,10 @@ _SINGLE = re.compile(r"(?<![`:\w])`([\w.]+)`(?!`)")
 #: The modules of the codes, which have a page of their own.
 CODES = (
     "asce_2016",
-    "asce_2016_conditions",
     "eurocode_8",
     "aij_2016",
-    "structure",
     "equivalent_linear",
     "bilinear",
-    "iteration",
     "result",
     "panel",
     "iwan_1980",

@@ -10,8 +10,7 @@ swing is not of the largest pulse. So it is *not* always conservative.
 
 import dcfp
 from dcfp.inference import printed
-from dcfp.inference.case import Basis, Method
-from dcfp.inference.quantities import CHANGE
+from dcfp.inference.case import CHANGE, Basis, Method
 from dcfp.inference.statistics import ratios
 from dcfp.motion.named import VELOCITIES
 from dcfp.present.figures.li_2020 import paper_figures

@@ -9,8 +9,7 @@ Figure 22: accuracy of the simplified method, input energy
 
 import dcfp
 from dcfp.inference import printed
-from dcfp.inference.case import Basis, Method
-from dcfp.inference.quantities import INPUT
+from dcfp.inference.case import INPUT, Basis, Method
 from dcfp.inference.statistics import ratios
 from dcfp.motion.named import VELOCITIES
 from dcfp.present.figures.li_2020 import paper_figures

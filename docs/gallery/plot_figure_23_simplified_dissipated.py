@@ -9,8 +9,7 @@ Figure 23: accuracy of the simplified method, dissipated energy
 
 import dcfp
 from dcfp.inference import printed
-from dcfp.inference.case import Basis, Method
-from dcfp.inference.quantities import HYSTERETIC
+from dcfp.inference.case import HYSTERETIC, Basis, Method
 from dcfp.inference.statistics import ratios
 from dcfp.motion.named import VELOCITIES
 from dcfp.present.figures.li_2020 import paper_figures

@@ -9,8 +9,7 @@ Figure 24: accuracy of the simplified method, displacement
 
 import dcfp
 from dcfp.inference import printed
-from dcfp.inference.case import Basis, Method
-from dcfp.inference.quantities import CHANGE
+from dcfp.inference.case import CHANGE, Basis, Method
 from dcfp.inference.statistics import ratios
 from dcfp.motion.named import VELOCITIES
 from dcfp.present.figures.li_2020 import paper_figures

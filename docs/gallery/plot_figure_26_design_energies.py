@@ -9,7 +9,7 @@ Figure 26: energies from the PGV alone
 
 import dcfp
 from dcfp.inference import printed
-from dcfp.inference.quantities import HYSTERETIC, INPUT
+from dcfp.inference.case import HYSTERETIC, INPUT
 from dcfp.methods.li_2020 import predict_from_pgv
 from dcfp.motion.named import VELOCITIES
 from dcfp.present.figures.li_2020 import paper_figures

@@ -9,7 +9,7 @@ Figure 27: displacement from the PGV alone
 
 import dcfp
 from dcfp.inference import printed
-from dcfp.inference.quantities import CHANGE
+from dcfp.inference.case import CHANGE
 from dcfp.methods.li_2020 import predict_from_pgv
 from dcfp.motion.named import VELOCITIES
 from dcfp.present.figures.li_2020 import paper_figures

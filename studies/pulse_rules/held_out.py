@@ -7,10 +7,8 @@ import numpy as np
 from cases import PGVS
 from numpy.typing import NDArray
 
-from dcfp.inference.case import Basis, Case, Method, View
-from dcfp.inference.halves import halves
-from dcfp.inference.intervals import Coverage, coverage
-from dcfp.inference.quantities import CHANGE, DISPLACEMENT, INPUT, TOTAL, Quantity
+from dcfp.inference.case import CHANGE, DISPLACEMENT, INPUT, TOTAL, Basis, Case, Method, Quantity, View
+from dcfp.inference.intervals import Coverage, coverage, halves
 from dcfp.inference.refit import refit_as_paper, refit_design, refit_simplified
 from dcfp.methods import Prediction
 from dcfp.methods.li_2020 import LI_2020, Constants, predict_from_pgv, predict_simplified

@@ -8,10 +8,19 @@ import pytest
 from dcfp.analysis import respond
 from dcfp.analysis.swings import swings_of
 from dcfp.inference import Case, Setting, compare
-from dcfp.inference.case import VIEWS, Basis, Method
-from dcfp.inference.earthquake import event_of
+from dcfp.inference.calibration import event_of
+from dcfp.inference.case import (
+    CHANGE,
+    DISPLACEMENT,
+    HYSTERETIC,
+    INPUT,
+    QUANTITIES,
+    TOTAL,
+    VIEWS,
+    Basis,
+    Method,
+)
 from dcfp.inference.nominal import nominal_coefficient
-from dcfp.inference.quantities import CHANGE, DISPLACEMENT, HYSTERETIC, INPUT, QUANTITIES, TOTAL
 from dcfp.inference.statistics import displacement_over_change, ratios, scatter, scatters, value_of
 from dcfp.methods import Prediction, find_pulses
 from dcfp.methods.li_2020 import LI_2020, predict_from_pgv, predict_from_pulses, predict_simplified

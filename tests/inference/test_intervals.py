@@ -9,10 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dcfp.errors import InputError
-from dcfp.inference.case import Basis, Method
-from dcfp.inference.halves import SPLITS, halves
-from dcfp.inference.intervals import coverage, errors, fewest, interval, quantile
-from dcfp.inference.quantities import CHANGE, DISPLACEMENT, TOTAL
+from dcfp.inference.case import CHANGE, DISPLACEMENT, TOTAL, Basis, Method
+from dcfp.inference.intervals import SPLITS, coverage, errors, fewest, halves, interval, quantile
 from dcfp.methods import Prediction
 
 VIEW = (Method.PULSE, Basis.BLIND)

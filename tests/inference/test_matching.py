@@ -5,7 +5,7 @@ import pytest
 
 from dcfp.analysis import respond
 from dcfp.analysis.swings import Swing, swings_of
-from dcfp.inference.matching import pulse_behind
+from dcfp.inference.case import pulse_behind
 from dcfp.methods import Pulses, find_pulses, march_through_pulses
 from dcfp.motion.load import load_motion
 from dcfp.motion.synthetic import mavroeidis_papageorgiou

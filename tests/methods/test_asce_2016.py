@@ -15,11 +15,9 @@ from dcfp.methods.asce_2016 import (
     structure_shear,
     total_displacement,
 )
-from dcfp.methods.equivalent_linear import PendulumWithFriction
-from dcfp.methods.iteration import iterate
-from dcfp.methods.result import Verdict
-from dcfp.methods.spectra.design import Asce2016Spectrum
-from dcfp.methods.structure import Structure
+from dcfp.methods.equivalent_linear import PendulumWithFriction, iterate
+from dcfp.methods.result import Structure, Verdict
+from dcfp.methods.spectra import Asce2016Spectrum
 
 #: The examples have g = 386.4 in/s2; with an inch of that many mm the ratio of g to lengths is theirs.
 INCH = STANDARD_GRAVITY / 386.4

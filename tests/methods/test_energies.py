@@ -7,7 +7,7 @@ from dcfp import ConstantFriction, NoHeating, respond
 from dcfp.errors import InputError
 from dcfp.methods import fajfar_1989, uang_bertero_1988
 from dcfp.methods.spectra import input_energy_spectrum
-from dcfp.methods.spectra.oscillators import PERIODS
+from dcfp.methods.spectra.of_record import PERIODS
 from dcfp.motion import GroundMotion
 from dcfp.motion.measures import significant_duration
 from dcfp.motion.synthetic import harmonic

@@ -10,11 +10,9 @@ from scipy import optimize
 
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import AnalysisError, InputError
-from dcfp.methods.equivalent_linear import PendulumWithFriction
-from dcfp.methods.iteration import iterate
+from dcfp.methods.equivalent_linear import PendulumWithFriction, iterate
 from dcfp.methods.result import Answer, Condition, Verdict, at_least, at_most
-from dcfp.methods.spectra import TabulatedSpectrum
-from dcfp.methods.spectra.design import Asce2016Spectrum
+from dcfp.methods.spectra import Asce2016Spectrum, TabulatedSpectrum
 from dcfp.methods.spectra.elastic import displacement
 
 radii, frictions, displacements = st.floats(500.0, 2e4), st.floats(0.005, 0.2), st.floats(5.0, 2e3)

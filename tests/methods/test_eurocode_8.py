@@ -12,9 +12,8 @@ from dcfp.methods.eurocode_8 import (
     simplified_linear_analysis,
     torsion_factors,
 )
-from dcfp.methods.result import Verdict
-from dcfp.methods.spectra.design import Eurocode8Spectrum
-from dcfp.methods.structure import Structure
+from dcfp.methods.result import Structure, Verdict
+from dcfp.methods.spectra import Eurocode8Spectrum
 
 
 def test_by_hand():

@@ -21,7 +21,7 @@ from dcfp.methods.iwan_1980 import (
 )
 from dcfp.methods.result import Answer, Verdict
 from dcfp.methods.spectra import input_energy_spectrum, response_spectrum
-from dcfp.methods.spectra.oscillators import LONGEST
+from dcfp.methods.spectra.of_record import LONGEST
 from dcfp.motion import GroundMotion
 from dcfp.motion.synthetic import harmonic
 

@@ -3,10 +3,11 @@
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
+import numpy as np
+
 from dcfp.analysis import Response, respond
 from dcfp.analysis.swings import Swing, swings_of
-from dcfp.inference.earthquake import event_of
-from dcfp.inference.matching import pulse_behind
+from dcfp.inference.calibration import event_of
 from dcfp.methods import (
     NOTHING,
     Prediction,
@@ -288,3 +289,57 @@ def analysed_of(response: Response, pulses: Pulses) -> Analysed:
         whole, input_velocity=swing.input_velocity, hysteretic_velocity=swing.hysteretic_velocity
     )
     return Analysed(whole, governing, swing, pulse_behind(swing, pulses))
+
+
+# Which pulse of the ground a swing of the structure belongs to.
+
+
+#: Part of a swing that lies in the rise of a pulse, from which on the pulse is behind it even if it has its peak later [-].
+_MOST = 0.5
+
+
+def pulse_behind(swing: Swing, pulses: Pulses) -> int | None:
+    """Return the number of the pulse that caused a swing, counted from zero; None where there is none.
+
+    While the ground velocity rises to a peak the structure stays behind, so that y falls, and it goes on falling until it has caught up,
+    as a rule some time after the peak. The pulse of a swing therefore has the sign opposite to the swing's, and its peak within the swing; or, where the
+    structure catches up before the peak, at least half of the swing in its rise. Of several the one with the largest velocity change is meant. There is
+    none where ripples below the threshold, or the pendulum alone, have moved the structure.
+    """
+    if swing.change == 0.0:
+        return None
+    peak_within = (swing.start <= pulses.peaks) & (pulses.peaks <= swing.end)
+    together = np.minimum(swing.end, pulses.peaks) - np.maximum(swing.start, pulses.starts)
+    fits = peak_within | (together >= _MOST * (swing.end - swing.start))
+    fits &= np.sign(pulses.changes) == -np.sign(swing.change)
+    if not fits.any():
+        return None
+    return int(np.argmax(np.where(fits, np.abs(pulses.changes), 0.0)))
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One of them.
+
+    Attributes
+    ----------
+    name
+        Short, as in tables.
+    key
+        In JSON and data, with its unit.
+    unit
+        "mm" or "mm/s".
+    """
+
+    name: str
+    key: str
+    unit: str
+
+
+#: Largest change of displacement between two successive peaks, and largest displacement.
+CHANGE, DISPLACEMENT = Quantity("dy", "dy_mm", "mm"), Quantity("y", "y_mm", "mm")
+#: Equivalent velocities of the energies put in and dissipated during a swing, and of all the energy put in.
+INPUT, HYSTERETIC = Quantity("V_dE", "V_dE_mm_s", "mm/s"), Quantity("V_dEhr", "V_dEhr_mm_s", "mm/s")
+TOTAL = Quantity("V_E", "V_E_mm_s", "mm/s")
+#: In the order of tables.
+QUANTITIES = (CHANGE, DISPLACEMENT, INPUT, HYSTERETIC, TOTAL)

@@ -7,10 +7,8 @@ import numpy as np
 
 from dcfp.errors import InputError
 from dcfp.inference.calibration import BLIND_VIEWS
-from dcfp.inference.case import Case, Method, View
-from dcfp.inference.halves import halves
-from dcfp.inference.intervals import Coverage, coverage, errors, fewest
-from dcfp.inference.quantities import CHANGE, QUANTITIES, Quantity
+from dcfp.inference.case import CHANGE, QUANTITIES, Case, Method, Quantity, View
+from dcfp.inference.intervals import Coverage, coverage, errors, fewest, halves
 from dcfp.inference.refit import at_limit, refit_as_paper, refit_design, refit_simplified
 from dcfp.inference.statistics import scatter, value_of
 from dcfp.methods import Prediction

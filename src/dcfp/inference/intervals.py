@@ -1,16 +1,15 @@
 """Intervals about a prediction, from how far it is off in other earthquakes at the same PGV."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
-from dcfp.inference.case import Case, View
-from dcfp.inference.halves import halves
-from dcfp.inference.quantities import Quantity
+from dcfp.inference.case import Case, Quantity, View
 from dcfp.inference.statistics import ratios, value_of
 
 #: Part of the cases that an interval is to cover [-].
@@ -155,3 +154,35 @@ def coverage(groups: Iterable[Sequence[Case]], view: View | None, quantity: Quan
     return Coverage(
         float(covered.mean()), float(low), float(high), math.exp(float(np.mean(widths))), covered.size
     )
+
+
+# Halves of a set of records, of which no earthquake is in both.
+
+
+#: Splits that a coverage or a refit is judged by, and where their random numbers start.
+SPLITS, SEED = 200, 2020
+
+
+def halves(events: Sequence[str], splits: int = SPLITS, seed: int = SEED) -> Iterator[NDArray[np.bool_]]:
+    """Yield random halves of cases: True where a case is for training, False where it is held out.
+
+    Components and stations of one earthquake resemble each other, so that an earthquake goes into one half as a whole.
+    Earthquakes are taken in random order until half of the cases is reached.
+
+    Parameters
+    ----------
+    events
+        The earthquake of each case.
+    splits
+        How many.
+    seed
+        Of the random numbers; the same seed gives the same halves.
+    """
+    numbers = np.random.default_rng(seed)
+    names, of_case, sizes = np.unique(np.asarray(events), return_inverse=True, return_counts=True)
+    for _ in range(splits):
+        order = numbers.permutation(names.size)
+        before = np.cumsum(sizes[order]) - sizes[order]
+        chosen = np.zeros(names.size, dtype=np.bool_)
+        chosen[order] = before < 0.5 * sizes.sum()
+        yield chosen[of_case]

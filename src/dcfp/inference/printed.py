@@ -1,7 +1,6 @@
 """What Li et al. (2020), section 6, print of their methods; the constants are in `dcfp.methods.li_2020.LI_2020`."""
 
-from dcfp.inference.case import Basis, Method, View
-from dcfp.inference.quantities import CHANGE, HYSTERETIC, INPUT, Quantity
+from dcfp.inference.case import CHANGE, HYSTERETIC, INPUT, Basis, Method, Quantity, View
 
 #: Ranges of prediction over analysis [-], and where they are printed. The pulse method: sections 6.1.2 and 6.1.3, Figure 18; the simplified
 #: method: section 6.2.3, Figures 22 to 24.

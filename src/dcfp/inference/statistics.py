@@ -7,8 +7,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.arrays import FloatArray
-from dcfp.inference.case import VIEWS, Basis, Case, View
-from dcfp.inference.quantities import CHANGE, DISPLACEMENT, HYSTERETIC, INPUT, QUANTITIES, TOTAL, Quantity
+from dcfp.inference.case import (
+    CHANGE,
+    DISPLACEMENT,
+    HYSTERETIC,
+    INPUT,
+    QUANTITIES,
+    TOTAL,
+    VIEWS,
+    Basis,
+    Case,
+    Quantity,
+    View,
+)
 from dcfp.methods import NOTHING, Prediction
 
 _VALUES: dict[Quantity, Callable[[Prediction], float | None]] = {

@@ -11,8 +11,7 @@ from collections.abc import Callable
 import numpy as np
 
 from dcfp.arrays import FloatArray
-from dcfp.methods.equivalent_linear import PendulumWithFriction
-from dcfp.methods.iteration import agreements, iterate, several
+from dcfp.methods.equivalent_linear import PendulumWithFriction, agreements, iterate, several
 from dcfp.methods.result import Answer
 from dcfp.methods.spectra.elastic import ElasticSpectrum
 from dcfp.system.checks import positive

@@ -9,7 +9,7 @@ import numpy as np
 from dcfp.errors import AnalysisError
 from dcfp.methods.result import Step
 from dcfp.methods.spectra import response_spectrum
-from dcfp.methods.spectra.oscillators import DAMPING, LONGEST, SHORTEST
+from dcfp.methods.spectra.of_record import DAMPING, LONGEST, SHORTEST
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.system import Bearing
 from dcfp.system.checks import fraction

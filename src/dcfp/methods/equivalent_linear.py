@@ -1,9 +1,16 @@
-"""A pendulum with Coulomb friction as an equivalent linear system at a displacement; it follows from the rigid-plastic loop."""
+"""A pendulum with Coulomb friction as an equivalent linear system at a displacement; it follows from the rigid-plastic loop. And the displacement at which a reduced spectrum and a bearing agree."""
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
+from dcfp.arrays import freeze
 from dcfp.constants import STANDARD_GRAVITY
+from dcfp.errors import AnalysisError
+from dcfp.methods.result import Step
+from dcfp.methods.spectra.elastic import ElasticSpectrum, displacement
 from dcfp.system.checks import fraction, positive
 
 
@@ -56,3 +63,127 @@ class PendulumWithFriction:
     def rest(self) -> float:
         """Largest displacement at which it can stay at rest, mu R [mm]."""
         return self.friction * self.radius
+
+
+# The displacement at which a reduced spectrum and a bearing agree.
+
+
+#: A displacement is found once a round changes it by less than that part [-]; what has not settled is looked for by changes of sign.
+_SETTLED, _ROUNDS, _HALVINGS = 1e-10, 60, 60
+#: Where a solution is looked for [mm].
+_LEAST, _LARGEST = 1e-3, 1e5
+
+
+#: Ratio of two agreements from which on they are not the same [-].
+_OTHER = 1.02
+#: Displacements between which a change of sign is looked for [mm].
+_GRID = freeze(np.geomspace(0.5, 2e4, 160))
+#: Ratio of two of them.
+_STEP = float(_GRID[1] / _GRID[0])
+
+
+def iterate(
+    pendulum: PendulumWithFriction,
+    spectrum: ElasticSpectrum,
+    reduction: Callable[[float], float],
+    damping: Callable[[float], float],
+    start: float = 200.0,
+) -> tuple[Step, ...]:
+    """Return the rounds of D = S_d(T_eff(D)) times the reduction at the damping of D; the last is the solution.
+
+    The rounds are those of hand calculation, each from the displacement of the one before. Where the spectrum and the bearing agree at
+    several displacements the largest is the solution; where the rounds do not come to it, because they settle at another or go to and fro, it alone is returned.
+
+    Parameters
+    ----------
+    pendulum
+        The bearing.
+    spectrum
+        At a damping of 5 %.
+    reduction
+        Factor [-] at a damping ratio [-].
+    damping
+        Damping ratio [-] at a displacement [mm].
+    start
+        Displacement to begin with [mm].
+
+    Raises
+    ------
+    AnalysisError
+        If there is no solution.
+    """
+    round_from = _round(pendulum, spectrum, reduction, damping)
+    known = agreements(pendulum, spectrum, reduction, damping)
+    steps: list[Step] = []
+    at = start
+    for _ in range(_ROUNDS):
+        step, found = round_from(at)
+        steps.append(step)
+        if abs(found - at) <= _SETTLED * at:
+            if known and known[-1] > _OTHER * at:
+                break
+            return tuple(steps)
+        at = min(max(found, _LEAST), _LARGEST)
+    if not known:
+        msg = "The spectrum and the bearing agree at no displacement; look at the spectrum at long periods."
+        raise AnalysisError(msg)
+    return (_settled(round_from, known[-1]),)
+
+
+def agreements(
+    pendulum: PendulumWithFriction,
+    spectrum: ElasticSpectrum,
+    reduction: Callable[[float], float],
+    damping: Callable[[float], float],
+) -> list[float]:
+    """Return every displacement from 0.5 mm to 20 m at which the reduced spectrum and the bearing agree [mm], but for two that are closer than 7 %."""
+    periods = 2.0 * np.pi / np.sqrt(STANDARD_GRAVITY * (1.0 / pendulum.radius + pendulum.friction / _GRID))
+    factors = np.array([reduction(damping(at)) for at in _GRID.tolist()])
+    with np.errstate(divide="ignore"):
+        over = np.log(displacement(spectrum, periods) * factors / _GRID)
+    at = np.flatnonzero((over[:-1] > 0.0) != (over[1:] > 0.0))
+    share = over[at] / (over[at] - over[at + 1])
+    return (_GRID[at] * (_GRID[at + 1] / _GRID[at]) ** share).tolist()
+
+
+def several(found: Sequence[float], steps: Sequence[Step]) -> tuple[str, ...]:
+    """Return remarks where there is more than one agreement [mm] to choose from, and where the rounds did not come to the one taken."""
+    remarks: list[str] = []
+    if len(found) > 1:
+        words = ", ".join(f"{at:.0f}" for at in found)
+        remarks.append(
+            f"The spectrum and the bearing agree at {len(found)} displacements, {words} mm; the largest is taken."
+        )
+    if len(steps) == 1:
+        remarks.append(
+            "The rounds of the iteration do not come to this displacement; it was found by changes of sign."
+        )
+    return tuple(remarks)
+
+
+def _round(
+    pendulum: PendulumWithFriction,
+    spectrum: ElasticSpectrum,
+    reduction: Callable[[float], float],
+    damping: Callable[[float], float],
+) -> Callable[[float], tuple[Step, float]]:
+    """Return what makes a round from a displacement [mm]: the round, and the displacement that it comes to."""
+
+    def round_from(at: float) -> tuple[Step, float]:
+        period, ratio = pendulum.effective_period(at), damping(at)
+        factor = reduction(ratio)
+        return Step(at, period, ratio, factor), float(displacement(spectrum, period)) * factor
+
+    return round_from
+
+
+def _settled(round_from: Callable[[float], tuple[Step, float]], near: float) -> Step:
+    """Return the round at the agreement near a displacement [mm], to the last digit."""
+    low, high = near / _STEP, near * _STEP
+    falls = round_from(low)[1] > low
+    for _ in range(_HALVINGS):
+        middle = (low * high) ** 0.5
+        low, high = (middle, high) if (round_from(middle)[1] > middle) == falls else (low, middle)
+        if high / low - 1.0 < _SETTLED:
+            break
+    return round_from((low * high) ** 0.5)[0]

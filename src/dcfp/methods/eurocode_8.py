@@ -10,11 +10,9 @@ import math
 import numpy as np
 
 from dcfp.arrays import FloatArray
-from dcfp.methods.equivalent_linear import PendulumWithFriction
-from dcfp.methods.iteration import agreements, iterate, several
-from dcfp.methods.result import Answer, Condition, Verdict, at_least, at_most
+from dcfp.methods.equivalent_linear import PendulumWithFriction, agreements, iterate, several
+from dcfp.methods.result import Answer, Condition, Structure, Verdict, at_least, at_most
 from dcfp.methods.spectra.elastic import ElasticSpectrum
-from dcfp.methods.structure import Structure
 
 NAME = "Eurocode 8 simplified"
 #: Least damping correction [-]: section 3.2.2.2(3).

@@ -18,7 +18,7 @@ from dcfp.methods.bilinear import MOST_DAMPING, Bilinear, equivalent_oscillator,
 from dcfp.methods.hadjian_1982 import harmonic_condition
 from dcfp.methods.result import Answer, Condition, Step, Verdict, at_most
 from dcfp.methods.spectra import EnergySpectrum, input_energy_spectrum
-from dcfp.methods.spectra.oscillators import DAMPING, LONGEST
+from dcfp.methods.spectra.of_record import DAMPING, LONGEST
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.system import LI_2020, Bearing
 from dcfp.system.checks import finite

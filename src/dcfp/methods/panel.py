@@ -10,12 +10,15 @@ from dcfp.analysis import respond
 from dcfp.errors import AnalysisError, InputError
 from dcfp.methods import aij_2016, asce_2016, eurocode_8, iwan_1980
 from dcfp.methods.equivalent_linear import PendulumWithFriction
-from dcfp.methods.result import Answer
+from dcfp.methods.result import Answer, Structure
 from dcfp.methods.spectra.elastic import ElasticSpectrum, velocity
-from dcfp.methods.spectra.input_energy import input_energy_spectrum
-from dcfp.methods.spectra.of_record import ResponseSpectrum, response_spectrum, spectrum_of_set
-from dcfp.methods.spectra.oscillators import PERIODS
-from dcfp.methods.structure import Structure
+from dcfp.methods.spectra.of_record import (
+    PERIODS,
+    ResponseSpectrum,
+    input_energy_spectrum,
+    response_spectrum,
+    spectrum_of_set,
+)
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.notebook import card
 from dcfp.system import Bearing, FrictionLaw, Heating

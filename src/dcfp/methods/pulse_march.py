@@ -16,8 +16,7 @@ import numpy as np
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import AnalysisError
 from dcfp.kernels import pulse_march as k
-from dcfp.methods.prediction import Prediction
-from dcfp.methods.pulses import Pulses, find_pulses
+from dcfp.methods.pulses import Prediction, Pulses, find_pulses
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.notebook import fields_card
 from dcfp.system import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating

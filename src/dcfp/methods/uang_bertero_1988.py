@@ -16,7 +16,7 @@ import numpy as np
 from dcfp.analysis import Response
 from dcfp.arrays import FloatArray
 from dcfp.methods.spectra import EnergySpectrum, input_energy_spectrum
-from dcfp.methods.spectra.oscillators import DAMPING, PERIODS
+from dcfp.methods.spectra.of_record import DAMPING, PERIODS
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import significant_duration
 

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from dcfp.inference.earthquake import event_of
+from dcfp.inference.calibration import event_of
 from dcfp.study.factors import factor
 from dcfp.study.plan import Plan
 from dcfp.study.study import RECORD, SAMPLE

@@ -12,8 +12,7 @@ from dcfp.arrays import FloatArray
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.methods import aij_2016, asce_2016
 from dcfp.methods.equivalent_linear import PendulumWithFriction
-from dcfp.methods.spectra import TabulatedSpectrum, input_energy_spectrum, response_spectrum
-from dcfp.methods.spectra.design import Asce2016Spectrum
+from dcfp.methods.spectra import Asce2016Spectrum, TabulatedSpectrum, input_energy_spectrum, response_spectrum
 from dcfp.motion import treatment
 from dcfp.verify.cases import scaled_record
 from dcfp.verify.check import Finding, Task

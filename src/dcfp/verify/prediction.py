@@ -10,9 +10,8 @@ import numpy as np
 from dcfp.analysis import respond
 from dcfp.inference import Case, Setting, printed
 from dcfp.inference.calibration import cases_at
-from dcfp.inference.case import Basis, Method, View
+from dcfp.inference.case import CHANGE, DISPLACEMENT, Basis, Method, Quantity, View
 from dcfp.inference.intervals import COVERED, coverage
-from dcfp.inference.quantities import CHANGE, DISPLACEMENT, Quantity
 from dcfp.inference.refit import governing
 from dcfp.inference.statistics import ratios, scatter, value_of
 from dcfp.methods import Pulses, find_pulses, march_through_pulses

@@ -8,8 +8,7 @@ from dcfp.analysis.rig import Measurement
 from dcfp.arrays import freeze
 from dcfp.inference.identification import DEFAULT, friction_history
 from dcfp.inference.identification.fit import fit_law
-from dcfp.inference.identification.parameters import Constants
-from dcfp.inference.identification.samples import Samples
+from dcfp.inference.identification.samples import Constants, Samples
 from dcfp.system import LI_2020, FittedFriction, SimplifiedHeating
 
 TRIALS = 100

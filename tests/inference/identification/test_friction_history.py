@@ -18,7 +18,7 @@ from dcfp.analysis.rig import (
 from dcfp.arrays import freeze
 from dcfp.errors import InputError
 from dcfp.inference.identification import friction_history
-from dcfp.inference.identification.contact_temperature import contact_temperature
+from dcfp.inference.identification.friction_history import contact_temperature
 from dcfp.system import LI_2020, Bearing, FittedFriction, NoHeating, PreciseHeating, SimplifiedHeating
 
 TWO = Bearing((2000.0, 3000.0), 300.0, 60.0, 1.0e6)

@@ -10,8 +10,7 @@ from dcfp.arrays import freeze
 from dcfp.inference.identification import DEFAULT, friction_history, identify
 from dcfp.inference.identification.fit import fit_law
 from dcfp.inference.identification.intervals import jackknife
-from dcfp.inference.identification.parameters import Constants
-from dcfp.inference.identification.samples import LawAtSamples, Samples
+from dcfp.inference.identification.samples import Constants, LawAtSamples, Samples
 from dcfp.system import LI_2020, FittedFriction, PreciseHeating, SimplifiedHeating
 
 OTHER = FittedFriction(

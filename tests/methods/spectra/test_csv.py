@@ -4,7 +4,7 @@ import pytest
 
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
-from dcfp.methods.spectra.csv import read_spectrum
+from dcfp.methods.spectra.elastic import read_spectrum
 
 GOOD = {
     "commas": "period [s], acceleration [g]\n0.5, 1.0\n1.0, 0.5\n",

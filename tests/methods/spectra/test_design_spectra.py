@@ -5,8 +5,12 @@ import pytest
 
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
-from dcfp.methods.spectra import TabulatedSpectrum
-from dcfp.methods.spectra.design import Asce2016Spectrum, Eurocode8Spectrum, Notification2000Spectrum
+from dcfp.methods.spectra import (
+    Asce2016Spectrum,
+    Eurocode8Spectrum,
+    Notification2000Spectrum,
+    TabulatedSpectrum,
+)
 from dcfp.methods.spectra.elastic import displacement, velocity
 
 KINDS = [(kind, ground) for kind in (1, 2) for ground in "ABCDE"]

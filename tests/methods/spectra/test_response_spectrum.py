@@ -8,8 +8,7 @@ from scipy import signal
 
 from dcfp.errors import InputError
 from dcfp.methods.spectra import response_spectrum
-from dcfp.methods.spectra.of_record import spectrum_of_set
-from dcfp.methods.spectra.oscillators import PERIODS
+from dcfp.methods.spectra.of_record import PERIODS, spectrum_of_set
 from dcfp.motion import GroundMotion, named_motion
 from dcfp.motion.synthetic import harmonic
 from dcfp.motion.treatment import resample

@@ -13,8 +13,8 @@ from dcfp.errors import InputError
 if TYPE_CHECKING:
     from dcfp.methods.asce_2016 import Bounds
     from dcfp.methods.panel import Panel
+    from dcfp.methods.result import Structure
     from dcfp.methods.spectra import ElasticSpectrum
-    from dcfp.methods.structure import Structure
 
 _KILO = 1000.0
 #: Options that choose a spectrum.
@@ -199,7 +199,7 @@ def _panels(chosen: argparse.Namespace, model: "inputs.Model") -> "tuple[list[Pa
 
 
 def _structure(chosen: argparse.Namespace) -> "Structure":
-    from dcfp.methods.structure import Structure
+    from dcfp.methods.result import Structure
 
     def scaled(value: float | None, factor: float) -> float | None:
         return None if value is None else factor * value
@@ -221,8 +221,8 @@ def _bounds(chosen: argparse.Namespace) -> "Bounds | None":
 
 
 def _spectrum(chosen: argparse.Namespace) -> "ElasticSpectrum | None":
-    from dcfp.methods.spectra.csv import read_spectrum
-    from dcfp.methods.spectra.design import Asce2016Spectrum, Eurocode8Spectrum, Notification2000Spectrum
+    from dcfp.methods.spectra import Asce2016Spectrum, Eurocode8Spectrum, Notification2000Spectrum
+    from dcfp.methods.spectra.elastic import read_spectrum
 
     if chosen.asce is not None:
         return Asce2016Spectrum(*chosen.asce)

@@ -12,10 +12,9 @@ from dcfp.errors import InputError
 
 if TYPE_CHECKING:
     from dcfp.inference import Case, Setting
-    from dcfp.inference.case import View
+    from dcfp.inference.case import Quantity, View
     from dcfp.inference.held_out import Refit
     from dcfp.inference.intervals import Coverage
-    from dcfp.inference.quantities import Quantity
     from dcfp.motion.ground_motion import GroundMotion
 
     HeldOut: TypeAlias = tuple[dict[tuple[View | None, Quantity], Coverage], list[Refit]]

@@ -15,9 +15,8 @@ if TYPE_CHECKING:
 
     from dcfp.doors.cli.compare import HeldOut
     from dcfp.inference import Case, Setting
-    from dcfp.inference.case import View
+    from dcfp.inference.case import Quantity, View
     from dcfp.inference.nominal import Nominal
-    from dcfp.inference.quantities import Quantity
     from dcfp.inference.statistics import Scatter
 
 #: Most cases that are printed one by one.
@@ -57,8 +56,7 @@ def print_cases(
 
 
 def _print_ratios(out: "Console", cases: "Sequence[Case]") -> None:
-    from dcfp.inference.case import VIEWS, Basis, Method
-    from dcfp.inference.quantities import CHANGE, DISPLACEMENT
+    from dcfp.inference.case import CHANGE, DISPLACEMENT, VIEWS, Basis, Method
     from dcfp.inference.statistics import ratios
 
     table = new_table(["Record"], ["PGV\n[m/s]", "dy\n[mm]", "y_max\n[mm]"])

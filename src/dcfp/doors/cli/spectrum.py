@@ -49,7 +49,7 @@ def run(chosen: argparse.Namespace) -> int:
 
     from dcfp.doors.cli.progress import progress
     from dcfp.methods.spectra import input_energy_spectrum
-    from dcfp.methods.spectra.oscillators import PERIODS
+    from dcfp.methods.spectra.of_record import PERIODS
     from dcfp.motion.measures import refuse_a_drift
 
     motions = inputs.scaled(inputs.load_motions(chosen), chosen.pgv)

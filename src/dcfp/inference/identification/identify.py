@@ -8,14 +8,19 @@ import numpy as np
 from dcfp.analysis.rig import Measurement
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
-from dcfp.inference.identification.determinable import companion, poorest, way_out, why_not
-from dcfp.inference.identification.fit import Fit, fit_law
+from dcfp.inference.identification.fit import Fit, fit_law, remarks_on, residuals_of
 from dcfp.inference.identification.friction_history import FrictionHistory, friction_history
-from dcfp.inference.identification.parameters import PARAMETERS, REFERENCES, Constants, in_order, parameter
+from dcfp.inference.identification.intervals import companion, poorest, way_out, why_not
 from dcfp.inference.identification.predict import predict
-from dcfp.inference.identification.residuals import remarks_on, residuals_of
 from dcfp.inference.identification.result import Estimate, Held, Identification
-from dcfp.inference.identification.samples import Samples
+from dcfp.inference.identification.samples import (
+    PARAMETERS,
+    REFERENCES,
+    Constants,
+    Samples,
+    in_order,
+    parameter,
+)
 from dcfp.system import LI_2020, Bearing, Heating, SimplifiedHeating
 from dcfp.system.friction import FittedFriction
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 from dcfp.errors import InputError
 from dcfp.methods.li_2020 import simplified_method
 from dcfp.methods.li_2020.constants import LI_2020, Constants
-from dcfp.methods.prediction import Prediction
+from dcfp.methods.pulses import Prediction
 
 #: Halvings after which a coefficient is found to the last digit.
 _HALVINGS = 60

@@ -8,8 +8,7 @@ import numpy as np
 
 from dcfp.arrays import FloatArray
 from dcfp.methods.li_2020.constants import LI_2020, Constants
-from dcfp.methods.prediction import PulsePrediction
-from dcfp.methods.pulses import Pulses
+from dcfp.methods.pulses import PulsePrediction, Pulses
 
 
 def structure_slope(ground_slope: FloatArray, friction_deceleration: float) -> FloatArray:

@@ -5,8 +5,7 @@ import numpy as np
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.methods.li_2020.constants import LI_2020, Constants
-from dcfp.methods.prediction import PulsePrediction
-from dcfp.methods.pulses import Pulses
+from dcfp.methods.pulses import PulsePrediction, Pulses
 
 
 def next_slope(slope: FloatArray, fall_ratio: float) -> FloatArray:

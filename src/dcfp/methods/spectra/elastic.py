@@ -1,14 +1,19 @@
-"""What the methods of codes take of a spectrum: the pseudo-acceleration at a damping of 5 %."""
+"""What the methods of codes take of a spectrum: the pseudo-acceleration at a damping of 5 %; and a spectrum of the user's own from a file of columns."""
 
+import re
 from dataclasses import dataclass
-from typing import Protocol
+from pathlib import Path
+from typing import NoReturn, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
+from dcfp.motion.formats.component import canonical_unit, unit_size
+from dcfp.motion.formats.numbers import to_number
 from dcfp.schema.notebook import fields_card
+from dcfp.schema.reading import read_bytes
 
 
 class ElasticSpectrum(Protocol):
@@ -88,3 +93,150 @@ class TabulatedSpectrum:
 
     def _repr_html_(self) -> str:
         return fields_card(self, f"Spectrum {self.name}")
+
+
+# A spectrum of the user's own from a file of columns.
+
+
+_EXAMPLE = "'period [s], acceleration [g]'"
+_PERIOD, _ACCELERATION = "period", "acceleration"
+#: Spellings of the two columns, without blanks and underscores.
+_NAMES = {
+    _PERIOD: {"period", "naturalperiod", "t"},
+    _ACCELERATION: {"acceleration", "spectralacceleration", "pseudoacceleration", "sa", "psa", "se"},
+}
+_SECONDS = {"s", "sec", "second", "seconds"}
+#: A comment: from a hash on, or a whole line that begins with another mark.
+_COMMENT = re.compile(r"#.*|^\s*(?:%|//|!).*")
+#: Name and unit of a column; what else a name may carry, as in "Sa (5 %) [g]".
+_COLUMN = re.compile(r"(.*)[\[(]([^\[\]()]*)[\])]\s*")
+_EXTRAS = re.compile(r"\(.*?\)|\d+\s*%|[\s_\-\"']")
+
+
+def read_spectrum(path: str | Path, name: str | None = None) -> TabulatedSpectrum:
+    """Return the spectrum of a file: periods and pseudo-accelerations at a damping of 5 %.
+
+    The first line names the columns with their units, ``period [s]`` and ``acceleration [g]`` (or m/s2, cm/s2, gal, mm/s2), in any
+    order and beside any others. Columns are parted by commas, semicolons, tabs or blanks; where it is semicolons or tabs, a decimal
+    comma is understood. Blank lines, what follows a ``#``, and lines
+    that begin with ``%``, ``//`` or ``!`` do not count.
+
+    Parameters
+    ----------
+    path
+        Name of the file.
+    name
+        What to call the spectrum; the file's name by default.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, has no such header or fewer than two rows, or a value is not a positive number, or the periods do not increase.
+    """
+    lines = _lines(path)
+    if not lines:
+        _fail(path, f"the file is empty; it must begin with a header such as {_EXAMPLE}.")
+    separator = _separator(lines[0][1])
+    header = _split(lines[0][1], separator, is_header=True)
+    first, second, size = _columns(path, lines[0][0], header)
+    periods: list[float] = []
+    values: list[float] = []
+    for number, line in lines[1:]:
+        words = _split(line, separator)
+        if len(words) != len(header):
+            _fail(path, f"{len(words)} values stand where the header names {len(header)} columns.", number)
+        period = _value(path, number, words[first], _PERIOD, separator)
+        if periods and period <= periods[-1]:
+            _fail(
+                path,
+                f"the period of {period:g} s follows that of {periods[-1]:g} s; they must increase.",
+                number,
+            )
+        periods.append(period)
+        values.append(_value(path, number, words[second], _ACCELERATION, separator) * size)
+    if len(periods) < 2:
+        _fail(path, f"a spectrum needs at least two rows below its header, and this one has {len(periods)}.")
+    return TabulatedSpectrum(np.array(periods), np.array(values), Path(path).stem if name is None else name)
+
+
+def _lines(path: str | Path) -> list[tuple[int, str]]:
+    """Return the lines that count, with their numbers."""
+    content = read_bytes(path, f"a spectrum is a file with a header such as {_EXAMPLE}")
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        msg = f"{path}: this is not a file of text; a spectrum begins with a header such as {_EXAMPLE}."
+        raise InputError(msg) from error
+    lines: list[tuple[int, str]] = []
+    for number, line in enumerate(text.splitlines(), 1):
+        bare = _COMMENT.sub("", line).rstrip()
+        if bare.strip(" \t,;"):
+            lines.append((number, bare))
+    return lines
+
+
+def _separator(header: str) -> str | None:
+    """Return what parts the columns; None for blanks."""
+    return next((mark for mark in ("\t", ";", ",") if mark in header), None)
+
+
+def _split(line: str, separator: str | None, *, is_header: bool = False) -> list[str]:
+    if separator is not None:
+        words = line.split(separator)
+    elif is_header:  # a blank before a unit parts nothing
+        words = re.split(r"(?<=[\])])\s+(?![\[(])", line.strip())
+    else:
+        words = line.split()
+    while len(words) > 1 and not words[-1].strip():  # a separator at the end of the line
+        words.pop()
+    return words
+
+
+def _columns(path: str | Path, number: int, header: list[str]) -> tuple[int, int, float]:
+    """Return the places of the two columns, and the size of the unit of the acceleration [mm/s2]."""
+    found: dict[str, tuple[int, str]] = {}
+    for place, word in enumerate(header):
+        parts = _COLUMN.fullmatch(word.strip().strip("\"'"))
+        spelling = _EXTRAS.sub("", parts[1] if parts else word).lower()
+        what = next((key for key, names in _NAMES.items() if spelling in names), None)
+        if what is None:
+            continue
+        if what in found:
+            _fail(path, f"the header names two columns of {what}, and only one can count.", number)
+        if parts is None:
+            _fail(
+                path,
+                f"the column {word.strip()!r} has no unit; write it in brackets, as in {_EXAMPLE}.",
+                number,
+            )
+        found[what] = (place, parts[2].strip())
+    for what in (_PERIOD, _ACCELERATION):
+        if what not in found:
+            _fail(path, f"the header names no column of {what}; it must be such as {_EXAMPLE}.", number)
+    (first, time), (second, unit) = found[_PERIOD], found[_ACCELERATION]
+    if time.lower() not in _SECONDS:
+        _fail(path, f"the periods are in {time!r}, and must be in s.", number)
+    if canonical_unit(unit) is None:
+        _fail(path, f"the accelerations are in {unit!r}; use one of g, m/s2, cm/s2, gal, mm/s2.", number)
+    return first, second, unit_size(unit)
+
+
+def _value(path: str | Path, number: int, word: str, what: str, separator: str | None) -> float:
+    plain = word.strip().strip("\"'")
+    if separator in {";", "\t"}:
+        plain = plain.replace(",", ".")
+    value = to_number(plain)
+    if value is None:
+        _fail(path, f"the {what} is {word.strip()[:30]!r}, not a number.", number)
+    if value <= 0.0:
+        hint = (
+            "; leave out the row of the ground's own acceleration" if what == _PERIOD and value == 0.0 else ""
+        )
+        _fail(path, f"the {what} is {value:g}, and must be positive{hint}.", number)
+    return value
+
+
+def _fail(path: str | Path, sentence: str, line: int | None = None) -> NoReturn:
+    place = f"{path}" if line is None else f"{path}, line {line}"
+    msg = f"{place}: {sentence}"
+    raise InputError(msg)

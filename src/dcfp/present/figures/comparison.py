@@ -21,8 +21,7 @@ if TYPE_CHECKING:
 
     from dcfp.arrays import FloatArray
     from dcfp.inference import Case
-    from dcfp.inference.case import View
-    from dcfp.inference.quantities import Quantity
+    from dcfp.inference.case import Quantity, View
     from dcfp.inference.statistics import Scatter
 
 #: Limits of the axes beyond the data [-].
@@ -80,7 +79,7 @@ def plot_comparison(cases: "Sequence[Case]") -> Figure:
     InputError
         If there is no case.
     """
-    from dcfp.inference.quantities import DISPLACEMENT, QUANTITIES  # late: the package imports the kernels
+    from dcfp.inference.case import DISPLACEMENT, QUANTITIES  # late: the package imports the kernels
 
     if not cases:
         msg = "There is nothing to compare; give at least one case."

@@ -1,6 +1,6 @@
 """Quantities that are predicted, as figures name them."""
 
-#: Names in the nomenclature, by those in tables, which are those of `dcfp.inference.quantities`.
+#: Names in the nomenclature, by those in tables, which are those of `dcfp.inference.case`.
 ENTRIES = {
     "dy": "displacement_change",
     "y": "peak_displacement",

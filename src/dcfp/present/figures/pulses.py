@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from dcfp.inference import Case
     from dcfp.methods import PulseMarch
     from dcfp.methods.li_2020 import Constants
-    from dcfp.methods.prediction import PulsePrediction
+    from dcfp.methods.pulses import PulsePrediction
 
 
 def plot_pulses(

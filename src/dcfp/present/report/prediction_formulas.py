@@ -4,8 +4,7 @@ import numpy as np
 
 from dcfp.methods.li_2020 import predict_from_pgv, predict_from_pulses, predict_simplified
 from dcfp.methods.li_2020.pulse_method import amplification, hysteretic_energy, input_energy
-from dcfp.methods.prediction import PulsePrediction
-from dcfp.methods.pulses import Pulses
+from dcfp.methods.pulses import PulsePrediction, Pulses
 from dcfp.present.report.digits import number, written
 from dcfp.present.report.document import Formula, Maths, Paragraph, Part, Tone, words
 from dcfp.study.scenario import Calculation, Result

@@ -4,8 +4,7 @@ import math
 from typing import Any
 
 from dcfp.analysis import Status
-from dcfp.inference.case import Basis, View
-from dcfp.inference.quantities import CHANGE
+from dcfp.inference.case import CHANGE, Basis, View
 from dcfp.inference.statistics import ratios
 from dcfp.methods import Prediction, iwan_1980
 from dcfp.methods.panel import NAMES

@@ -12,10 +12,9 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dcfp.inference import Case, Setting
-    from dcfp.inference.case import View
+    from dcfp.inference.case import Quantity, View
     from dcfp.inference.held_out import Refit
     from dcfp.inference.intervals import Coverage
-    from dcfp.inference.quantities import Quantity
     from dcfp.inference.statistics import Scatter
     from dcfp.methods import Prediction
 
@@ -154,7 +153,7 @@ def _swing(case: "Case") -> dict[str, float] | None:
 
 
 def _ratios(case: "Case", view: "View") -> dict[str, float | None]:
-    from dcfp.inference.quantities import QUANTITIES
+    from dcfp.inference.case import QUANTITIES
     from dcfp.inference.statistics import ratios
 
     return {quantity.name: _number(float(ratios([case], view, quantity)[0])) for quantity in QUANTITIES}

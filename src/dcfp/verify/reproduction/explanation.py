@@ -6,8 +6,7 @@ import numpy as np
 
 from dcfp.analysis import Response, respond
 from dcfp.constants import STANDARD_GRAVITY
-from dcfp.inference.case import Case, Method, View, analysed_of
-from dcfp.inference.quantities import Quantity
+from dcfp.inference.case import Case, Method, Quantity, View, analysed_of
 from dcfp.inference.statistics import value_of
 from dcfp.methods.li_2020 import LI_2020, predict_from_pulses, predict_simplified
 from dcfp.system import LI_2020 as BEARING

@@ -7,8 +7,7 @@ import numpy as np
 
 from dcfp.arrays import FloatArray
 from dcfp.inference import Case, printed
-from dcfp.inference.case import Basis, View
-from dcfp.inference.quantities import CHANGE, HYSTERETIC, INPUT, Quantity
+from dcfp.inference.case import CHANGE, HYSTERETIC, INPUT, Basis, Quantity, View
 from dcfp.inference.refit import average_slope, change_ratio, fall_ratio
 from dcfp.inference.statistics import displacement_over_change, ratios, scatter, value_of
 from dcfp.methods.li_2020 import LI_2020, predict_from_pgv

@@ -15,8 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from dcfp.inference import Case
-    from dcfp.inference.case import View
-    from dcfp.inference.quantities import Quantity
+    from dcfp.inference.case import Quantity, View
 
 
 def draw_accuracy(

@@ -43,8 +43,13 @@ def point_figures(cases: "Sequence[Case]", constants: "Constants") -> list[Paper
 
 def _described(cases: "Sequence[Case]", constants: "Constants") -> "tuple[Described, ...]":
     """Return number, title, caption and panels of each figure."""
-    from dcfp.inference.case import Basis, Method  # late: the package imports the kernels
-    from dcfp.inference.quantities import CHANGE, HYSTERETIC, INPUT
+    from dcfp.inference.case import (  # late: the package imports the kernels
+        CHANGE,
+        HYSTERETIC,
+        INPUT,
+        Basis,
+        Method,
+    )
 
     blind = (
         "the largest of all pulses of the record and of all swings of the analysis, with the paper's range."
