@@ -8,7 +8,6 @@ import pytest
 from dcfp.analysis import respond
 from dcfp.analysis.swings import swings_of
 from dcfp.inference import Case, Setting, compare
-from dcfp.inference.calibration import event_of
 from dcfp.inference.case import (
     CHANGE,
     DISPLACEMENT,
@@ -20,6 +19,7 @@ from dcfp.inference.case import (
     Basis,
     Method,
 )
+from dcfp.inference.earthquake import event_of
 from dcfp.inference.nominal import nominal_coefficient
 from dcfp.inference.statistics import displacement_over_change, ratios, scatter, scatters, value_of
 from dcfp.methods import Prediction, find_pulses

@@ -9,8 +9,8 @@ import pytest
 from dcfp.errors import InputError
 from dcfp.study import Study, run_study
 from dcfp.study import store as stores
-from dcfp.study.place import alone
 from dcfp.study.results import open_store
+from dcfp.study.store import alone
 
 pytestmark = pytest.mark.filterwarnings("error")
 

@@ -11,7 +11,7 @@ import dcfp
 from dcfp.errors import InputError
 from dcfp.study import Choice, Plan, Sampling, Study, Uniform
 from dcfp.study.plan import LARGEST_BLOCK
-from dcfp.study.projection import project
+from dcfp.study.work import project
 
 NCC = dcfp.load_motion("NCC")
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from dcfp.analysis import Response, respond
 from dcfp.analysis.swings import Swing, swings_of
-from dcfp.inference.calibration import event_of
+from dcfp.inference.earthquake import event_of
 from dcfp.methods import (
     NOTHING,
     Prediction,

@@ -11,8 +11,8 @@ from dcfp.analysis.batch import GroundSet, Lanes, Peaks, available_threads, resp
 from dcfp.analysis.response import FAILED
 from dcfp.arrays import FloatArray
 from dcfp.errors import AnalysisError, InputError
-from dcfp.inference.calibration import event_of
 from dcfp.inference.case import Setting
+from dcfp.inference.earthquake import event_of
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.system import Model
 

@@ -8,7 +8,6 @@ from dcfp.inference.calibration import (
     Intervals,
     intervals_about,
     intervals_from_pgv,
-    is_known,
     others_than,
     set_remarks,
 )
@@ -22,6 +21,7 @@ from dcfp.inference.case import (
     march,
     pulse_predictions,
 )
+from dcfp.inference.earthquake import is_known
 from dcfp.methods import Prediction, PulseMarch, Pulses, find_pulses
 from dcfp.methods import li_2020 as paper
 from dcfp.motion.ground_motion import GroundMotion

@@ -4,11 +4,14 @@ A block is written quantity by quantity and its status last, each file under ano
 there is whole; any other counts as not run, and is run again.
 """
 
-from collections.abc import Generator
-from contextlib import contextmanager
+import os
+import shutil
+from collections.abc import Callable, Generator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import filelock
 import numpy as np
 import xarray
 import zarr
@@ -16,9 +19,9 @@ from zarr.storage import MemoryStore
 
 from dcfp.analysis.response import NOT_RUN
 from dcfp.errors import InputError
+from dcfp.inference.earthquake import event_of
 from dcfp.schema.nomenclature import quantity
-from dcfp.study.coordinates import coordinates
-from dcfp.study.place import alone, followed, put_whole
+from dcfp.study.factors import factor
 from dcfp.study.plan import Block, Plan
 from dcfp.study.provenance import digest, makers, provenance
 from dcfp.study.results import (
@@ -31,10 +34,12 @@ from dcfp.study.results import (
     results_in,
     share_done,
 )
+from dcfp.study.study import RECORD, SAMPLE
 from dcfp.study.work import Results
 
 if TYPE_CHECKING:
     from zarr.abc.store import Store
+
 
 #: End of the name under which Zarr writes a file before it is whole.
 _PARTIAL = "*.partial"
@@ -183,3 +188,133 @@ def _check_is_ours(place: Path, plan: Plan, *, resume: bool, overwrite: bool) ->
         what = "of another study" if same else f"made by another version ({found.attrs.get('source')})"
         msg = f"{place}: this store is {what}; choose another name for the store of this one."
         raise InputError(msg)
+
+
+# The folder of a store: taken by one process at a time, new or replaced whole or not at all.
+
+
+@contextmanager
+def alone(place: Path) -> Generator[None]:
+    """Keep every other process from writing into a store, or making or replacing it.
+
+    Raises
+    ------
+    InputError
+        If another process does so, or nothing can be written beside the store.
+    """
+    # beside the store: within it Zarr would take it for a part that it does not know
+    held = _beside(place, "lock")
+    if not place.parent.is_dir():
+        msg = f"{place}: the store cannot be written (there is no folder {str(place.parent)!r})."
+        raise InputError(msg)
+    lock = filelock.FileLock(held)
+    try:
+        lock.acquire(timeout=0)
+    except filelock.Timeout as error:
+        msg = f"{place}: another process is writing into this store; wait for it, or stop it."
+        raise InputError(msg) from error
+    except OSError as error:
+        raise cannot_write(place, error) from error
+    try:
+        yield
+    finally:
+        with suppress(OSError):
+            held.unlink(
+                missing_ok=True
+            )  # before the release: who takes a lock looks whether its file is still there
+        lock.release()
+
+
+def put_whole(place: Path, create: Callable[[Path], None]) -> None:
+    """Let a new folder be filled under another name, and give it the place of what is there; only within `alone`.
+
+    Raises
+    ------
+    InputError
+        If it cannot be written; what was there then still is.
+    """
+    new, old = _beside(place, "new"), _beside(place, "old")
+    try:
+        for left in (new, old):  # of a process that was killed
+            shutil.rmtree(left, ignore_errors=True)
+        try:
+            create(new)
+            if place.exists():
+                place.rename(old)
+            new.rename(place)
+        finally:
+            shutil.rmtree(new, ignore_errors=True)
+            shutil.rmtree(old, ignore_errors=True)
+    except OSError as error:
+        raise cannot_write(place, error) from error
+
+
+def cannot_write(place: Path, error: OSError) -> InputError:
+    """Return the sentence on a store that cannot be written."""
+    return InputError(f"{place}: the store cannot be written ({error.strerror or error}).")
+
+
+def followed(place: Path) -> Path:
+    """Return where a link leads, and any other path as it is."""
+    return Path(os.path.realpath(place)) if place.is_symlink() else place
+
+
+def _beside(place: Path, what: str) -> Path:
+    return place.parent / f".{place.name}.{what}"
+
+
+# The coordinates of a study's results.
+
+
+Coordinate = tuple[str, Any, dict[str, str]]
+
+
+def coordinates(plan: Plan) -> dict[str, Coordinate]:
+    """Return each coordinate as its dimension, values and attributes."""
+    found: dict[str, Coordinate] = {}
+    for name, values in plan.study.factors.items():
+        found[name] = (name, _array(name, list(values)), _attributes(name))
+    if plan.samples:
+        numbers = np.arange(plan.sizes[SAMPLE])
+        found[SAMPLE] = (SAMPLE, numbers, {"long_name": "number of the sample"})
+        for name, values in plan.samples.items():
+            found[name] = (SAMPLE, _array(name, values.tolist()), _attributes(name))
+    along = RECORD if RECORD in plan.study.factors else SAMPLE
+    return found | _of_records(plan, along)
+
+
+def _of_records(plan: Plan, along: str) -> dict[str, Coordinate]:
+    """Return what is known of the record at each place along a dimension."""
+    motions = {motion.name: motion for motion in plan.study.motions}
+    names = plan.study.factors.get(RECORD) or plan.samples[RECORD].tolist()
+    chosen = [motions[str(name)] for name in names]
+    words: dict[str, tuple[list[Any], dict[str, str]]] = {
+        "event": ([event_of(one) for one in chosen], {"long_name": "earthquake"}),
+        "station": ([one.origin.station for one in chosen], {"long_name": "station"}),
+        "record_sha256": ([one.digest for one in chosen], {"long_name": "SHA-256 of the record"}),
+    }
+    found: dict[str, Coordinate] = {
+        name: (along, np.array(values, dtype=object), attributes)
+        for name, (values, attributes) in words.items()
+    }
+    found["time_step"] = (
+        along,
+        np.array([one.time_step for one in chosen]),
+        {"long_name": "time step of the record", "units": "s"},
+    )
+    found["unscaled_pgv"] = (
+        along,
+        np.array([one.peak_velocity for one in chosen]),
+        {"long_name": "peak ground velocity of the record as it is", "units": "mm s-1"},
+    )
+    return found
+
+
+def _array(name: str, values: list[Any]) -> "np.ndarray[Any, Any]":
+    return np.array(values, dtype=np.float64 if factor(name).is_number else object)
+
+
+def _attributes(name: str) -> dict[str, str]:
+    one = factor(name)
+    attributes = {"long_name": one.words}
+    return {**attributes, "units": one.cf_unit} if one.is_number else attributes

@@ -24,8 +24,7 @@ from dcfp.present.report.maths import (
     read_maths,
 )
 from dcfp.present.report.worked import worked_out
-from dcfp.study.scenario import Calculation
-from dcfp.study.scenario.scenario import Scenario
+from dcfp.study.scenario import Calculation, Scenario
 from dcfp.system import FittedFriction, FrictionLaw, friction_law
 
 _FUNCTIONS = {"exp": math.exp, "max": max}

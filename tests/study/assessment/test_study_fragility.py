@@ -9,9 +9,13 @@ from scipy.stats import CensoredData, lognorm
 from dcfp.errors import InputError
 from dcfp.study.assessment import fragility
 from dcfp.study.assessment.completeness import remarks_of
-from dcfp.study.assessment.first_exceedance import first_exceedance
-from dcfp.study.assessment.fragility_fit import drawn_counts, lognormal_probability
-from dcfp.study.assessment.interval_fit import can_be_fitted, fit_lognormal
+from dcfp.study.assessment.fragility_fit import (
+    can_be_fitted,
+    drawn_counts,
+    first_exceedance,
+    fit_lognormal,
+    lognormal_probability,
+)
 
 GRID = np.array([0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0])
 

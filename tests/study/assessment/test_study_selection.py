@@ -6,8 +6,7 @@ import pytest
 from dcfp.errors import InputError
 from dcfp.study.assessment import ida, select
 from dcfp.study.assessment.completeness import remarks_of, usable
-from dcfp.study.assessment.described import described, fixed_values, shown_values
-from dcfp.study.assessment.selection import only
+from dcfp.study.assessment.selection import described, fixed_values, only, shown_values
 
 
 def test_values_are_found_by_their_number_and_dimensions_of_one_value_go(properties):

@@ -12,9 +12,7 @@ from dcfp.motion.measures import motion_remarks, refuse_a_drift
 from dcfp.motion.treatment import treated
 from dcfp.study import Study
 from dcfp.study.procedures import setting_of
-from dcfp.study.scenario import Heading, Scenario
-from dcfp.study.scenario.calculation import FRAMES
-from dcfp.study.scenario.write import scenario_toml
+from dcfp.study.scenario import FRAMES, Heading, Scenario, scenario_toml
 from dcfp.system import Model
 
 

@@ -8,9 +8,17 @@ import numpy as np
 from dcfp.analysis.rig import Measurement
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
-from dcfp.inference.identification.fit import Fit, fit_law, remarks_on, residuals_of
+from dcfp.inference.identification.fit import (
+    Fit,
+    companion,
+    fit_law,
+    poorest,
+    remarks_on,
+    residuals_of,
+    way_out,
+    why_not,
+)
 from dcfp.inference.identification.friction_history import FrictionHistory, friction_history
-from dcfp.inference.identification.intervals import companion, poorest, way_out, why_not
 from dcfp.inference.identification.predict import predict
 from dcfp.inference.identification.result import Estimate, Held, Identification
 from dcfp.inference.identification.samples import (

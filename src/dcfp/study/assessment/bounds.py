@@ -13,10 +13,16 @@ import xarray
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
-from dcfp.study.assessment.completeness import remarks_of, usable, values_of, with_references, with_remarks
-from dcfp.study.assessment.described import is_number, shown_value
-from dcfp.study.assessment.records import few_records, quantiles_over_records
-from dcfp.study.assessment.selection import intensity_of, only, select, sorted_over
+from dcfp.study.assessment.completeness import (
+    few_records,
+    quantiles_over_records,
+    remarks_of,
+    usable,
+    values_of,
+    with_references,
+    with_remarks,
+)
+from dcfp.study.assessment.selection import intensity_of, is_number, only, select, shown_value, sorted_over
 
 #: Factors of a study that are properties with bounds, and their nominal values.
 NOMINAL: Mapping[str, float | str] = {"lambda": 1.0, "ambient": 20.0}

@@ -16,10 +16,15 @@ import xarray
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.study.assessment.completeness import remarks_of, usable, values_of, with_references, with_remarks
-from dcfp.study.assessment.described import coordinates_of, events_of, shown_value
-from dcfp.study.assessment.first_exceedance import FirstExceedance, first_exceedance
-from dcfp.study.assessment.fragility_fit import Draws, Fit, drawn_counts
-from dcfp.study.assessment.selection import intensity_of, only, sorted_over
+from dcfp.study.assessment.fragility_fit import Draws, FirstExceedance, Fit, drawn_counts, first_exceedance
+from dcfp.study.assessment.selection import (
+    coordinates_of,
+    events_of,
+    intensity_of,
+    only,
+    shown_value,
+    sorted_over,
+)
 
 #: Records that a distribution needs, and earthquakes that its confidence needs.
 FEWEST = 4

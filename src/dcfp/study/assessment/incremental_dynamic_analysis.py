@@ -8,13 +8,14 @@ from collections.abc import Sequence
 import xarray
 
 from dcfp.study.assessment.completeness import (
+    few_records,
     is_beyond_capacity,
+    quantiles_over_records,
     remarks_of,
     usable,
     with_references,
     with_remarks,
 )
-from dcfp.study.assessment.records import few_records, quantiles_over_records
 from dcfp.study.assessment.selection import intensity_of, only, sorted_over
 
 #: Parts of the records that do not exceed [-]: the median and one standard deviation of a normal distribution on either side.

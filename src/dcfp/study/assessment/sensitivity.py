@@ -14,10 +14,15 @@ import xarray
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
-from dcfp.study.assessment.completeness import remarks_of, usable, with_references, with_remarks
-from dcfp.study.assessment.described import coordinates_of
-from dcfp.study.assessment.records import few_records, quantiles_over_records
-from dcfp.study.assessment.selection import select
+from dcfp.study.assessment.completeness import (
+    few_records,
+    quantiles_over_records,
+    remarks_of,
+    usable,
+    with_references,
+    with_remarks,
+)
+from dcfp.study.assessment.selection import coordinates_of, select
 
 #: How the records are taken together, if not by a quantile.
 GEOMETRIC_MEAN = "geometric-mean"

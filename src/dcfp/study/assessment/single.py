@@ -9,9 +9,9 @@ from dcfp.analysis import Response
 from dcfp.errors import InputError
 from dcfp.study import Plan
 from dcfp.study.assessment.selection import only, select
-from dcfp.study.coordinates import coordinates
 from dcfp.study.plan import Block
 from dcfp.study.procedures import ANALYSIS
+from dcfp.study.store import coordinates
 from dcfp.study.work import response_of
 
 

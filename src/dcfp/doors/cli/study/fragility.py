@@ -209,8 +209,8 @@ def _between(ends: "xarray.DataArray", factor: float) -> str:
 
 def _observed(found: "xarray.Dataset") -> Any:
     """Return a table of the fractions that are observed, and of the probabilities that are fitted."""
-    from dcfp.study.assessment.described import shown_value
     from dcfp.study.assessment.fragility_fit import lognormal_probability
+    from dcfp.study.assessment.selection import shown_value
 
     intensity = found[str(found.attrs["intensity"])]
     heads: list[str] = []

@@ -138,6 +138,6 @@ def _print(found: "xarray.Dataset", quantity: str, rows: list[dict[str, Any]]) -
 
 
 def _words(values: "xarray.DataArray") -> str:
-    from dcfp.study.assessment.described import described
+    from dcfp.study.assessment.selection import described
 
     return described(values).words

@@ -9,7 +9,7 @@ from dcfp.doors.cli.parser import Parser, whole_number
 
 if TYPE_CHECKING:
     from dcfp.study import Plan
-    from dcfp.study.projection import Projection
+    from dcfp.study.work import Projection
 
 _MINUTE, _HOUR = 60.0, 3600.0
 
@@ -30,7 +30,7 @@ def run(chosen: argparse.Namespace) -> int:
     """Time some analyses and print what all of them come to."""
     from dcfp.analysis.batch import available_threads
     from dcfp.study import read_study
-    from dcfp.study.projection import project
+    from dcfp.study.work import project
 
     plan = read_study(chosen.study).plan
     threads = chosen.threads or available_threads()

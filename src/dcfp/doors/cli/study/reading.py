@@ -99,14 +99,14 @@ def values_of_pairs(dataset: "xarray.Dataset", pairs: Sequence[tuple[str, str]])
 
 def shown_factor(variable: "xarray.DataArray") -> float:
     """Return shown value over value [-]."""
-    from dcfp.study.assessment.described import described
+    from dcfp.study.assessment.selection import described
 
     return described(variable).factor
 
 
 def head(variable: "xarray.DataArray") -> str:
     """Return the head of a column of a table."""
-    from dcfp.study.assessment.described import described
+    from dcfp.study.assessment.selection import described
 
     name = "PGV" if variable.name == "pgv" else "PGA" if variable.name == "pga" else str(variable.name)
     return f"{name.replace('_', ' ')}\n[{described(variable).shown.replace('–', '-')}]"
@@ -134,7 +134,7 @@ def keyed(variable: "xarray.DataArray", value: Any) -> Any:
 
 def study_lines(found: "xarray.Dataset") -> list[tuple[str, str]]:
     """Return what was looked at, for the top of a page."""
-    from dcfp.study.assessment.described import fixed_values
+    from dcfp.study.assessment.selection import fixed_values
 
     fixed = fixed_values(found)
     return [("Study", str(found.attrs.get("title", "")) or "–"), *([("At", fixed)] if fixed else [])]
@@ -143,7 +143,7 @@ def study_lines(found: "xarray.Dataset") -> list[tuple[str, str]]:
 def document(found: "xarray.Dataset", rows: Sequence[Mapping[str, Any]], **more: Any) -> dict[str, Any]:
     """Return what a command prints as JSON."""
     from dcfp.study.assessment.completeness import remarks_of
-    from dcfp.study.assessment.described import OF_RECORDS, coordinates_of
+    from dcfp.study.assessment.selection import OF_RECORDS, coordinates_of
 
     fixed = {
         key(one): keyed(one, one.item())
@@ -196,7 +196,7 @@ def number(value: float | None, digits: int = 4) -> str:
 
 
 def _value(dataset: "xarray.Dataset", name: str, text: str) -> float | str:
-    from dcfp.study.assessment.described import is_number
+    from dcfp.study.assessment.selection import is_number
 
     factor = dataset[name] if name in dataset.dims or name in dataset.coords else None
     if factor is not None and not is_number(factor):

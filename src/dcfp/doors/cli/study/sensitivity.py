@@ -126,7 +126,7 @@ def _columns(found: "xarray.Dataset") -> "list[Column]":
 
 
 def _print(found: "xarray.Dataset", rows: list[dict[str, Any]]) -> None:
-    from dcfp.study.assessment.described import is_number
+    from dcfp.study.assessment.selection import is_number
 
     left = _left(found)
     table = new_table([*(reading.head(one) for one in left), "Factor"], ["first order\n[-]", "total\n[-]"])

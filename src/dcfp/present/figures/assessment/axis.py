@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 def axis_label(variable: "xarray.DataArray") -> str:
     """Return the label of an axis: words, symbol and unit."""
-    from dcfp.study.assessment.described import described  # late: the package imports the kernels
+    from dcfp.study.assessment.selection import described  # late: the package imports the kernels
 
     entry = described(variable)
     symbol = "" if entry.symbol.startswith(r"\mathrm") else f", ${entry.symbol}$"
@@ -22,7 +22,7 @@ def axis_label(variable: "xarray.DataArray") -> str:
 
 def shown(variable: "xarray.DataArray", values: "xarray.DataArray | None" = None) -> "FloatArray":
     """Return the values of a variable, or others of its unit, as they are shown."""
-    from dcfp.study.assessment.described import described
+    from dcfp.study.assessment.selection import described
 
     numbers = (variable if values is None else values).to_numpy()
     return described(variable).display(np.asarray(numbers, dtype=np.float64))

@@ -62,7 +62,7 @@ def _governing(one: "xarray.Dataset", names: list[str]) -> list[str]:
 
 
 def _draw(axes: "Axes", one: "xarray.Dataset", name: str, looks: dict[str, str]) -> None:
-    from dcfp.study.assessment.described import described  # late: the package imports the kernels
+    from dcfp.study.assessment.selection import described  # late: the package imports the kernels
 
     intensity = str(one.attrs["intensity"])
     x = shown(one[intensity])

@@ -28,7 +28,7 @@ def plot_fragility(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes
     axes
         Where to draw; by default new axes.
     """
-    from dcfp.study.assessment.described import (  # late: the package imports the kernels
+    from dcfp.study.assessment.selection import (  # late: the package imports the kernels
         described,
         shown_value,
     )

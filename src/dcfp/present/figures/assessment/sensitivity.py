@@ -32,7 +32,7 @@ def plot_sensitivity(found: "xarray.Dataset") -> Figure:
     InputError
         If several factors are left.
     """
-    from dcfp.study.assessment.described import (  # late: the package imports the kernels
+    from dcfp.study.assessment.selection import (  # late: the package imports the kernels
         described,
         shown_value,
     )

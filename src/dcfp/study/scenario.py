@@ -1,0 +1,337 @@
+"""A scenario, one bearing under some ground motions: what is to be calculated and for whom, its file, and all that is calculated of it."""
+
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, field, fields
+from datetime import date
+from functools import cached_property
+from pathlib import Path
+from typing import Any, cast
+
+import tomli_w
+
+from dcfp.analysis import Response, respond
+from dcfp.errors import InputError
+from dcfp.inference import Case, Setting, compare
+from dcfp.inference.nominal import Nominal
+from dcfp.motion.ground_motion import GroundMotion
+from dcfp.schema.notebook import card, with_units
+from dcfp.schema.reading import read_toml
+from dcfp.study import Study, read_study
+from dcfp.study.procedures import setting_of
+from dcfp.system import Heating, Model
+
+#: Analyses that a scenario has at most: each gets pages of its own in a report.
+MOST_ANALYSES = 40
+
+
+@dataclass(frozen=True)
+class Heading:
+    """What stands at the top of a report; all of it may be empty.
+
+    Attributes
+    ----------
+    project, client, author, checker
+        Names.
+    number
+        Of the document.
+    date
+        As it is to be printed.
+    notes
+        Anything else.
+    """
+
+    project: str = ""
+    client: str = ""
+    author: str = ""
+    checker: str = ""
+    number: str = ""
+    date: str = ""
+    notes: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Scenario:
+    """One bearing under ground motions, each at one or several intensities.
+
+    Parameters
+    ----------
+    study
+        A study that varies nothing but the record and its intensity.
+    heading
+        Of its report.
+
+    Raises
+    ------
+    InputError
+        If the study varies anything else, or has too many analyses.
+    """
+
+    study: Study
+    heading: Heading = field(default_factory=Heading)
+
+    def __post_init__(self) -> None:
+        varied = ("record", self.study.intensity)
+        for name, values in self.study.factors.items():
+            if name not in varied and len(values) > 1:
+                msg = f"a scenario has one bearing, but factor {name!r} has {len(values)} values; that is a study (dcfp study)."
+                raise InputError(msg)
+        if self.study.sampling is not None:
+            msg = "a scenario has one bearing, but there is a [sampling]; that is a study (dcfp study)."
+            raise InputError(msg)
+        if "procedure" in self.study.factors:
+            msg = "a scenario is calculated by every procedure; leave out the factor 'procedure'."
+            raise InputError(msg)
+        if self.study.plan.count > MOST_ANALYSES:
+            msg = f"a scenario has at most {MOST_ANALYSES} analyses, not {self.study.plan.count}; for more there is dcfp study."
+            raise InputError(msg)
+
+    @property
+    def title(self) -> str:
+        """Title of the report and of the page."""
+        return self.study.title
+
+    @cached_property
+    def model(self) -> Model:
+        """The bearing, its friction law and its heating model."""
+        return self.study.plan.models_at_ends()[0]
+
+    @cached_property
+    def motions(self) -> list[GroundMotion]:
+        """The ground motions as they shake the bearing, in the order of the study."""
+        plan = self.study.plan
+        found: list[GroundMotion] = []
+        for block in plan.blocks():
+            lanes = plan.cases(block).lanes
+            for record, scale in zip(lanes.record, lanes.scale, strict=True):
+                motion = self.study.motions[int(record)]
+                found.append(motion if scale == 1.0 else motion.scaled(float(scale)))
+        return found
+
+    def _repr_html_(self) -> str:
+        facts = {
+            "bearing": self.model.bearing.name,
+            "friction": repr(self.model.friction),
+            "heating": repr(self.model.heating),
+            "ground motions": tuple(motion.name for motion in self.motions),
+        }
+        return card(self.title, facts)
+
+
+# From a TOML file: a study file of one bearing, with a heading.
+
+
+_KEYS = tuple(item.name for item in fields(Heading))
+
+
+def read_scenario(path: str | Path) -> Scenario:
+    """Read a scenario file.
+
+    Parameters
+    ----------
+    path
+        TOML as for `dcfp.read_study`, in which only ``record`` and one of ``pgv``, ``pga`` and ``scale`` may have several values, and a table
+        ``[report]`` with any of ``project``, ``client``, ``author``, ``checker``, ``number``, ``date`` and ``notes``.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, or anything in it cannot be used; the sentence begins with its name.
+    """
+    study = read_study(path)
+    try:
+        table = read_toml(path, "a scenario is a TOML file").get("report", {})
+        return Scenario(study, _heading(table))
+    except InputError as error:
+        text = str(error)
+        msg = text if text.startswith(str(path)) else f"{path}: {text}"
+        raise InputError(msg) from error
+
+
+def _heading(table: Any) -> Heading:
+    if not isinstance(table, dict):
+        msg = "'report' must be a table, written [report]."
+        raise InputError(msg)
+    words: dict[str, str] = {}
+    for key, value in cast("dict[str, Any]", table).items():
+        if key not in _KEYS:
+            msg = f"[report] has no {key!r}; it has {', '.join(_KEYS)}."
+            raise InputError(msg)
+        words[key] = _words(key, value)
+    return Heading(**words)
+
+
+def _words(key: str, value: Any) -> str:
+    """Return a value of the heading; a date of TOML stands for its own text."""
+    if key == "date" and isinstance(value, date):
+        return value.isoformat()
+    if not isinstance(value, str):
+        msg = f"[report] {key} must be words in quotes, not {value}."
+        raise InputError(msg)
+    return value
+
+
+# As the text of a file that reads back as the same scenario.
+
+
+_KILO = 1000.0
+
+
+def scenario_toml(
+    records: list[str],
+    model: Model,
+    *,
+    title: str,
+    pgvs: list[float] | None = None,
+    heading: Heading | None = None,
+    motion: dict[str, Any] | None = None,
+) -> str:
+    """Return the text of a scenario file.
+
+    Parameters
+    ----------
+    records
+        Names of records or files.
+    model
+        The bearing, its friction law and its heating model.
+    title
+        Of the scenario.
+    pgvs
+        PGVs that each record is scaled to [mm/s]; None leaves the records as they are.
+    heading
+        Of the report.
+    motion
+        The table ``[motion]``: how files are read and treated.
+    """
+    content: dict[str, Any] = {"title": title, "factors": {"record": records}}
+    if pgvs is not None:
+        content["factors"]["pgv"] = {"values": [pgv / _KILO for pgv in pgvs], "unit": "m/s"}
+    if motion:
+        content["motion"] = motion
+    content["bearing"] = _bearing(model)
+    words = {} if heading is None else {key: value for key, value in asdict(heading).items() if value}
+    if words:
+        content["report"] = words
+    return tomli_w.dumps(content)
+
+
+def _bearing(model: Model) -> dict[str, Any]:
+    bearing = model.bearing
+    found: dict[str, Any] = {
+        "name": bearing.name,
+        "radii": list(bearing.radii),
+        "slider": bearing.slider_diameter,
+        "pressure": bearing.pressure,
+        "stiffness": bearing.elastic_stiffness / _KILO,
+    }
+    if bearing.displacement_capacity is not None:
+        found |= {"capacity": bearing.displacement_capacity, "capacity_note": bearing.capacity_note}
+    return found | {"friction": _friction(model), "heating": _heating(model.heating)}
+
+
+def _friction(model: Model) -> dict[str, Any]:
+    law: Any = model.friction
+    known = {key: value for key, value in asdict(law).items() if value is not None}
+    return {"law": law.name, **known}
+
+
+def _heating(heating: Heating) -> dict[str, Any]:
+    known = {key: value for key, value in asdict(heating).items() if value is not None}
+    return {"model": heating.name, **known}
+
+
+# Everything that is calculated of a scenario: analyses, predictions and codes, each result once.
+
+
+#: Frames of the temperature along the plates that an analysis with precise heating keeps, about.
+FRAMES = 200
+
+
+@dataclass(frozen=True, eq=False)
+class Result:
+    """One ground motion on the bearing.
+
+    Attributes
+    ----------
+    motion
+        As it shakes the bearing.
+    response
+        The analysis.
+    case
+        The predictions and what the codes say, beside the analysis.
+    """
+
+    motion: GroundMotion
+    response: Response
+    case: Case
+
+    def _repr_html_(self) -> str:
+        title = f"Response to {self.motion.name}"
+        return card(title, with_units(self.response.summary()), remarks=self.response.remarks)
+
+
+@dataclass(frozen=True, eq=False)
+class Calculation:
+    """A scenario with all its results.
+
+    Attributes
+    ----------
+    scenario
+        What was asked.
+    setting
+        How records are predicted.
+    nominal
+        The nominal coefficient in it, and where that comes from.
+    results
+        For each ground motion.
+    """
+
+    scenario: Scenario
+    setting: Setting
+    nominal: Nominal
+    results: tuple[Result, ...]
+
+    @cached_property
+    def summary(self) -> list[dict[str, Any]]:
+        """The peaks of each analysis, as the JSON of ``dcfp respond`` has them, with its remarks."""
+        return [{**one.response.summary(), "remarks": list(one.response.remarks)} for one in self.results]
+
+    def _repr_html_(self) -> str:
+        rows = [
+            with_units({key: value for key, value in row.items() if key != "remarks"}) for row in self.summary
+        ]
+        remarks = [remark for one in self.results for remark in one.response.remarks]
+        return card(self.scenario.title, rows=rows, remarks=remarks)
+
+
+def calculate(scenario: Scenario, report: Callable[[], None] | None = None) -> Calculation:
+    """Analyse and predict every ground motion of a scenario; `report` is called after each.
+
+    Raises
+    ------
+    AnalysisError
+        If an analysis cannot be finished.
+    """
+    setting, nominal = setting_of(scenario.model)
+    results: list[Result] = []
+    for motion in scenario.motions:
+        results.append(_result(motion, scenario, setting))
+        if report is not None:
+            report()
+    return Calculation(scenario, setting, nominal, tuple(results))
+
+
+def _result(motion: GroundMotion, scenario: Scenario, setting: Setting) -> Result:
+    model, settings = scenario.model, scenario.study.settings
+    precise = model.heating.name == "precise"
+    step = motion.time_step if settings.step is None else min(settings.step, motion.time_step)
+    response = respond(
+        motion,
+        model.bearing,
+        model.friction,
+        model.heating,
+        tail=settings.tail,
+        tolerance=settings.tolerance,
+        step=settings.step,
+        profile_every=max(1, round(motion.duration / step / FRAMES)) if precise else None,
+    )
+    return Result(motion, response, compare(motion, setting, codes=True, response=response))
