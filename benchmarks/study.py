@@ -17,7 +17,7 @@ from analysis import SINGLE
 from dcfp.analysis.batch import GroundSet, Lanes, available_threads, respond_in_batch
 from dcfp.inference.calibration import calibration_set
 from dcfp.study import Sampling, Study, Uniform, run_study
-from dcfp.system import Model
+from dcfp.system import System
 
 #: Of the whole study: components, PGVs and bearings, and what part of the PGVs is run.
 PGVS, BEARINGS, PART = 100, 100, 10
@@ -77,7 +77,7 @@ def batch_over_single() -> Figure:
     grounds = GroundSet.of(motions)
     scales = np.array([[500.0 / motion.peak_velocity] for motion in motions])
     scaled = [motion.scaled(float(scale)) for motion, (scale,) in zip(motions, scales, strict=True)]
-    lanes = Lanes.grid(len(motions), scales, [Model()])
+    lanes = Lanes.grid(len(motions), scales, [System()])
     batch, single = in_turn(
         [
             lambda: once(lambda: respond_in_batch(grounds, lanes)),
@@ -112,7 +112,7 @@ def beside_opensees() -> Figure:
         return Figure(name, None, note="OpenSeesPy cannot be imported here")
     shortest = sorted(calibration_set(), key=lambda motion: motion.duration)[:SHARED]
     motions = [motion.scaled_to_pgv(500.0) for motion in shortest]
-    model = Model(SINGLE, dcfp.Kumar2015())
+    model = System(SINGLE, dcfp.Kumar2015())
     parts = [motions[first::cores] for first in range(cores)]
 
     def ours() -> None:
@@ -128,7 +128,7 @@ def beside_opensees() -> Figure:
     return Figure(name, theirs / mine, note=f"{theirs:.1f} s over {1e3 * mine:.2f} ms, PGV 0.5 m/s")
 
 
-def batch(motions: list[dcfp.GroundMotion], model: Model) -> None:
+def batch(motions: list[dcfp.GroundMotion], model: System) -> None:
     """Analyse motions on one thread."""
     lanes = Lanes.grid(len(motions), np.ones((len(motions), 1)), [model])
     respond_in_batch(GroundSet.of(motions, tail=0.0), lanes)

@@ -24,10 +24,10 @@ CONSTANT = ConstantFriction(LI_2020.nominal_friction)
 #: No pull: plates of ten kilometres.
 FLAT = replace(BEARING, radii=(1e7, 1e7))
 
-Model = Callable[[Pulses], Prediction]
+System = Callable[[Pulses], Prediction]
 
 
-def own(cosine: bool, spring: bool) -> Model:
+def own(cosine: bool, spring: bool) -> System:
     """Return the study's own march with constant friction."""
     structure = structure_of(BEARING, CONSTANT)
     friction = LI_2020.nominal_friction * structure.gravity
@@ -36,7 +36,7 @@ def own(cosine: bool, spring: bool) -> Model:
 
 
 #: From the pulse method to the march, a step at a time, and the march without one of its parts.
-LADDER: dict[str, Model] = {
+LADDER: dict[str, System] = {
     "pulse method, each pulse by itself": lambda pulses: predict_from_pulses(pulses).largest,
     "straight legs, one after the other, mu_n, no spring": own(cosine=False, spring=False),
     "half cosines": own(cosine=True, spring=False),

@@ -11,7 +11,7 @@ import dcfp
 from dcfp.analysis.batch import GroundSet, Lanes, Peaks, respond_in_batch
 from dcfp.analysis.response import FAILED, NUMBERS
 from dcfp.errors import InputError
-from dcfp.system import LI_2020, Model
+from dcfp.system import LI_2020, System
 from dcfp.system.friction import KimConstantinou2023Third
 
 SINGLE = replace(LI_2020, radii=(9000.0,))
@@ -44,19 +44,19 @@ def law(pressure: float, speed: float, temperature: float) -> float:
 
 
 MODELS = {
-    "paper": Model(),
-    "none": Model(heating=dcfp.NoHeating()),
-    "precise": Model(heating=dcfp.PreciseHeating()),
-    "warm": Model(heating=dcfp.SimplifiedHeating(ambient=40.0)),
-    "plates of 50 mm": Model(heating=dcfp.SimplifiedHeating(thickness=50.0)),
-    "constant": Model(friction=dcfp.ConstantFriction(0.05)),
-    "kumar, single": Model(SINGLE, dcfp.Kumar2015()),
-    "kim": Model(friction=KimConstantinou2023Third()),
-    "unequal": Model(UNEQUAL),
-    "unequal, precise": Model(UNEQUAL, heating=dcfp.PreciseHeating(cells=32)),
-    "cycling": Model(friction=dcfp.Lomiento2013()),
-    "another pressure": Model(replace(LI_2020, pressure=30.0)),
-    "low friction": Model(friction=dcfp.Li2020(mu_0=0.03)),
+    "paper": System(),
+    "none": System(heating=dcfp.NoHeating()),
+    "precise": System(heating=dcfp.PreciseHeating()),
+    "warm": System(heating=dcfp.SimplifiedHeating(ambient=40.0)),
+    "plates of 50 mm": System(heating=dcfp.SimplifiedHeating(thickness=50.0)),
+    "constant": System(friction=dcfp.ConstantFriction(0.05)),
+    "kumar, single": System(SINGLE, dcfp.Kumar2015()),
+    "kim": System(friction=KimConstantinou2023Third()),
+    "unequal": System(UNEQUAL),
+    "unequal, precise": System(UNEQUAL, heating=dcfp.PreciseHeating(cells=32)),
+    "cycling": System(friction=dcfp.Lomiento2013()),
+    "another pressure": System(replace(LI_2020, pressure=30.0)),
+    "low friction": System(friction=dcfp.Li2020(mu_0=0.03)),
 }
 
 
@@ -79,7 +79,7 @@ def test_every_kind_of_model_in_one_batch_is_as_alone(motions: list[dcfp.GroundM
 
 def test_a_law_that_a_user_wrote(motions: list[dcfp.GroundMotion]) -> None:
     friction = dcfp.UserFriction(law)
-    peaks = batch(motions[:1], np.array([[1.0]]), [Model(friction=friction)])
+    peaks = batch(motions[:1], np.array([[1.0]]), [System(friction=friction)])
     assert_same(peaks, 0, dcfp.respond(motions[0], friction=friction))
 
 
@@ -88,14 +88,14 @@ def test_a_law_that_a_user_wrote(motions: list[dcfp.GroundMotion]) -> None:
     [{"tail": 0.0}, {"tail": 5.0}, {"step": 0.002}, {"tail": 1.0, "step": 0.003}, {"tolerance": 0.2}],
 )
 def test_tail_step_and_tolerance(motions: list[dcfp.GroundMotion], options: dict[str, float]) -> None:
-    peaks = batch(motions, np.array([[1.0], [1.0]]), [Model()], **options)
+    peaks = batch(motions, np.array([[1.0], [1.0]]), [System()], **options)
     for lane, motion in enumerate(motions):
         assert_same(peaks, lane, dcfp.respond(motion, **options))
 
 
 def test_a_slider_that_leaves_the_cells_is_given_wider_plates() -> None:
     motion = dcfp.load_motion("IVD").scaled_to_pgv(2000.0)
-    model = Model(friction=dcfp.Li2020(mu_0=0.03), heating=dcfp.PreciseHeating())
+    model = System(friction=dcfp.Li2020(mu_0=0.03), heating=dcfp.PreciseHeating())
     peaks = batch([motion], np.array([[1.0]]), [model])
     alone = dcfp.respond(motion, friction=model.friction, heating=model.heating)
     assert alone.peak_displacement > 1500.0  # far beyond the cells that there are at first
@@ -104,7 +104,7 @@ def test_a_slider_that_leaves_the_cells_is_given_wider_plates() -> None:
 
 def test_a_lane_that_never_slides_has_the_friction_at_rest(motions: list[dcfp.GroundMotion]) -> None:
     weak = motions[0].scaled(1e-3)
-    peaks = batch([weak], np.array([[1.0]]), [Model()])
+    peaks = batch([weak], np.array([[1.0]]), [System()])
     assert_same(peaks, 0, dcfp.respond(weak))
     assert peaks.peak_temperature[0] == 20.0
 
@@ -114,7 +114,7 @@ def bad_law(pressure: float, speed: float, temperature: float) -> float:
 
 
 def test_an_analysis_that_fails_leaves_the_others_alone(motions: list[dcfp.GroundMotion]) -> None:
-    models = [Model(friction=dcfp.UserFriction(bad_law)), Model()]
+    models = [System(friction=dcfp.UserFriction(bad_law)), System()]
     peaks = batch(motions[:1], np.array([[2.0]]), models)
     assert peaks.status[0] == FAILED
     assert np.isnan(peaks.peak_displacement[0])
@@ -130,7 +130,7 @@ def test_the_order_of_lanes_does_not_matter(order: list[int]) -> None:
     record = np.array([0, 0, 1, 1, 0, 1], dtype=np.intp)
     scale = np.array([1.0, 2.0, 1.0, 0.5, 1.0, 1.0])
     model = np.array([0, 1, 0, 1, 1, 1], dtype=np.intp)
-    models = [Model(), Model(friction=dcfp.Li2020(mu_0=0.04))]
+    models = [System(), System(friction=dcfp.Li2020(mu_0=0.04))]
     there = respond_in_batch(grounds, Lanes(record, scale, model, models))
     moved = respond_in_batch(grounds, Lanes(record[order], scale[order], model[order], models))
     for name, values in there.arrays().items():
@@ -140,7 +140,7 @@ def test_the_order_of_lanes_does_not_matter(order: list[int]) -> None:
 @pytest.mark.parametrize("tolerance", [0.0, 1.0, float("nan")])
 def test_a_tolerance_that_cannot_be(motions: list[dcfp.GroundMotion], tolerance: float) -> None:
     with pytest.raises(InputError, match="tolerance must lie between 0 and 1"):
-        batch(motions, np.array([[1.0], [1.0]]), [Model()], tolerance=tolerance)
+        batch(motions, np.array([[1.0], [1.0]]), [System()], tolerance=tolerance)
 
 
 def test_a_step_that_cannot_be(motions: list[dcfp.GroundMotion]) -> None:

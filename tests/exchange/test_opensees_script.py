@@ -12,13 +12,14 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
+from beyond_limits import unchecked
 
 import dcfp
 from dcfp.errors import InputError
 from dcfp.exchange import opensees_script
 from dcfp.exchange.opensees.element import Kind, element_for
 from dcfp.exchange.opensees.element_law import ElementFriction
-from dcfp.system import LI_2020, Model, NoHeating, PreciseHeating, SimplifiedHeating
+from dcfp.system import LI_2020, NoHeating, PreciseHeating, SimplifiedHeating, System
 
 REQUIRED = os.environ.get("DCFP_REQUIRE_OPENSEES") == "1"
 #: What the peak displacement of OpenSees may be off [-].
@@ -134,7 +135,7 @@ def test_the_nearest_constants_are_nearer_than_those_of_the_law_itself() -> None
         for pgv in (500.0, 1000.0):
             motion = dcfp.load_motion(record).scaled_to_pgv(pgv)
             own = dcfp.respond(motion).peak_displacement
-            near = element_for(motion, Model()).stand_in
+            near = element_for(motion, System()).stand_in
             assert near is not None
             fitted = dcfp.respond(motion, near.bearing, near.friction, near.heating).peak_displacement
             plain = dcfp.respond(motion, friction=ElementFriction(0.075, 0.5, 0.019)).peak_displacement
@@ -148,22 +149,22 @@ def test_the_nearest_constants_are_nearer_than_those_of_the_law_itself() -> None
 @pytest.mark.parametrize(
     ("model", "kind", "is_the_same"),
     [
-        (Model(friction=dcfp.ConstantFriction()), Kind.COULOMB, True),
-        (Model(UNEQUAL, dcfp.ConstantFriction()), Kind.COULOMB, True),
-        (Model(friction=dcfp.Constantinou1990()), Kind.VELOCITY, True),
-        (Model(UNEQUAL, dcfp.Constantinou1990()), Kind.VELOCITY, False),
-        (Model(UNEQUAL, dcfp.Li2020(temperature_dependent=False)), Kind.VELOCITY, True),
-        (Model(friction=dcfp.Kumar2015()), Kind.HEATED, True),
-        (Model(friction=dcfp.Kumar2015(), heating=NoHeating()), Kind.VELOCITY, True),
-        (Model(friction=dcfp.Kumar2015(temperature_dependent=False)), Kind.VELOCITY, True),
-        (Model(friction=dcfp.Kumar2015(), heating=SimplifiedHeating(ambient=0.0)), Kind.HEATED, False),
-        (Model(friction=dcfp.Kumar2015(), heating=SimplifiedHeating(thickness=50.0)), Kind.HEATED, False),
-        (Model(friction=dcfp.Kumar2015(), heating=PreciseHeating()), Kind.HEATED, False),
-        (Model(UNEQUAL, dcfp.Kumar2015()), Kind.HEATED, False),
-        (Model(), Kind.HEATED, False),
+        (System(friction=dcfp.ConstantFriction()), Kind.COULOMB, True),
+        (System(UNEQUAL, dcfp.ConstantFriction()), Kind.COULOMB, True),
+        (System(friction=dcfp.Constantinou1990()), Kind.VELOCITY, True),
+        (System(UNEQUAL, dcfp.Constantinou1990()), Kind.VELOCITY, False),
+        (System(UNEQUAL, dcfp.Li2020(temperature_dependent=False)), Kind.VELOCITY, True),
+        (System(friction=dcfp.Kumar2015()), Kind.HEATED, True),
+        (System(friction=dcfp.Kumar2015(), heating=NoHeating()), Kind.VELOCITY, True),
+        (System(friction=dcfp.Kumar2015(temperature_dependent=False)), Kind.VELOCITY, True),
+        (System(friction=dcfp.Kumar2015(), heating=SimplifiedHeating(ambient=0.0)), Kind.HEATED, False),
+        (System(friction=dcfp.Kumar2015(), heating=SimplifiedHeating(thickness=50.0)), Kind.HEATED, False),
+        (System(friction=dcfp.Kumar2015(), heating=PreciseHeating()), Kind.HEATED, False),
+        (System(UNEQUAL, dcfp.Kumar2015()), Kind.HEATED, False),
+        (System(), Kind.HEATED, False),
     ],
 )  # fmt: skip
-def test_each_model_has_its_element(model: Model, kind: Kind, is_the_same: bool) -> None:
+def test_each_model_has_its_element(model: System, kind: Kind, is_the_same: bool) -> None:
     element = element_for(scaled("NCC", 500.0), model)
     assert element.kind is kind
     assert (element.stand_in is None, not element.reasons) == (is_the_same, is_the_same)
@@ -171,7 +172,7 @@ def test_each_model_has_its_element(model: Model, kind: Kind, is_the_same: bool)
 
 def test_without_pressure_speed_and_heat_the_constants_are_those_of_the_law() -> None:
     law = dcfp.Kumar2015(0.06, 50.0)
-    element = element_for(scaled("NCC", 500.0), Model(friction=law))
+    element = element_for(scaled("NCC", 500.0), System(friction=law))
     assert element.friction == pytest.approx(0.06 * 0.7 ** (0.02 * 10.0))
     assert element.rate == pytest.approx(
         0.05
@@ -266,7 +267,7 @@ def test_a_step_that_does_not_converge_is_taken_in_parts(tmp_path, friction, tak
     [
         (dcfp.Lomiento2013(), LI_2020, 1e-3, "near the friction law lomiento2013"),
         (dcfp.UserFriction(lambda p, v, t: 0.05), LI_2020, 1e-3, "near the friction law user"),
-        (dcfp.ConstantFriction(0.001), dcfp.Bearing((60.0,), 100.0, 45.0, 1.2e6), 1e-3, "too near to the effective radius of 60 mm"),
+        (dcfp.ConstantFriction(0.001), unchecked(LI_2020, radii=(60.0,), slider_diameter=100.0, pressure=45.0, elastic_stiffness=1.2e6), 1e-3, "too near to the effective radius of 60 mm"),
         (dcfp.ConstantFriction(), LI_2020, -1.0, "step"),
     ],
 )  # fmt: skip

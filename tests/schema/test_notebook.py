@@ -18,7 +18,7 @@ from dcfp.motion import measure, named_records
 from dcfp.schema.notebook import MOST_ROWS, card, fields_card, shown, units_of, with_units
 from dcfp.study import Study
 from dcfp.study.scenario import Scenario, calculate
-from dcfp.system import LI_2020, Model
+from dcfp.system import LI_2020, System
 from dcfp.verify import Check
 
 EVIL = "<script>alert('x')</script> & \"more\""
@@ -70,7 +70,7 @@ def results() -> dict[str, tuple[object, tuple[str, ...]]]:
     panel = panel_of_motion(
         motion, bearing, dcfp.Li2020(), dcfp.SimplifiedHeating(), pendulum_of(Setting(bearing))
     )
-    study = Study([motion], {"pgv": [250.0, 500.0]}, model=Model(bearing), title=EVIL)
+    study = Study([motion], {"pgv": [250.0, 500.0]}, model=System(bearing), title=EVIL)
     calculation = calculate(Scenario(study))
     return {
         "motion": (motion, ("PGV [mm/s]", "500", motion.digest, "scaled by")),
@@ -81,7 +81,7 @@ def results() -> dict[str, tuple[object, tuple[str, ...]]]:
         "law": (dcfp.Kumar2015(), ("reference_pressure [N/mm2]", "60")),
         "cautious law": (dcfp.Lomiento2013(), ("unconfirmed",)),
         "heating": (dcfp.PreciseHeating(ambient=-10.0), ("ambient [degC]", "-10", "cells")),
-        "model": (Model(bearing), ("Li2020(", "SimplifiedHeating(")),
+        "model": (System(bearing), ("Li2020(", "SimplifiedHeating(")),
         "response": (response, ("y_max [mm]", peak, "beyond capacity", "exceeds the capacity of 50 mm")),
         "energy": (response.energy, ("hysteretic", "values")),
         "building": (building, ("fixed_base_periods [s]", "0.5")),

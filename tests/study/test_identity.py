@@ -17,7 +17,7 @@ pytestmark = pytest.mark.filterwarnings("error")
         {"factors": {"mu": [0.05], "ambient": [20.0]}},
         {"settings": Settings(tolerance=0.03)},
         {"settings": Settings(tail=3.0)},
-        {"model": dcfp.system.Model(heating=dcfp.NoHeating())},
+        {"model": dcfp.system.System(heating=dcfp.NoHeating())},
         {"histories": ("displacement",)},
         {"sampling": Sampling({"radius": Uniform(2000.0, 4000.0)}, 4)},
     ],
@@ -55,7 +55,9 @@ def law_of(value: float, other=None):
 
 def test_laws_of_a_user_are_told_apart_by_what_they_use(motions, monkeypatch) -> None:
     def digest(friction: dcfp.UserFriction) -> str:
-        return run_study(Study(motions[:1], model=dcfp.system.Model(friction=friction))).attrs["study_sha256"]
+        return run_study(Study(motions[:1], model=dcfp.system.System(friction=friction))).attrs[
+            "study_sha256"
+        ]
 
     assert digest(law_of(0.05)) == digest(law_of(0.05))
     assert digest(law_of(0.05)) != digest(law_of(0.15))

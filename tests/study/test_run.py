@@ -110,7 +110,7 @@ def failing(pressure: float, speed: float, temperature: float) -> float:
 
 
 def test_an_analysis_that_fails_is_marked_and_the_others_are_not(motions) -> None:
-    model = dcfp.system.Model(friction=dcfp.UserFriction(failing))
+    model = dcfp.system.System(friction=dcfp.UserFriction(failing))
     dataset = run_study(Study(motions=motions, factors={"pgv": [60.0, 900.0]}, model=model))
     status = dataset["status"].sel(record="long").values
     assert status.tolist() == [1, FAILED]

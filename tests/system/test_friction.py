@@ -10,13 +10,13 @@ from dcfp.errors import InputError
 from dcfp.kernels.friction import coefficient
 from dcfp.schema.citations import bibliography
 from dcfp.system import (
+    FRICTION_LAWS,
     ConstantFriction,
     Constantinou1990,
     Kumar2015,
     Li2020,
     UserFriction,
     friction_law,
-    friction_names,
 )
 from dcfp.system.friction import kumar_2015, li_2020
 
@@ -51,7 +51,7 @@ def test_constantinou_1990_goes_from_slow_to_fast():
     assert law.coefficient(60.0, 40.0, 20.0) == pytest.approx(0.12 - 0.07 * np.exp(-1.2))
 
 
-@pytest.mark.parametrize("name", friction_names())
+@pytest.mark.parametrize("name", tuple(FRICTION_LAWS))
 @given(pressure=st.floats(5.0, 120.0), speed=st.floats(0.0, 2e3), temperature=st.floats(-20.0, 400.0))
 def test_compiled_and_array_forms_agree(name, pressure, speed, temperature):
     law = friction_law(name)
@@ -104,10 +104,10 @@ def test_a_user_law_that_is_negative_is_refused():
     ("name", "parameters", "words"),
     [
         ("li2021", {}, "did you mean 'li2020'"),
-        ("li2020", {"mu": 0.05}, "has no parameter 'mu'"),
-        ("constant", {"mu": -0.1}, "between 0 and 1"),
-        ("constant", {"mu": "a"}, "between 0 and 1"),
-        ("kumar2015", {"temperature_law": "half"}, "has no parameter"),
+        ("li2020", {"mu": 0.05}, "no parameter of the friction law li2020 'mu'"),
+        ("constant", {"mu": -0.1}, "above 0 and up to"),
+        ("constant", {"mu": "a"}, "above 0 and up to"),
+        ("kumar2015", {"temperature_law": "half"}, "no parameter of"),
         ("constantinou1990", {"fast": 0.05, "slow": 0.06}, "must not exceed"),
     ],
 )
@@ -134,14 +134,14 @@ def test_the_fitted_law_restates_li_2020():
 @pytest.mark.parametrize(
     ("parameters", "words"),
     [
-        ({"mu_0": 1.0}, "between 0 and 1"),
-        ({"pressure_exponent": -0.1}, "pressure exponent must lie between 0 and 5"),
-        ({"pressure_floor": 1.1}, "pressure floor"),
-        ({"reference_pressure": 0.0}, "positive number of N/mm2"),
-        ({"speed_drop": 1.0}, "speed drop"),
-        ({"speed_rate": 0.0}, "positive number of s/mm"),
-        ({"speed_rate": 19.0}, "speed rate"),
-        ({"temperature_rate": 0.7}, "temperature rate"),
+        ({"mu_0": 1.0}, "above 0 and up to"),
+        ({"pressure_exponent": -0.1}, "pressure_exponent: .* from 0 to 5"),
+        ({"pressure_floor": 1.1}, "pressure_floor"),
+        ({"reference_pressure": 0.0}, "a number of N/mm2"),
+        ({"speed_drop": 1.0}, "speed_drop"),
+        ({"speed_rate": 0.0}, "a number of s/mm"),
+        ({"speed_rate": 19.0}, "speed_rate"),
+        ({"temperature_rate": 0.7}, "temperature_rate"),
         ({"reference_temperature": float("nan")}, "number of degC"),
     ],
 )

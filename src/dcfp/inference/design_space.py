@@ -14,7 +14,7 @@ from dcfp.errors import AnalysisError, InputError
 from dcfp.inference.case import Setting
 from dcfp.inference.earthquake import event_of
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.system import Model
+from dcfp.system import System
 
 #: Grid that is looked at unless another is given: radius of each plate [mm] and reference coefficient [-].
 RADII = np.array([1500.0, 2250.0, 3000.0, 4500.0, 6000.0])
@@ -154,7 +154,7 @@ def survey(
     def analyse(radius: float) -> Peaks:
         plates = (radius,) * len(setting.bearing.radii)
         bearing = replace(setting.bearing, radii=plates, displacement_capacity=None, capacity_note="")
-        models = [Model(bearing, law, setting.heating) for law in laws]
+        models = [System(bearing, law, setting.heating) for law in laws]
         peaks = respond_in_batch(grounds, Lanes.grid(len(motions), scales, models))
         if (peaks.status == FAILED).any():
             msg = f"An analysis with a radius of {radius:g} mm cannot be finished; look at the friction law."

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from dcfp.analysis.rig import Program, RigTest, Sine, run_program
 from dcfp.system import LI_2020 as PAPER_BEARING
 from dcfp.system import Bearing, ConstantFriction, FrictionLaw, Heating, Li2020, SimplifiedHeating
-from dcfp.system.friction.law import NOMINAL_COEFFICIENT
+from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
 
 #: Dependency test T01 of Li et al. (2020), Table 1 [mm, mm/s], as far as the second cycle, in which mu_n is measured.
 _AMPLITUDE, _PEAK_VELOCITY, _CYCLES = 200.0, 400.0, 2

@@ -14,7 +14,7 @@ from dcfp.arrays import FloatArray
 from dcfp.methods.equivalent_linear import PendulumWithFriction, agreements, iterate, several
 from dcfp.methods.result import Answer
 from dcfp.methods.spectra.elastic import ElasticSpectrum
-from dcfp.system.checks import positive
+from dcfp.schema.checks import positive
 
 METHOD_1, METHOD_2, ENERGY_BALANCE = "AIJ method 1", "AIJ method 2", "AIJ energy balance"
 #: Part of the damping of a steady loop that counts in an earthquake [-].

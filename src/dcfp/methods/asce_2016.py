@@ -15,7 +15,7 @@ from dcfp.errors import InputError
 from dcfp.methods.equivalent_linear import PendulumWithFriction, agreements, iterate, several
 from dcfp.methods.result import Answer, Condition, Structure, Verdict, at_least, at_most
 from dcfp.methods.spectra.elastic import ElasticSpectrum
-from dcfp.system.checks import positive
+from dcfp.schema.checks import positive
 
 NAME = "ASCE 7-16 ELF"
 #: Damping ratio and factor B_M [-]: Table 17.5-1.

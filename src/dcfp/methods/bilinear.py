@@ -11,8 +11,8 @@ from dcfp.methods.result import Step
 from dcfp.methods.spectra import response_spectrum
 from dcfp.methods.spectra.of_record import DAMPING, LONGEST, SHORTEST
 from dcfp.motion.ground_motion import GroundMotion
+from dcfp.schema.checks import fraction
 from dcfp.system import Bearing
-from dcfp.system.checks import fraction
 
 #: Largest damping of an equivalent oscillator [-]: one with critical damping or more does not oscillate.
 MOST_DAMPING = 0.99

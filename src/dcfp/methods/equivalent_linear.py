@@ -11,7 +11,7 @@ from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import AnalysisError
 from dcfp.methods.result import Step
 from dcfp.methods.spectra.elastic import ElasticSpectrum, displacement
-from dcfp.system.checks import fraction, positive
+from dcfp.schema.checks import fraction, positive
 
 
 @dataclass(frozen=True)

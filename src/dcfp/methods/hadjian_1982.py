@@ -14,7 +14,7 @@ from dcfp.errors import AnalysisError
 from dcfp.methods.result import Answer, Condition, at_most
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.system import LI_2020, Bearing, ConstantFriction, NoHeating
-from dcfp.system.friction.law import NOMINAL_COEFFICIENT
+from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
 
 NAME = "Hadjian (1982)"
 #: Half width of the band over its middle frequency [-]: ours.

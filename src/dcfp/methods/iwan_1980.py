@@ -20,9 +20,9 @@ from dcfp.methods.result import Answer, Condition, Step, Verdict, at_most
 from dcfp.methods.spectra import EnergySpectrum, input_energy_spectrum
 from dcfp.methods.spectra.of_record import DAMPING, LONGEST
 from dcfp.motion.ground_motion import GroundMotion
+from dcfp.schema.checks import finite
 from dcfp.system import LI_2020, Bearing
-from dcfp.system.checks import finite
-from dcfp.system.friction.law import NOMINAL_COEFFICIENT
+from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
 
 NAME, SECANT = "Iwan (1980)", "secant stiffness"
 #: Factor and power of the period, and of the damping [-]; unconfirmed.

@@ -1,1 +1,1 @@
-"""What everything is called: quantities with their symbols and units, sources, and how both are read and shown."""
+"""What everything is called, once: units, parameters, quantities, tables, checks, and the registries of what can be added."""

@@ -15,7 +15,7 @@ from dcfp.errors import InputError
 from dcfp.study.factors import Role, Value, changed, factor
 from dcfp.study.procedures import ANALYSIS
 from dcfp.study.study import RECORD, SAMPLE, Study
-from dcfp.system import Model
+from dcfp.system import System
 
 #: Analyses in a block at most, and blocks in a study at least, as far as it has so many analyses.
 LARGEST_BLOCK, FEWEST_BLOCKS = 4096, 64
@@ -231,7 +231,7 @@ class Plan:
         keys = [dict(zip(names, key, strict=True)) for key in zip(*(p.tolist() for p in places), strict=True)]
         return keys, which.astype(np.intp)
 
-    def _model(self, key: dict[str, int]) -> Model:
+    def _model(self, key: dict[str, int]) -> System:
         values = {name: self._value(name, key) for name in self._model_factors}
         return changed(self.study.model, values, self.study.bearings)
 
@@ -241,7 +241,7 @@ class Plan:
             return value
         return self.study.factors[name][key[name]]
 
-    def models_at_ends(self) -> list[Model]:
+    def models_at_ends(self) -> list[System]:
         """Return every model, or of many those at the ends of every factor.
 
         Raises
@@ -256,7 +256,7 @@ class Plan:
             range(size) if whole or not _is_number(name) else self._ends(name)
             for name, size in zip(names, sizes, strict=True)
         ]
-        found: list[Model] = []
+        found: list[System] = []
         for places in itertools.islice(itertools.product(*along), _MOST_TRIED):
             key = dict(zip(names, places, strict=True))
             try:

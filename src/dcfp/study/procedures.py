@@ -17,7 +17,7 @@ from dcfp.methods import NOTHING, Prediction, find_pulses
 from dcfp.methods.li_2020 import LI_2020
 from dcfp.methods.panel import answers_for_motion
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.system import Model
+from dcfp.system import System
 
 #: The analysis itself.
 ANALYSIS = "analysis"
@@ -38,7 +38,7 @@ PROCEDURES = (ANALYSIS, *_PREDICTIONS)
 _OF_PULSES = (Method.PULSE, Method.SIMPLIFIED)
 
 
-def setting_of(model: Model) -> tuple[Setting, Nominal]:
+def setting_of(model: System) -> tuple[Setting, Nominal]:
     """Return how records are predicted on a model, and the nominal coefficient that stands for its law."""
     nominal = nominal_coefficient(model.bearing, model.friction, model.heating)
     constants = replace(LI_2020, nominal_friction=nominal.value)

@@ -15,8 +15,7 @@ from dcfp.study.factors import OF_LAW, Value, factor
 from dcfp.study.sampling import LATIN_HYPERCUBE, Choice, Distribution, Sampling
 from dcfp.study.study import RECORD, Settings, Study
 from dcfp.study.values import distribution_from, values_from
-from dcfp.system import Model, read_bearing
-from dcfp.system.read import model_from
+from dcfp.system import System, read_bearing
 
 BEARING = "bearing"
 _TABLES = ("title", "bearing", "motion", "factors", "sampling", "analysis", "keep", "report")
@@ -171,7 +170,7 @@ def _grid_values(name: str, given: Any, motions: list[GroundMotion]) -> list[Val
     return values_from(factor(name), given)
 
 
-def _bearings(grid: dict[str, Any], sampled: dict[str, Any], folder: Path) -> dict[str, Model]:
+def _bearings(grid: dict[str, Any], sampled: dict[str, Any], folder: Path) -> dict[str, System]:
     """Read the files that the factor ``bearing`` names, each once."""
     given = grid.get(BEARING, sampled.get(BEARING))
     names = [] if given is None else values_from(factor(BEARING), given)
@@ -196,16 +195,14 @@ def _sampling(table: dict[str, Any], factors: dict[str, Any], motions: list[Grou
 # ----- the rest -----
 
 
-def _model(table: dict[str, Any], place: Path) -> Model:
+def _model(table: dict[str, Any], place: Path) -> System:
     file = table.pop("file", None)
     if file is not None:
         if table:
             msg = f"[bearing] names a file, so that {next(iter(table))!r} has no place beside it."
             raise InputError(msg)
-        path = place.parent / str(file)
-        content = read_toml(path, "a bearing file is TOML with keys such as radius and slider")
-        return model_from(content, str(path), path.stem)
-    return model_from(table, f"{place}: [bearing]", "bearing of the study" if table else None)
+        return read_bearing(place.parent / str(file))
+    return System.from_table(table, f"{place}: [bearing]", "bearing of the study" if table else None)
 
 
 def _settings(table: dict[str, Any]) -> Settings:

@@ -18,7 +18,7 @@ from dcfp.schema.notebook import card, with_units
 from dcfp.schema.reading import read_toml
 from dcfp.study import Study, read_study
 from dcfp.study.procedures import setting_of
-from dcfp.system import Heating, Model
+from dcfp.system import System
 
 #: Analyses that a scenario has at most: each gets pages of its own in a report.
 MOST_ANALYSES = 40
@@ -91,7 +91,7 @@ class Scenario:
         return self.study.title
 
     @cached_property
-    def model(self) -> Model:
+    def model(self) -> System:
         """The bearing, its friction law and its heating model."""
         return self.study.plan.models_at_ends()[0]
 
@@ -178,7 +178,7 @@ _KILO = 1000.0
 
 def scenario_toml(
     records: list[str],
-    model: Model,
+    model: System,
     *,
     title: str,
     pgvs: list[float] | None = None,
@@ -207,36 +207,11 @@ def scenario_toml(
         content["factors"]["pgv"] = {"values": [pgv / _KILO for pgv in pgvs], "unit": "m/s"}
     if motion:
         content["motion"] = motion
-    content["bearing"] = _bearing(model)
+    content["bearing"] = model.to_table()
     words = {} if heading is None else {key: value for key, value in asdict(heading).items() if value}
     if words:
         content["report"] = words
     return tomli_w.dumps(content)
-
-
-def _bearing(model: Model) -> dict[str, Any]:
-    bearing = model.bearing
-    found: dict[str, Any] = {
-        "name": bearing.name,
-        "radii": list(bearing.radii),
-        "slider": bearing.slider_diameter,
-        "pressure": bearing.pressure,
-        "stiffness": bearing.elastic_stiffness / _KILO,
-    }
-    if bearing.displacement_capacity is not None:
-        found |= {"capacity": bearing.displacement_capacity, "capacity_note": bearing.capacity_note}
-    return found | {"friction": _friction(model), "heating": _heating(model.heating)}
-
-
-def _friction(model: Model) -> dict[str, Any]:
-    law: Any = model.friction
-    known = {key: value for key, value in asdict(law).items() if value is not None}
-    return {"law": law.name, **known}
-
-
-def _heating(heating: Heating) -> dict[str, Any]:
-    known = {key: value for key, value in asdict(heating).items() if value is not None}
-    return {"model": heating.name, **known}
 
 
 # Everything that is calculated of a scenario: analyses, predictions and codes, each result once.

@@ -1,6 +1,5 @@
 """A study: which analyses, and what of each is kept."""
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -13,11 +12,11 @@ from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion, check_step_and_tail
 from dcfp.motion.measures import refuse_a_drift
 from dcfp.schema.notebook import card
-from dcfp.study.factors import CHOICES, Factor, Value, factor
+from dcfp.study.factors import Factor, Value, factor
 from dcfp.study.procedures import ANALYSIS, PROCEDURES
 from dcfp.study.results import INTENSITIES
 from dcfp.study.sampling import Choice, Distribution, Normal, Sampling, Uniform
-from dcfp.system import Model
+from dcfp.system import System
 
 if TYPE_CHECKING:
     from dcfp.study.plan import Plan
@@ -75,8 +74,8 @@ class Study:
     motions: Sequence[GroundMotion]
     factors: Mapping[str, Sequence[Value]] = field(default_factory=dict[str, Sequence[Value]])
     sampling: Sampling | None = None
-    model: Model = field(default_factory=Model)
-    bearings: Mapping[str, Model] = field(default_factory=dict[str, Model])
+    model: System = field(default_factory=System)
+    bearings: Mapping[str, System] = field(default_factory=dict[str, System])
     title: str = "Study"
     name: str = "study"
     settings: Settings = field(default_factory=Settings)
@@ -112,8 +111,8 @@ class Study:
         """Return the words that a factor may have, where they are known."""
         if name == RECORD:
             return tuple(motion.name for motion in self.motions)
-        known = {**CHOICES, "procedure": PROCEDURES, "bearing": tuple(self.bearings)}
-        return known.get(name)
+        known = {"procedure": PROCEDURES, "bearing": tuple(self.bearings)}
+        return known.get(name) or factor(name).parameter.choices or None
 
     def values_of(self, name: str) -> list[Value] | None:
         """Return the values that a factor can have: of the grid, or of a choice that is sampled; None where it is not varied or has a range."""
@@ -217,11 +216,7 @@ def _check(one: Factor, values: Sequence[Value], choices: tuple[str, ...] | None
             raise InputError(msg)
     if len(set(values)) != len(values):
         twice = next(value for value in values if list(values).count(value) > 1)
-        shown = (
-            repr(twice)
-            if isinstance(twice, str)
-            else f"{twice:g} {one.unit if one.has_dimension else ''}".strip()
-        )
+        shown = repr(twice) if isinstance(twice, str) else one.parameter.text(twice)
         msg = f"factor {one.name!r} has the value {shown} twice; give it once."
         raise InputError(msg)
 
@@ -237,16 +232,9 @@ def _check_distribution(one: Factor, distribution: Distribution, choices: tuple[
 
 
 def _check_number(one: Factor, value: Any) -> None:
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
-        msg = f"factor {one.name!r} takes numbers, not {value!r}."
-        raise InputError(msg)
-    least, most = one.limits
-    if not least <= value <= most:
-        unit = f" {one.unit}" if one.has_dimension else ""
-        msg = (
-            f"factor {one.name!r} must be from {least:g} to {most:g}{unit}, not {value:g}; look at its unit."
-        )
-        raise InputError(msg)
+    unit = one.parameter.unit
+    shown = unit.shown(value) if isinstance(value, (int, float)) else value
+    one.parameter.checked(shown, f"factor {one.name!r}", unit)
 
 
 def _check_ends(one: Factor, distribution: Uniform | Normal) -> None:

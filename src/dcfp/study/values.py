@@ -1,15 +1,13 @@
 """Values and distributions of a factor as a study file writes them; numbers with units in the units of the package."""
 
 import math
-import re
 from collections.abc import Mapping
-from functools import cache
-from importlib import import_module
 from typing import Any, TypeGuard, cast
 
 import numpy as np
 
 from dcfp.errors import InputError
+from dcfp.schema.units import convert
 from dcfp.study.factors import Factor, Value
 from dcfp.study.sampling import Choice, Distribution, Normal, Uniform
 
@@ -73,13 +71,12 @@ def distribution_from(one: Factor, given: Any) -> Distribution:
     unit = _unit(one, table)
     try:
         if name in ("uniform", "log-uniform"):
-            least, most = convert([first, second], unit, one)
+            least, most = (_inner(one, value, unit) for value in (first, second))
             return Uniform(least, most, name == "log-uniform")
-        (centre,) = convert([first], unit, one)
+        centre = _inner(one, first, unit)
         if name == "lognormal":
             return Normal(centre, second, logarithmic=True)
-        (spread,) = convert([second], unit, one, difference=True)
-        return Normal(centre, spread)
+        return Normal(centre, _inner(one, second, unit, difference=True))
     except InputError as error:
         text = str(error)
         msg = text if text.startswith("factor") else f"factor {one.name!r}: {text}"
@@ -117,7 +114,16 @@ def _converted(one: Factor, values: list[Any], unit: str | None) -> list[Value]:
         if not _is_number(value):
             msg = f"factor {one.name!r} takes numbers, not {repr(value)[:60]}."
             raise InputError(msg)
-    return [*convert([float(value) for value in values], unit, one)]
+    return [_inner(one, float(value), unit) for value in values]
+
+
+def _inner(one: Factor, value: float, unit: str | None, *, difference: bool = False) -> float:
+    """Return a number of a factor in the package's unit; without a unit it is in the declared one."""
+    wanted = one.parameter.unit
+    if unit is not None:
+        value = convert(value, unit, wanted, f"factor {one.name!r}", difference=difference)
+    # 0.07 m/s are 70 mm/s, not 70.00000000000001
+    return float(f"{wanted.inner(value):.13g}")
 
 
 def _number(one: Factor, table: Mapping[str, Any], key: str) -> float:
@@ -156,76 +162,3 @@ def _refuse_unknown(one: Factor, table: Mapping[str, Any], known: tuple[str, ...
         if key not in known:
             msg = f"factor {one.name!r} has no {key!r}; it has {', '.join(known)}."
             raise InputError(msg)
-
-
-# Numbers with units from a study file, in the units of the package.
-
-
-#: What a unit is written with, and how many powers it may have.
-_UNIT = re.compile(r"[A-Za-z0-9_*/^. ()°µ²³%-]{0,60}")
-_MOST_POWERS = 4
-
-
-@cache
-def _registry() -> Any:
-    pint: Any = import_module("pint")  # late: it takes a fifth of a second to import
-    return pint.UnitRegistry(autoconvert_offset_to_baseunit=True)
-
-
-def convert(
-    values: list[float], unit: str | None, factor: "Factor", *, difference: bool = False
-) -> list[float]:
-    """Return numbers in the unit of a factor.
-
-    Parameters
-    ----------
-    values
-        The numbers.
-    unit
-        Their unit; None where none was given.
-    factor
-        What they are of.
-    difference
-        Whether they are differences, such as a standard deviation: 5 degC then are 5 K.
-
-    Raises
-    ------
-    InputError
-        If the unit is missing, not known, or of something else.
-    """
-    if unit is None:
-        if factor.has_dimension:
-            msg = f"factor {factor.name!r} needs a unit, for example unit = {factor.unit!r}."
-            raise InputError(msg)
-        return values
-    try:
-        given, own = _parsed(unit), _parsed("" if factor.unit == "1" else factor.unit)
-        same_kind = given.is_compatible_with(own) and "bel" not in str(given)
-    except Exception as error:  # pint lets through whatever the parser below it raises
-        msg = f"factor {factor.name!r}: {unit!r} is not a unit; write for example {factor.unit!r}."
-        raise InputError(msg) from error
-    if not same_kind:
-        hint = "; the acceleration of gravity is 'g_0', and 'g' the gram" if unit == "g" else ""
-        msg = (
-            f"factor {factor.name!r} is in {factor.unit if factor.has_dimension else 'no unit'}, with which"
-            f" {unit!r} is not compatible{hint}."
-        )
-        raise InputError(msg)
-    if given == own:
-        return values
-    zero = _in_own_unit(0.0, given, own) if difference else 0.0
-    # 68 degF are 20 degC, not 20.000000000000057
-    return [float(f"{_in_own_unit(value, given, own) - zero:.13g}") for value in values]
-
-
-def _parsed(unit: str) -> Any:
-    if not _UNIT.fullmatch(unit) or unit.count("**") + unit.count("^") > _MOST_POWERS or "**" in unit[:1]:
-        raise ValueError(unit)
-    if re.search(r"\*\*\s*[0-9.]+\s*\*\*", unit):  # a tower of powers takes for ever
-        raise ValueError(unit)
-    # N/mm2 is how tables write N/mm**2
-    return _registry().Unit(re.sub(r"(?<=[A-Za-z])(?=[2-4]\b)", "**", unit))
-
-
-def _in_own_unit(value: float, given: Any, own: Any) -> float:
-    return float(_registry().Quantity(value, given).to(own).magnitude)

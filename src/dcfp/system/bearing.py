@@ -1,25 +1,32 @@
-"""The bearing: one or two concave plates and a slider; and with its friction law and its heating model, what stands on the ground."""
+"""The bearing: one or two concave plates and a slider."""
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import replace
+from typing import Annotated, Any
 
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
 from dcfp.schema.notebook import fields_card
-from dcfp.system.checks import positive
-from dcfp.system.friction import FrictionLaw, Li2020
-from dcfp.system.heating import Heating, SimplifiedHeating
+from dcfp.schema.parameters import Declared, Parameter, declared
+from dcfp.schema.units import KN_PER_MM, MM, N_PER_MM2
+
+#: Stretch of spring (b) under a tenth of the vertical force above which a wrong unit is suspected [mm]; real bearings yield within some millimetres.
+LARGEST_STRETCH = 30.0
+#: Limits of the vertical force on one bearing, which a slip of the pressure or the slider would pass [N].
+LEAST_LOAD, LARGEST_LOAD = 100.0, 1e9
+#: Fields that make other plates.
+PLATES = frozenset({"radii", "slider_diameter"})
 
 
-@dataclass(frozen=True)
-class Bearing:
-    """A friction pendulum bearing under its vertical load, with the rigid mass that it carries.
+@declared
+class Bearing(Declared):
+    """A friction pendulum bearing under its vertical load, with the rigid mass that it carries; what is not given is that of Li et al. (2020).
 
     Parameters
     ----------
     radii
         Effective spherical radius of each concave plate [mm]: two for a double concave bearing, in the
-        order lower, upper; one for a single concave one.
+        order lower, upper; one for a single concave one. A plain number is that of both plates.
     slider_diameter
         phi [mm].
     pressure
@@ -33,37 +40,81 @@ class Bearing:
     name
         Name in tables.
 
+    Raises
+    ------
+    InputError
+        If a value is not within its limits, or the values do not go together.
+
     Notes
     -----
     Of a relative displacement y each plate takes the share of its radius in their sum, as it does when both have the
     same coefficient of friction. With equal radii that is y/2 (Li et al. 2020, section 4.2).
     """
 
-    radii: tuple[float, ...]
-    slider_diameter: float
-    pressure: float
-    elastic_stiffness: float
-    displacement_capacity: float | None = None
-    capacity_note: str = ""
-    name: str = "bearing"
+    noun = "a bearing"
 
-    def __post_init__(self) -> None:
-        if len(self.radii) not in (1, 2):
-            msg = f"A bearing has one radius (single concave) or two (double concave), not {len(self.radii)}."
-            raise InputError(msg)
-        radii = tuple(positive(radius, "radius of a concave plate", "mm") for radius in self.radii)
-        object.__setattr__(self, "radii", radii)
-        positive(self.slider_diameter, "slider diameter", "mm")
-        positive(self.pressure, "pressure on the slider", "N/mm2")
-        positive(self.elastic_stiffness, "elastic stiffness", "N/mm")
-        if self.displacement_capacity is not None:
-            positive(self.displacement_capacity, "displacement capacity", "mm")
-        if self.slider_diameter >= 2.0 * min(radii):
+    radii: Annotated[
+        tuple[float, ...],
+        Parameter(
+            "effective radius of both plates, or of the lower and the upper one",
+            MM, 100.0, 1e6, symbol="R_s", key="radius", aliases=("radii",), counts=(1, 2), repeat=2, step=100.0,
+        ),
+    ] = (4500.0, 4500.0)  # fmt: skip
+    slider_diameter: Annotated[
+        float, Parameter("diameter of the slider", MM, 10.0, 1e4, symbol=r"\phi", key="slider", step=10.0)
+    ] = 400.0
+    pressure: Annotated[
+        float, Parameter("pressure on the slider", N_PER_MM2, 0.1, 1000.0, symbol=r"\sigma", step=1.0)
+    ] = 60.0
+    elastic_stiffness: Annotated[
+        float,
+        Parameter(
+            "stiffness before sliding", KN_PER_MM, 1e-3, 1e6, symbol="k_f", key="stiffness", step=100.0
+        ),
+    ] = 1.9e6
+    displacement_capacity: Annotated[
+        float | None,
+        Parameter("displacement capacity", MM, 1.0, 1e5, symbol="D_c", key="capacity", step=10.0, vary=False, absent="not known"),
+    ] = None  # fmt: skip
+    capacity_note: Annotated[str, Parameter("where the capacity comes from", option=False, vary=False)] = ""
+    name: Annotated[str, Parameter("name of the bearing", option=False, vary=False)] = "bearing"
+
+    def check_relations(self) -> None:
+        """Refuse a slider larger than the sphere, a load or a stiffness that no bearing has."""
+        sphere = 2.0 * min(self.radii)
+        if self.slider_diameter >= sphere:
             msg = (
                 f"The slider diameter, {self.slider_diameter:g} mm, must be smaller than"
-                f" the diameter of the sphere, {2.0 * min(radii):g} mm."
+                f" the diameter of the sphere, {sphere:g} mm."
             )
             raise InputError(msg)
+        if not LEAST_LOAD <= self.vertical_force <= LARGEST_LOAD:
+            msg = (
+                f"A pressure of {self.pressure:g} N/mm2 on a slider of {self.slider_diameter:g} mm makes a vertical force of {self.vertical_force / 1e3:.3g} kN;"
+                f" it must be from {LEAST_LOAD / 1e3:g} to {LARGEST_LOAD / 1e3:g} kN."
+            )
+            raise InputError(msg)
+        stretch = 0.1 * self.vertical_force / self.elastic_stiffness
+        if stretch > LARGEST_STRETCH:
+            msg = (
+                f"With a stiffness before sliding of {self.elastic_stiffness / 1e3:g} kN/mm the bearing would give way by {stretch:.3g} mm under a tenth of its load"
+                f" before it slides; it must be at most {LARGEST_STRETCH:g} mm (were MN/mm meant?)."
+            )
+            raise InputError(msg)
+
+    def changed(self, **changes: Any) -> "Bearing":
+        """Return the bearing with other values; other plates do not have the capacity that the paper's bearing stands in for.
+
+        Raises
+        ------
+        InputError
+            If a value is out of range.
+        """
+        if "displacement_capacity" in changes:
+            changes = {"capacity_note": "", **changes}
+        elif PLATES & changes.keys() and self.capacity_note == LI_2020.capacity_note:
+            changes = {"displacement_capacity": None, "capacity_note": "", **changes}
+        return replace(self, **changes)
 
     @property
     def effective_radius(self) -> float:
@@ -105,6 +156,16 @@ class Bearing:
         """Share of the relative displacement that each plate takes [-]."""
         return tuple(radius / self.effective_radius for radius in self.radii)
 
+    def __str__(self) -> str:
+        radii = " + ".join(f"{radius:g}" for radius in self.radii)
+        capacity = self.displacement_capacity
+        return (
+            f"{self.name}: radius {radii} mm, slider {self.slider_diameter:g} mm,"
+            f" {self.pressure:g} N/mm², {self.elastic_stiffness / 1e3:g} kN/mm,"
+            f" W {self.vertical_force / 1e3:.0f} kN, period {self.period:.2f} s,"
+            f" capacity {'not given' if capacity is None else f'{capacity:g} mm'}"
+        )
+
     def _repr_html_(self) -> str:
         facts = {"vertical_force [N]": self.vertical_force, "mass [t]": self.mass, "period [s]": self.period}
         return fields_card(self, f"Bearing {self.name}", facts)
@@ -113,24 +174,7 @@ class Bearing:
 #: The bearing of Li et al. (2020), sections 4 and 5.1. The paper prints no displacement capacity; its largest test
 #: amplitude stands in for one (Table 2, T10 and T11).
 LI_2020 = Bearing(
-    radii=(4500.0, 4500.0),
-    slider_diameter=400.0,
-    pressure=60.0,
-    elastic_stiffness=1.9e6,
     displacement_capacity=440.0,
     capacity_note="largest amplitude tested by Li et al. (2020), Table 2; the paper prints no capacity",
     name="Li et al. (2020), phi 400",
 )
-
-
-@dataclass(frozen=True)
-class Model:
-    """A bearing, its friction law and its heating model; by default those of Li et al. (2020), the heating simplified."""
-
-    bearing: Bearing = LI_2020
-    friction: FrictionLaw = field(default_factory=Li2020)
-    heating: Heating = field(default_factory=SimplifiedHeating)
-
-    def _repr_html_(self) -> str:
-        facts = {"friction": repr(self.friction), "heating": repr(self.heating)}
-        return fields_card(self.bearing, self.bearing.name, facts)

@@ -1,8 +1,8 @@
 """How the contact heats up: Li et al. (2020), section 4.2."""
 
 import math
-from dataclasses import dataclass, field, fields
-from typing import Any, ClassVar, TypeAlias
+from dataclasses import field, fields
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,32 +11,29 @@ from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.kernels.heat_state import LINE, NO_HEATING, POINT
 from dcfp.schema.notebook import fields_card
-from dcfp.system.checks import finite, make_named, positive
-
-#: Thermal conductivity k of steel [N/(s degC)]: 0.016 W/(mm degC), and 1 W is 1000 N mm/s; section 4.2.
-CONDUCTIVITY = 16.0
-#: Thermal diffusivity D of steel [mm2/s]; section 4.2.
-DIFFUSIVITY = 4.07
-#: Temperature at the start [degC].
-AMBIENT = 20.0
+from dcfp.schema.parameters import Declared, Parameter, declared
+from dcfp.schema.registry import Registry
+from dcfp.schema.units import CONDUCTIVITY as CONDUCTIVITY_UNIT
+from dcfp.schema.units import DEGC, DIFFUSIVITY, MM, NONE
 
 #: What the back of a plate can do.
 INSULATED = "insulated"
 BACKS = (INSULATED, "ambient")
-#: Limits of a plate's thickness [mm]: in a thinner one the modes' fit is not checked, in a thicker one the fastest becomes too slow.
-LEAST_THICKNESS, LARGEST_THICKNESS = 10.0, 200.0
+
+#: Heating models by name.
+HEATINGS: "Registry[type[Heating]]" = Registry("heating model")
 
 
-@dataclass(frozen=True)
-class _Steel:
-    """What every heating model knows.
+@declared
+class Heating(Declared):
+    """What every heating model knows of the plates. A class with a ``name`` of its own registers itself.
 
     Parameters
     ----------
     conductivity
-        Thermal conductivity k of the plates [N/(s degC)]; 16 is 0.016 W/(mm degC).
+        Thermal conductivity k of the plates [N/(s degC)]; 16 is 0.016 W/(mm degC), and 1 W is 1000 N mm/s: steel, section 4.2.
     diffusivity
-        Thermal diffusivity D of the plates [mm2/s].
+        Thermal diffusivity D of the plates [mm2/s]: steel, section 4.2.
     ambient
         Temperature at the start [degC].
     thickness
@@ -44,31 +41,53 @@ class _Steel:
     back
         What the back of a plate of finite thickness does: ``"insulated"`` lets no heat through, ``"ambient"`` stays at the ambient
         temperature. A real one is in between.
+
+    Attributes
+    ----------
+    name
+        Name at every door.
+    words
+        What it is called where there is room.
+    description
+        What the model takes, with its source.
+    kind
+        Which model the kernels know it as.
     """
 
-    conductivity: float = CONDUCTIVITY
-    diffusivity: float = DIFFUSIVITY
-    ambient: float = AMBIENT
-    thickness: float | None = field(default=None, kw_only=True)
-    back: str = field(default=INSULATED, kw_only=True)
+    noun = "the heating model"
     name: ClassVar[str]
+    words: ClassVar[str]
+    description: ClassVar[str]
     kind: ClassVar[int]
 
-    def __post_init__(self) -> None:
-        positive(self.conductivity, "thermal conductivity", "N/(s degC)")
-        positive(self.diffusivity, "thermal diffusivity", "mm2/s")
-        finite(self.ambient, "ambient temperature", "degC")
-        if self.back not in BACKS:
-            msg = f"The back of a plate must be one of {', '.join(BACKS)}, not {self.back!r}."
-            raise InputError(msg)
-        if self.thickness is None:
-            if self.back != INSULATED:
-                msg = f"A back that is {self.back!r} needs the thickness of the plate."
-                raise InputError(msg)
-        elif (
-            not LEAST_THICKNESS <= positive(self.thickness, "thickness of a plate", "mm") <= LARGEST_THICKNESS
-        ):
-            msg = f"The thickness of a plate must be from {LEAST_THICKNESS:g} to {LARGEST_THICKNESS:g} mm, not {self.thickness!r}."
+    conductivity: Annotated[
+        float,
+        Parameter("thermal conductivity of the plates", CONDUCTIVITY_UNIT, 0.1, 1000.0, symbol="k", step=1.0),
+    ] = 16.0
+    diffusivity: Annotated[
+        float, Parameter("thermal diffusivity of the plates", DIFFUSIVITY, 0.01, 1000.0, symbol="D", step=0.1)
+    ] = 4.07
+    ambient: Annotated[
+        float, Parameter("temperature at the start", DEGC, -60.0, 200.0, symbol="T_0", step=5.0)
+    ] = 20.0
+    # in a thinner plate the fit of the modes is not checked, in a thicker one the fastest becomes too slow
+    thickness: Annotated[
+        float | None,
+        Parameter("thickness of the plates", MM, 10.0, 200.0, symbol="h", step=5.0, absent="endlessly thick"),
+    ] = field(default=None, kw_only=True)
+    back: Annotated[str, Parameter("back of plates of finite thickness", choices=BACKS, vary=False)] = field(
+        default=INSULATED, kw_only=True
+    )
+
+    def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
+        if "name" in cls.__dict__:
+            HEATINGS.add(cls.name, cls)
+
+    def check_relations(self) -> None:
+        """Refuse a back without a thickness."""
+        if self.thickness is None and self.back != INSULATED:
+            msg = f"A back that is {self.back!r} needs the thickness of the plate."
             raise InputError(msg)
 
     @property
@@ -80,24 +99,20 @@ class _Steel:
         return fields_card(self, f"Heating model {self.name}")
 
 
-@dataclass(frozen=True)
-class NoHeating(_Steel):
-    """The contact stays at the ambient temperature."""
-
-    name: ClassVar[str] = "none"
-    kind: ClassVar[int] = NO_HEATING
-
-
-@dataclass(frozen=True)
-class SimplifiedHeating(_Steel):
+@declared
+class SimplifiedHeating(Heating):
     """One monitoring point at the centre of each plate (Figure 5b)."""
 
     name: ClassVar[str] = "simplified"
+    words: ClassVar[str] = "one point at the centre (simplified)"
+    description: ClassVar[str] = (
+        "one point at the centre of each plate, Li et al. (2020), section 4.2, Figure 5b"
+    )
     kind: ClassVar[int] = POINT
 
 
-@dataclass(frozen=True)
-class PreciseHeating(_Steel):
+@declared
+class PreciseHeating(Heating):
     """Many points along the sliding direction; the contact has their mean temperature (Figure 5a).
 
     Parameters
@@ -107,43 +122,31 @@ class PreciseHeating(_Steel):
         0.01 % of the peak displacement of 200.
     """
 
-    cells: int = 64
     name: ClassVar[str] = "precise"
+    words: ClassVar[str] = "the whole line of the plate (precise)"
+    description: ClassVar[str] = (
+        "points along the path of the slider, their mean in the contact, Li et al. (2020), section 4.2, Figure 5a"
+    )
     kind: ClassVar[int] = LINE
 
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        if type(self.cells) is not int or not 2 <= self.cells <= 10_000:
-            msg = f"The number of cells across the contact must be a whole number from 2 to 10000, not {self.cells!r}."
-            raise InputError(msg)
+    cells: Annotated[
+        int, Parameter("number of cells across the contact", NONE, 2, 10_000, step=16, vary=False)
+    ] = 64
 
 
-Heating: TypeAlias = NoHeating | SimplifiedHeating | PreciseHeating
+@declared
+class NoHeating(Heating):
+    """The contact stays at the ambient temperature."""
 
-_MODELS: dict[str, type[Heating]] = {
-    model.name: model for model in (SimplifiedHeating, PreciseHeating, NoHeating)
-}
-
-
-def heating_names() -> tuple[str, ...]:
-    """Return the names of the heating models."""
-    return tuple(_MODELS)
-
-
-def heating_model(name: str, **parameters: Any) -> Heating:
-    """Return a heating model by name.
-
-    Raises
-    ------
-    InputError
-        If there is no model of that name, or it has no such parameter, or a value is out of range.
-    """
-    return make_named("heating model", _MODELS, name, parameters)
+    name: ClassVar[str] = "none"
+    words: ClassVar[str] = "none"
+    description: ClassVar[str] = "the contact stays at the temperature of the start"
+    kind: ClassVar[int] = NO_HEATING
 
 
 def plates_of(heating: Heating) -> dict[str, Any]:
     """Return what every heating model knows of the plates, to make another model of the same plates with."""
-    return {item.name: getattr(heating, item.name) for item in fields(_Steel)}
+    return {item.name: getattr(heating, item.name) for item in fields(Heating)}
 
 
 def constant_flux_rise(heating: Heating, flux: ArrayLike, time: ArrayLike) -> FloatArray:

@@ -15,18 +15,19 @@ from dcfp.doors.app.thinning import kept
 from dcfp.doors.app.units import Units
 from dcfp.doors.app.uploads import MOST_COMPONENTS, MOST_FILES, plain_name, read_upload
 from dcfp.errors import InputError
-from dcfp.system import Model, friction_names, heating_names
+from dcfp.system import FRICTION_LAWS, System
+from dcfp.system import HEATINGS as HEATING_MODELS
 
 from .conftest import at2_text, pulse_motion
 
 
 def test_the_fields_begin_with_the_paper_s_bearing():
-    assert BearingForm().model() == Model()
+    assert BearingForm().model() == System()
 
 
 def test_every_law_and_heating_can_be_chosen():
-    assert {*LAWS, "fitted"} == set(friction_names())
-    assert set(HEATINGS) == set(heating_names())
+    assert {*LAWS, "fitted"} == set(FRICTION_LAWS)
+    assert set(HEATINGS) == set(HEATING_MODELS)
     for law in LAWS:
         assert BearingForm(law=law, mu=0.06).model().friction.reference == pytest.approx(0.06)
 

@@ -102,10 +102,10 @@ def agrees(formula) -> bool:
 def worked(model: dcfp.Bearing | None = None, **changes) -> Calculation:
     from dcfp.study import Study
     from dcfp.study.scenario import calculate
-    from dcfp.system import Model
+    from dcfp.system import System
 
     motion = dcfp.load_motion(changes.pop("record", "NCC")).scaled_to_pgv(changes.pop("pgv", 500.0))
-    chosen = replace(Model(), **({} if model is None else {"bearing": model}), **changes)
+    chosen = replace(System(), **({} if model is None else {"bearing": model}), **changes)
     return calculate(Scenario(Study([motion], model=chosen)))
 
 
@@ -133,7 +133,7 @@ def test_so_they_do_of_other_bearings_and_records(made) -> None:
     assert [(one.name, one.numbers, one.value) for one in formulas if one.numbers and not agrees(one)] == []
 
 
-@pytest.mark.parametrize("name", [*(set(dcfp.system.friction_names()) - {"fitted"}), "fitted"])
+@pytest.mark.parametrize("name", [*(set(dcfp.system.FRICTION_LAWS) - {"fitted"}), "fitted"])
 def test_every_law_has_equations_and_its_own_coefficient(name: str) -> None:
     law: FrictionLaw = FittedFriction(pressure_floor=0.1) if name == "fitted" else friction_law(name)
     assert all(mathml(equation) for equation in law_equations(law))

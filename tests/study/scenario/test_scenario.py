@@ -7,7 +7,7 @@ import pytest
 import dcfp
 from dcfp.errors import InputError
 from dcfp.study.scenario import Heading, calculate, read_scenario, scenario_toml
-from dcfp.system import Model
+from dcfp.system import System
 
 TEXT = """
 title = "Tower A"
@@ -56,13 +56,13 @@ def test_every_result_is_that_of_the_parts_alone(tmp_path) -> None:
 @pytest.mark.parametrize(
     "model",
     [
-        Model(),
-        Model(dcfp.Bearing((3000.0, 2500.0), 350.0, 45.0, 1.2e6, 500.0, "tested", "Tower A"), dcfp.Kumar2015(), dcfp.PreciseHeating(ambient=-10.0, thickness=50.0)),
-        Model(friction=dcfp.ConstantFriction(0.06), heating=dcfp.NoHeating()),
-        Model(friction=dcfp.FittedFriction()),
+        System(),
+        System(dcfp.Bearing((3000.0, 2500.0), 350.0, 45.0, 1.2e6, 500.0, "tested", "Tower A"), dcfp.Kumar2015(), dcfp.PreciseHeating(ambient=-10.0, thickness=50.0)),
+        System(friction=dcfp.ConstantFriction(0.06), heating=dcfp.NoHeating()),
+        System(friction=dcfp.FittedFriction()),
     ],
 )  # fmt: skip
-def test_what_is_written_reads_back_as_the_same(tmp_path, model: Model) -> None:
+def test_what_is_written_reads_back_as_the_same(tmp_path, model: System) -> None:
     heading = Heading(project='A "quoted" name', notes="two\nlines")
     text = scenario_toml(["NCC"], model, title="T", pgvs=[250.0, 500.0], heading=heading)
     scenario = read_scenario(write(tmp_path, text))

@@ -14,7 +14,7 @@ from dcfp.kernels.friction import CyclingLaw, ExponentialLaw, Law
 from dcfp.kernels.heat_state import BANK_ROWS, Heat
 from dcfp.kernels.memory import MODES
 from dcfp.motion.ground_motion import LONGEST_TAIL, GroundMotion, check_step_and_tail, parts_in, refined
-from dcfp.system import Heating, Model
+from dcfp.system import Heating, System
 from dcfp.system.plates import (
     FIRST_REACH,
     cell_width,
@@ -46,13 +46,13 @@ class Lanes:
     record: IntArray
     scale: FloatArray
     model: IntArray
-    models: Sequence[Model]
+    models: Sequence[System]
 
     def __len__(self) -> int:
         return self.record.size
 
     @classmethod
-    def grid(cls, records: int, scales: FloatArray, models: Sequence[Model]) -> "Lanes":
+    def grid(cls, records: int, scales: FloatArray, models: Sequence[System]) -> "Lanes":
         """Return every record at its scales on every model, the model varying fastest.
 
         Parameters
@@ -192,7 +192,7 @@ class Family:
         )
 
 
-def families_of(models: Sequence[Model]) -> list[Family]:
+def families_of(models: Sequence[System]) -> list[Family]:
     """Sort models into families, in the order in which they come first."""
     laws = [model.friction.at_pressure(model.bearing.pressure) for model in models]
     kinds: dict[_Kind, list[int]] = {}
@@ -201,13 +201,13 @@ def families_of(models: Sequence[Model]) -> list[Family]:
     return [_family(kind, numbers, models, laws) for kind, numbers in kinds.items()]
 
 
-def _kind(model: Model, law: Law) -> _Kind:
+def _kind(model: System, law: Law) -> _Kind:
     own: Any = type(law) if isinstance(law, (ExponentialLaw, CyclingLaw)) else law
     plates = len(set(model.bearing.radii))
     return own, model.heating.kind, plates, cells_across(model.heating)
 
 
-def _family(kind: _Kind, numbers: list[int], models: Sequence[Model], laws: Sequence[Law]) -> Family:
+def _family(kind: _Kind, numbers: list[int], models: Sequence[System], laws: Sequence[Law]) -> Family:
     members = [models[number] for number in numbers]
     banks: dict[bytes, int] = {}
     stored: list[FloatArray] = []
@@ -235,7 +235,7 @@ def _bank(heating: Heating) -> tuple[FloatArray, float]:
     return np.array([rates, weights * heating.rise_factor]), instant * heating.rise_factor
 
 
-def _write(row: FloatArray, model: Model, law: Law) -> None:
+def _write(row: FloatArray, model: System, law: Law) -> None:
     """Write a model into its row, but for the modes."""
     if isinstance(law, (ExponentialLaw, CyclingLaw)):
         row[: len(law)] = law

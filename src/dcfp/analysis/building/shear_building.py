@@ -10,8 +10,8 @@ import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
+from dcfp.schema.checks import positive
 from dcfp.schema.notebook import fields_card
-from dcfp.system.checks import positive
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from scipy.interpolate import CubicHermiteSpline, PchipInterpolator
 from dcfp.analysis.rig.measures import CROSSING
 from dcfp.arrays import FloatArray, equally_spaced
 from dcfp.errors import InputError
-from dcfp.system.checks import positive
+from dcfp.schema.checks import positive
 
 #: Pieces in a cycle of a generated motion; the cubic is then within 2e-10 of the amplitude of a sine.
 PIECES_PER_CYCLE = 400

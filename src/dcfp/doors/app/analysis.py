@@ -13,7 +13,7 @@ from dcfp.motion.treatment import treated
 from dcfp.study import Study
 from dcfp.study.procedures import setting_of
 from dcfp.study.scenario import FRAMES, Heading, Scenario, scenario_toml
-from dcfp.system import Model
+from dcfp.system import System
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +33,7 @@ class Task:
     """
 
     motions: tuple[GroundMotion, ...]
-    model: Model
+    model: System
     pgv: float | None
     baseline: bool
     corner: float | None
@@ -106,7 +106,7 @@ class Predicted:
     nominal: Nominal
 
 
-def predict(response: Response, model: Model) -> Predicted:
+def predict(response: Response, model: System) -> Predicted:
     """Ask every method and every code what it says of a motion that was analysed."""
     setting, nominal = setting_of(model)
     return Predicted(compare(response.motion, setting, codes=True, response=response), setting, nominal)

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from dcfp.errors import InputError
-from dcfp.system import LI_2020, Bearing, Model, friction_law, heating_model
+from dcfp.system import LI_2020, Bearing, System, friction_law, heating_model
 
 #: Laws and heating models in words.
 LAWS = {
@@ -90,7 +90,7 @@ class BearingForm:
     heating: str = "simplified"
     thickness: float | None = None
 
-    def model(self) -> Model:
+    def model(self) -> System:
         """Return the bearing with its law and heating model.
 
         Raises
@@ -103,8 +103,8 @@ class BearingForm:
         if values["mu"] != law.reference:
             law = law.with_reference(values["mu"])
         thickness = None if self.thickness is None else values["thickness"]
-        heating = heating_model(self.heating, ambient=values["ambient"], thickness=thickness)
-        return Model(self._bearing(values), law, heating)
+        heating = heating_model(self.heating, {"ambient": values["ambient"], "thickness": thickness})
+        return System(self._bearing(values), law, heating)
 
     def _bearing(self, values: dict[str, float]) -> Bearing:
         capacity = None if self.capacity is None else values["capacity"]

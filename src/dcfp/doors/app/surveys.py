@@ -15,7 +15,7 @@ from dcfp.errors import InputError
 from dcfp.inference import Setting
 from dcfp.inference.design_space import RADII, DesignSpace, survey
 from dcfp.motion.named import record_set
-from dcfp.system import Model
+from dcfp.system import System
 
 #: PGVs that the chart has [m/s].
 PGVS = tuple(np.round(np.arange(0.1, 1.55, 0.1), 2).tolist())
@@ -42,12 +42,12 @@ class Question:
         [m/s].
     """
 
-    model: Model
+    model: System
     records: str
     pgv: float
 
     @classmethod
-    def of(cls, model: Model, records: str, pgv: float) -> "Question":
+    def of(cls, model: System, records: str, pgv: float) -> "Question":
         """Leave out of a bearing what a survey varies, so that the same question is known as such."""
         bearing = replace(
             model.bearing, radii=(RADII[0],) * 2, displacement_capacity=None, capacity_note="", name="bearing"
@@ -55,7 +55,7 @@ class Question:
         law = model.friction
         if law.reference_parameter:
             law = law.with_reference(0.05)
-        return cls(Model(bearing, law, model.heating), records, pgv)
+        return cls(System(bearing, law, model.heating), records, pgv)
 
 
 class Surveys:

@@ -133,7 +133,7 @@ def _beyond(response: "BuildingResponse") -> list[str]:
     return remarks
 
 
-def _print(rows: list[dict[str, Any]], building: "ShearBuilding", model: "inputs.Model") -> None:
+def _print(rows: list[dict[str, Any]], building: "ShearBuilding", model: "inputs.System") -> None:
     heads = (
         "PGV\n[m/s]",
         "y_max\n[mm]",

@@ -170,7 +170,7 @@ def _part(text: str) -> float:
     return 0.0 if text.strip().lower() == "mean" else positive("%", 1.0, 99.0)(text) / 100.0
 
 
-def _panels(chosen: argparse.Namespace, model: "inputs.Model") -> "tuple[list[Panel], Any]":
+def _panels(chosen: argparse.Namespace, model: "inputs.System") -> "tuple[list[Panel], Any]":
     from dcfp.doors.cli.progress import progress
     from dcfp.methods.equivalent_linear import PendulumWithFriction
     from dcfp.methods.panel import panel_of_motion, panel_of_set, panel_of_spectrum

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
-    from dcfp.doors.cli.inputs import Model
+    from dcfp.doors.cli.inputs import System
     from dcfp.inference.nominal import Nominal
     from dcfp.methods.panel import Panel
     from dcfp.methods.result import Answer
@@ -21,7 +21,7 @@ _FEW = 8
 _KILO = 1e3
 
 
-def print_panels(panels: "Sequence[Panel]", model: "Model", nominal: "Nominal", *, details: bool) -> None:
+def print_panels(panels: "Sequence[Panel]", model: "System", nominal: "Nominal", *, details: bool) -> None:
     """Print a row for each method, below the analysis where there is one, and which conditions are not met."""
     pendulum = panels[0].pendulum
     with page() as out:
@@ -126,7 +126,7 @@ def _rounds(said: "Answer") -> "Table":
     return table
 
 
-def _remarks(panels: "Sequence[Panel]", model: "Model") -> list[str]:
+def _remarks(panels: "Sequence[Panel]", model: "System") -> list[str]:
     from dcfp.methods.panel import capacity_remarks
     from dcfp.methods.result import Verdict
 

@@ -3,13 +3,14 @@
 import argparse
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from dcfp.doors.cli.options import option_name
 from dcfp.errors import InputError
 
 if TYPE_CHECKING:
     from dcfp.motion.ground_motion import GroundMotion
-    from dcfp.system import Bearing, FrictionLaw, Heating, Model
+    from dcfp.system import System
 
 _KILO = 1000.0
 
@@ -50,50 +51,19 @@ def scaled(motions: "list[GroundMotion]", pgvs: list[float] | None) -> "list[Gro
     return [motion.scaled_to_pgv(pgv * _KILO) for motion in motions for pgv in pgvs]
 
 
-def model(options: argparse.Namespace) -> "Model":
-    """Return the bearing of the file, or of Li et al. (2020), with the options put before it."""
-    from dcfp.system import Model, read_bearing
+def model(options: argparse.Namespace) -> "System":
+    """Return the system of the bearing file, or of Li et al. (2020), with the options put before it."""
+    from dcfp.system import System, read_bearing, system_parameters
 
-    base = Model() if options.bearing is None else read_bearing(options.bearing)
-    return Model(
-        _bearing(base.bearing, options), _friction(base.friction, options), _heating(base.heating, options)
-    )
-
-
-def _bearing(base: "Bearing", options: argparse.Namespace) -> "Bearing":
-    changes: dict[str, Any] = {}
-    if options.radius is not None:
-        changes["radii"] = tuple(options.radius if len(options.radius) == 2 else options.radius * 2)
-    if options.slider is not None:
-        changes["slider_diameter"] = options.slider
-    if (
-        changes and options.bearing is None
-    ):  # the paper's capacity belongs to its plates; a file's is its user's
-        changes |= {"displacement_capacity": None, "capacity_note": ""}
-    if options.pressure is not None:
-        changes["pressure"] = options.pressure
-    if options.stiffness is not None:
-        changes["elastic_stiffness"] = options.stiffness * _KILO
-    if options.capacity is not None:
-        changes |= {"displacement_capacity": options.capacity, "capacity_note": ""}
-    changed = replace(base, **changes)
-    return base if changed == base else replace(changed, name=f"{base.name}, changed")
-
-
-def _friction(base: "FrictionLaw", options: argparse.Namespace) -> "FrictionLaw":
-    from dcfp.system import friction_law
-
-    law = base if options.friction is None else friction_law(options.friction)
-    return law if options.mu is None else law.with_reference(options.mu)
-
-
-def _heating(base: "Heating", options: argparse.Namespace) -> "Heating":
-    from dcfp.system import heating_model, plates_of
-
-    heating = base
-    if options.heating is not None and options.heating.strip().lower() != base.name:
-        heating = heating_model(options.heating, **plates_of(base))
-    changes = {
-        name: value for name in ("ambient", "thickness") if (value := getattr(options, name)) is not None
+    base = System() if options.bearing is None else read_bearing(options.bearing)
+    values = {
+        key: value
+        for key in system_parameters()
+        if (value := getattr(options, option_name(key), None)) is not None
     }
-    return replace(heating, **changes)
+    if not values:
+        return base
+    changed = base.changed(values)
+    if changed.bearing == base.bearing:
+        return changed
+    return replace(changed, bearing=replace(changed.bearing, name=f"{base.bearing.name}, changed"))

@@ -1,6 +1,13 @@
 """The options that several commands share: records, bearing, output."""
 
-from dcfp.doors.cli.parser import Numbers, Parser, any_number, fraction, not_negative, positive
+import argparse
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+from dcfp.doors.cli.parser import Numbers, Parser, fraction, not_negative, positive
+from dcfp.errors import InputError
+from dcfp.schema.parameters import Parameter
 
 
 def add_records(parser: Parser, count: str, words: str) -> None:
@@ -40,66 +47,71 @@ def add_treatment(parser: Parser) -> None:
     )
 
 
+def option_name(key: str) -> str:
+    """Return the name under which the options keep a parameter of the system."""
+    return "friction" if key == "law" else key
+
+
 def add_bearing(parser: Parser) -> None:
-    """Add the bearing, its friction law and its heating model."""
+    """Add the bearing, its friction law and its heating model: an option for each parameter of a system."""
+    from dcfp.system import system_parameters
+
     group = parser.add_argument_group(
         "bearing", "The bearing of Li et al. (2020), or that of a file; single values override either."
     )
     group.add_argument(
         "--bearing", metavar="FILE.toml", help="bearing file: geometry, load, friction, heating"
     )
-    group.add_argument(
-        "--radius",
-        action=Numbers,
-        check=positive("mm", 100.0, 1e6),
-        most=2,
-        metavar="MM",
-        help="effective radius of both plates, or of the lower and the upper one [mm]; default 4500",
-    )
-    group.add_argument(
-        "--slider",
-        type=positive("mm", 10.0, 1e4),
-        metavar="MM",
-        help="diameter of the slider [mm]; default 400",
-    )
-    group.add_argument(
-        "--pressure",
-        type=positive("N/mm2", 0.1, 1000.0),
-        metavar="N_PER_MM2",
-        help="pressure on the slider [N/mm2]; default 60",
-    )
-    group.add_argument(
-        "--stiffness",
-        type=positive("kN/mm", 1.0, 1e6),
-        metavar="KN_PER_MM",
-        help="stiffness before sliding [kN/mm]; default 1900",
-    )
-    group.add_argument(
-        "--capacity", type=positive("mm", 1.0, 1e5), metavar="MM", help="displacement capacity [mm]"
-    )
-    group.add_argument(
-        "--friction",
-        metavar="NAME",
-        help="friction law: li2020 (default), constant, constantinou1990, kumar2015, kim2023-third, kim2023-two-thirds, lomiento2013 or fitted",
-    )
-    group.add_argument(
-        "--mu", type=fraction(), metavar="VALUE", help="reference coefficient of the friction law [-]"
-    )
-    group.add_argument(
-        "--heating", metavar="NAME", help="heating model: simplified (default), precise or none"
-    )
-    group.add_argument(
-        "--ambient",
-        type=any_number("degC", -60.0, 200.0),
-        metavar="DEGC",
-        help="temperature at the start [degC]; default 20",
-    )
-    group.add_argument(
-        "--thickness",
-        type=positive("mm", 10.0, 200.0),
-        metavar="MM",
-        help="thickness of the plates, with an insulated back [mm]; by default they are endlessly thick",
-    )
+    for key, parameter in system_parameters().items():
+        if parameter.option:
+            add_parameter(group, parameter, option_name(key))
+
+
+def add_parameter(group: Any, parameter: Parameter, name: str) -> None:
+    """Add one declared parameter as an option, to be kept in the package's units."""
+    option = f"--{name.replace('_', '-')}"
+    settings: dict[str, Any] = {
+        "dest": name,
+        "metavar": metavar(parameter),
+        "help": parameter.help.replace("%", "%%"),
+    }
+    if parameter.counts:
+        group.add_argument(
+            option,
+            action=Numbers,
+            check=_reader(parameter),
+            most=max(parameter.counts),
+            repeat=parameter.repeat,
+            **settings,
+        )
+    else:
+        group.add_argument(option, type=_reader(parameter), **settings)
+
+
+def _reader(parameter: Parameter) -> Callable[[str], Any]:
+    """Return a type that reads the words behind an option, in the package's units."""
+    one = replace(parameter, counts=())
+
+    def read(text: str) -> Any:
+        value: Any = (
+            {"yes": True, "true": True, "no": False, "false": False}.get(text.lower(), text)
+            if one.kind is bool
+            else text
+        )
+        try:
+            return one.read(value, "")
+        except InputError as error:
+            raise argparse.ArgumentTypeError(str(error).strip().rstrip(".")) from None
+
+    return read
+
+
+def metavar(parameter: Parameter) -> str:
+    """Return what stands for the value in the help."""
+    if not parameter.is_number:
+        return "NAME" if parameter.choices else "YES_OR_NO" if parameter.kind is bool else "TEXT"
+    unit = parameter.unit.text if parameter.unit.has_dimension else "value"
+    return unit.upper().replace("/", "_PER_").translate(str.maketrans(" ()*", "____")).strip("_")
 
 
 def add_integration(parser: Parser) -> None:

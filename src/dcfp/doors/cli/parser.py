@@ -46,11 +46,17 @@ class Numbers(argparse.Action):
     """
 
     def __init__(
-        self, *args: Any, check: Callable[[str], float], most: int | None = None, **kwargs: Any
+        self,
+        *args: Any,
+        check: Callable[[str], float],
+        most: int | None = None,
+        repeat: int = 1,
+        **kwargs: Any,
     ) -> None:
         super().__init__(*args, nargs="+", **kwargs)
         self.check = check
         self.most = most
+        self.repeat = repeat
 
     def __call__(
         self,
@@ -69,7 +75,7 @@ class Numbers(argparse.Action):
         if self.most is not None and len(numbers) > self.most:
             msg = f"takes at most {self.most} numbers, not {len(numbers)}"
             raise argparse.ArgumentError(self, msg)
-        setattr(namespace, self.dest, numbers)
+        setattr(namespace, self.dest, numbers * self.repeat if len(numbers) == 1 else numbers)
         later = [*getattr(namespace, "later_records", ()), *tokens[len(numbers) :]]
         namespace.later_records = later
 

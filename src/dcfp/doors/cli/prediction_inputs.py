@@ -43,7 +43,7 @@ def add_method(parser: Parser) -> None:
     )
 
 
-def nominal(chosen: argparse.Namespace, model: "inputs.Model") -> "Nominal":
+def nominal(chosen: argparse.Namespace, model: "inputs.System") -> "Nominal":
     """Return the nominal coefficient and where it comes from."""
     from dcfp.inference.nominal import Nominal, nominal_coefficient
 
@@ -52,7 +52,7 @@ def nominal(chosen: argparse.Namespace, model: "inputs.Model") -> "Nominal":
     return nominal_coefficient(model.bearing, model.friction, model.heating)
 
 
-def setting(chosen: argparse.Namespace, model: "inputs.Model") -> "tuple[Setting, Nominal]":
+def setting(chosen: argparse.Namespace, model: "inputs.System") -> "tuple[Setting, Nominal]":
     """Return how records are predicted, and where the nominal coefficient comes from."""
     from dcfp.inference import Setting
     from dcfp.methods.li_2020 import LI_2020

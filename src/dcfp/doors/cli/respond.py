@@ -93,13 +93,13 @@ def _calculation(
     """Return the same analyses with predictions and codes beside them."""
     from dcfp.study import Settings, Study
     from dcfp.study.scenario import Scenario, calculate
-    from dcfp.system import Model
+    from dcfp.system import System
 
     pgvs = [] if chosen.pgv is None else [1e3 * pgv for pgv in chosen.pgv]
     study = Study(
         records,
         {"pgv": pgvs} if pgvs else {},
-        model=Model(response.bearing, response.friction_law, response.heating),
+        model=System(response.bearing, response.friction_law, response.heating),
         title=", ".join(motion.name for motion in records),
         settings=Settings(**_settings(chosen)),
     )
@@ -113,7 +113,7 @@ def _settings(chosen: argparse.Namespace) -> dict[str, Any]:
 
 
 def _analyse(
-    motions: "list[GroundMotion]", model: "inputs.Model", chosen: argparse.Namespace
+    motions: "list[GroundMotion]", model: "inputs.System", chosen: argparse.Namespace
 ) -> "list[Response]":
     from dcfp.analysis import respond
     from dcfp.doors.cli.progress import progress
@@ -131,7 +131,7 @@ def _analyse(
 
 
 def _profile_interval(
-    motion: "GroundMotion", model: "inputs.Model", chosen: argparse.Namespace
+    motion: "GroundMotion", model: "inputs.System", chosen: argparse.Namespace
 ) -> int | None:
     wanted = str(chosen.out or "").lower().endswith(".nc") or chosen.plot is not None
     if model.heating.name != "precise" or not wanted:

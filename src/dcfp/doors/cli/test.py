@@ -114,7 +114,7 @@ def _input_files(chosen: argparse.Namespace) -> list[Path]:
     return [Path(word) for word in words]
 
 
-def _program(chosen: argparse.Namespace, model: "inputs.Model") -> "Program":
+def _program(chosen: argparse.Namespace, model: "inputs.System") -> "Program":
     from dcfp.analysis.rig import load_program
     from dcfp.analysis.rig.codes import PrototypeDesign, prototype_program, prototype_programs
 
@@ -175,7 +175,7 @@ def _refuse_without_checks(program: "Program", chosen: argparse.Namespace) -> No
 
 
 def _run(
-    program: "Program", model: "inputs.Model", chosen: argparse.Namespace
+    program: "Program", model: "inputs.System", chosen: argparse.Namespace
 ) -> "dict[str, tuple[Loops, ...]]":
     from dcfp.analysis.rig import run_program
     from dcfp.analysis.rig.run import TOLERANCE, paper_models, run_models

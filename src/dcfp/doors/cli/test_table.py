@@ -178,7 +178,7 @@ def _side_by_side(cycles: "Sequence[Cycle]") -> list[str]:
 
 def _nominal(program: "Program", loops: "Sequence[Loops]") -> list[str]:
     """Return how the friction of dependency test T01 compares with the nominal coefficient that was measured in it."""
-    from dcfp.system.friction.law import NOMINAL_COEFFICIENT
+    from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
 
     test = loops[0]
     if program.citation != "li_2020" or test.test.purpose != "velocity dependency" or len(test.cycles) < 2:

@@ -14,7 +14,7 @@ from dcfp.exchange.opensees.element_law import (
 from dcfp.exchange.opensees.fit import fit_element_law
 from dcfp.kernels.friction import ExponentialLaw
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.system import Model
+from dcfp.system import System
 
 _UNEQUAL = "it has one sliding surface, so that two different plates become two equal ones"
 
@@ -54,11 +54,11 @@ class Element:
     slow: float = 0.0
     rate: float = 0.0
     rise_factor: float = 1.0
-    stand_in: Model | None = None
+    stand_in: System | None = None
     reasons: tuple[str, ...] = ()
 
 
-def element_for(motion: GroundMotion, model: Model) -> Element:
+def element_for(motion: GroundMotion, model: System) -> Element:
     """Return the element that is a model, or comes nearest to it under a ground motion.
 
     Raises
@@ -77,7 +77,7 @@ def element_for(motion: GroundMotion, model: Model) -> Element:
     return _heated(motion, model, law) if heats else _cold(model, law)
 
 
-def _cold(model: Model, law: ExponentialLaw) -> Element:
+def _cold(model: System, law: ExponentialLaw) -> Element:
     """Return an element whose friction knows no temperature but that at the start."""
     ambient = model.heating.ambient
     fast = law.reference * (law.heat_scale * math.exp(-law.heat_rate * ambient) + law.heat_floor)
@@ -91,7 +91,7 @@ def _cold(model: Model, law: ExponentialLaw) -> Element:
     return Element(Kind.VELOCITY, fast, slow, rate, 1.0, stand_in, (_UNEQUAL,))
 
 
-def _heated(motion: GroundMotion, model: Model, law: ExponentialLaw) -> Element:
+def _heated(motion: GroundMotion, model: System, law: ExponentialLaw) -> Element:
     reasons = _differences(model, law)
     if not reasons:
         rate = law.speed_rate * _share(model) if law.speed_drop else 0.0
@@ -107,7 +107,7 @@ def _heated(motion: GroundMotion, model: Model, law: ExponentialLaw) -> Element:
     )
 
 
-def _differences(model: Model, law: ExponentialLaw) -> tuple[str, ...]:
+def _differences(model: System, law: ExponentialLaw) -> tuple[str, ...]:
     """Return in what the heated element is not the model."""
     heating = model.heating
     found = {
@@ -121,10 +121,10 @@ def _differences(model: Model, law: ExponentialLaw) -> tuple[str, ...]:
     return tuple(words for words, differs in found.items() if differs)
 
 
-def _unequal(model: Model) -> bool:
+def _unequal(model: System) -> bool:
     return len(set(model.bearing.radii)) > 1
 
 
-def _share(model: Model) -> float:
+def _share(model: System) -> float:
     """Share of the relative speed that a law takes, as if the plates were equal [-]."""
     return 1.0 / len(model.bearing.radii) if model.friction.speed_is_of_surface else 1.0

@@ -17,7 +17,7 @@ from dcfp.arrays import FloatArray
 from dcfp.exchange.opensees.element_law import ELEMENT_AMBIENT, ELEMENT_SPEED_DROP, ElementFriction
 from dcfp.kernels.friction import ExponentialLaw
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.system import Bearing, FrictionLaw, Kumar2015, Model, SimplifiedHeating
+from dcfp.system import Bearing, FrictionLaw, Kumar2015, SimplifiedHeating, System
 
 #: Fewest samples of sliding for a fit; below, the law's own constants are taken.
 _FEWEST_SAMPLES = 10
@@ -44,7 +44,7 @@ class Fit:
     friction: float
     rate: float
     rise_factor: float
-    model: Model
+    model: System
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ class _Samples:
     weight: FloatArray
 
 
-def fit_element_law(motion: GroundMotion, model: Model) -> Fit:
+def fit_element_law(motion: GroundMotion, model: System) -> Fit:
     """Fit the element to a model along its analysis under a ground motion."""
     plates = _equal_plates(model.bearing)
     steel = model.heating
@@ -70,7 +70,7 @@ def fit_element_law(motion: GroundMotion, model: Model) -> Fit:
     friction, rate, rise_factor = start[0] * factors[0], start[1] * factors[1], factors[2]
     drop = ELEMENT_SPEED_DROP if law.speed_drop else 0.0
     hotter = SimplifiedHeating(steel.conductivity / rise_factor, steel.diffusivity, ELEMENT_AMBIENT)
-    stand_in = Model(plates, ElementFriction(friction, drop, rate), hotter)
+    stand_in = System(plates, ElementFriction(friction, drop, rate), hotter)
     return Fit(friction, rate if drop else 0.0, rise_factor, stand_in)
 
 

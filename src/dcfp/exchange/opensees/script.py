@@ -11,7 +11,7 @@ from dcfp.exchange.opensees.head import head_lines
 from dcfp.exchange.opensees.parts import parts_of
 from dcfp.exchange.opensees.words import difference_in_words
 from dcfp.motion.ground_motion import GroundMotion, check_step_and_tail, parts_in
-from dcfp.system import LI_2020, Bearing, FrictionLaw, Heating, Li2020, Model, SimplifiedHeating
+from dcfp.system import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating, System
 
 #: Longest step of the script [s].
 STEP = 0.001
@@ -46,7 +46,7 @@ def opensees_script(
     InputError
         If OpenSees has no element that comes near, or the step is out of range.
     """
-    model = Model(
+    model = System(
         bearing,
         Li2020() if friction is None else friction,
         SimplifiedHeating() if heating is None else heating,

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from dcfp.errors import InputError
-from dcfp.system.friction.law import NOMINAL_COEFFICIENT
+from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
 
 
 @dataclass(frozen=True)

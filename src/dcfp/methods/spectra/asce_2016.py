@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.constants import STANDARD_GRAVITY
-from dcfp.system.checks import positive
+from dcfp.schema.checks import positive
 
 #: Part of T_S at which the plateau begins, and of it the value at period zero [-].
 _START, _AT_ZERO = 0.2, 0.4

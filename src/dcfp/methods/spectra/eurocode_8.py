@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
-from dcfp.system.checks import positive
+from dcfp.schema.checks import positive
 
 #: S [-], T_B, T_C and T_D [s] of every ground type: Table 3.2 (type 1) and Table 3.3 (type 2).
 TABLES: dict[int, dict[str, tuple[float, float, float, float]]] = {

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
-from dcfp.system.checks import positive
+from dcfp.schema.checks import positive
 
 _METRES = 1000.0
 #: Corner periods [s] and levels [m/s2] of the spectrum on the engineering bedrock.

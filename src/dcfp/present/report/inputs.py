@@ -125,7 +125,7 @@ def _heating(heating: Heating) -> tuple[Block, ...]:
     plates = "endlessly thick" if thick is None else f"{short(thick)} mm thick, back {heating.back}"
     table = named_values(
         [
-            ("Model", f"{heating.name}: {models[heating.name]}"),
+            ("System", f"{heating.name}: {models[heating.name]}"),
             ("Conductivity", (Maths("k"), f" = {short(heating.conductivity)} N/(s °C), which is W/(m °C)")),
             ("Diffusivity", (Maths("D"), f" = {short(heating.diffusivity)} mm²/s")),
             ("Temperature at the start", f"{short(heating.ambient)} °C"),

@@ -1,7 +1,7 @@
 """Friction that depends on velocity: Constantinou, Mokha and Reinhorn (1990)."""
 
-from dataclasses import dataclass, replace
-from typing import ClassVar, Self
+from dataclasses import replace
+from typing import Annotated, ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -9,12 +9,13 @@ from numpy.typing import ArrayLike
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.kernels.friction import ExponentialLaw
-from dcfp.system.checks import fraction, positive
+from dcfp.schema.parameters import Parameter, declared
+from dcfp.schema.units import FRACTION, S_PER_MM
 from dcfp.system.friction import li_2020
 from dcfp.system.friction.law import FrictionLaw
 
 
-@dataclass(frozen=True)
+@declared
 class Constantinou1990(FrictionLaw):
     r"""The exponential rise from a slow to a fast coefficient.
 
@@ -36,18 +37,43 @@ class Constantinou1990(FrictionLaw):
     is for the relative speed of two plates, twice that of the slider on one.
     """
 
-    fast: float = li_2020.MU_0
-    slow: float = 0.45 * li_2020.MU_0
-    rate: float = 2.0 * 0.019
     name: ClassVar[str] = "constantinou1990"
+    words: ClassVar[str] = "Constantinou et al. (1990)"
     citation: ClassVar[str] = "constantinou_1990"
     reference_parameter: ClassVar[str] = "fast"
     speed_is_of_surface: ClassVar[bool] = True
 
-    def __post_init__(self) -> None:
-        fraction(self.fast, "coefficient of friction at high speed")
-        fraction(self.slow, "coefficient of friction at zero speed")
-        positive(self.rate, "rate of the friction law", "s/mm")
+    fast: Annotated[
+        float,
+        Parameter(
+            "coefficient of friction at high speed",
+            FRACTION,
+            0.0,
+            0.9999,
+            symbol=r"f_{\max}",
+            above=True,
+            step=0.005,
+        ),
+    ] = li_2020.MU_0
+    slow: Annotated[
+        float,
+        Parameter(
+            "coefficient of friction at zero speed",
+            FRACTION,
+            0.0,
+            0.9999,
+            symbol=r"f_{\min}",
+            above=True,
+            step=0.005,
+        ),
+    ] = 0.45 * li_2020.MU_0
+    rate: Annotated[
+        float,
+        Parameter("rate of the velocity factor", S_PER_MM, 0.0, 10.0, symbol="a", above=True, step=0.005),
+    ] = 2.0 * 0.019
+
+    def check_relations(self) -> None:
+        """Refuse a slow coefficient above the fast one."""
         if self.slow > self.fast:
             msg = f"The slow coefficient of friction, {self.slow!r}, must not exceed the fast one, {self.fast!r}."
             raise InputError(msg)

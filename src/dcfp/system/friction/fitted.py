@@ -1,8 +1,7 @@
 """Friction that depends on pressure, velocity and temperature, with constants from tests of a bearing."""
 
 import math
-from dataclasses import dataclass
-from typing import ClassVar, cast
+from typing import Annotated, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,18 +9,16 @@ from numpy.typing import ArrayLike
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.kernels.friction import ExponentialLaw
-from dcfp.system.checks import finite, fraction, positive
+from dcfp.schema.parameters import Parameter, declared
+from dcfp.schema.units import DEGC, FRACTION, MM_PER_S, N_PER_MM2, NONE, PER_DEGC, S_PER_MM
 from dcfp.system.friction import li_2020
 from dcfp.system.friction.law import FrictionLaw, Tested
 
 #: Temperature at which Eq. (9) of Li et al. (2020), 1.13 exp(-0.007 T), is one [degC].
 REFERENCE_TEMPERATURE = math.log(1.13) / 0.007
 
-#: Largest values that a wrong unit would pass.
-_LARGEST_EXPONENT, _LARGEST_SPEED_RATE, _LARGEST_TEMPERATURE_RATE = 5.0, 10.0, 0.2
 
-
-@dataclass(frozen=True)
+@declared
 class FittedFriction(FrictionLaw):
     r"""The form of the law of Li et al. (2020) with free constants, :math:`\mu = \mu_0 \gamma \alpha \beta`.
 
@@ -58,35 +55,70 @@ class FittedFriction(FrictionLaw):
     `dcfp identify` writes a bearing file with the constants of a bearing that was tested.
     """
 
-    mu_0: float = li_2020.MU_0
-    pressure_exponent: float = 0.19
-    pressure_floor: float = 0.068
-    reference_pressure: float = 60.0
-    speed_drop: float = 0.55
-    speed_rate: float = 0.019
-    temperature_rate: float = 0.007
-    reference_temperature: float = REFERENCE_TEMPERATURE
-    tested_pressure: tuple[float, float] | None = None
-    tested_speed: tuple[float, float] | None = None
-    tested_ambient: float | None = None
     name: ClassVar[str] = "fitted"
+    words: ClassVar[str] = "fitted to tests, in the form of Li et al. (2020)"
     citation: ClassVar[str] = "li_2020"
     reference_parameter: ClassVar[str] = "mu_0"
 
-    def __post_init__(self) -> None:
-        fraction(self.mu_0, "coefficient of friction mu_0")
-        _between(self.pressure_exponent, "pressure exponent", 0.0, _LARGEST_EXPONENT)
-        _between(self.pressure_floor, "pressure floor", 0.0, 1.0)
-        positive(self.reference_pressure, "reference pressure", "N/mm2")
-        _between(self.speed_drop, "speed drop", 0.0, 0.999)
-        positive(self.speed_rate, "speed rate", "s/mm")
-        _between(self.speed_rate, "speed rate [s/mm]", 0.0, _LARGEST_SPEED_RATE)
-        _between(self.temperature_rate, "temperature rate [1/degC]", 0.0, _LARGEST_TEMPERATURE_RATE)
-        finite(self.reference_temperature, "reference temperature", "degC")
+    mu_0: Annotated[
+        float,
+        Parameter(
+            "coefficient at the reference pressure and temperature and at high speed",
+            FRACTION,
+            0.0,
+            0.9999,
+            symbol=r"\mu_0",
+            above=True,
+            step=0.005,
+        ),
+    ] = li_2020.MU_0
+    pressure_exponent: Annotated[
+        float, Parameter("exponent of the pressure", NONE, 0.0, 5.0, symbol="n", step=0.01)
+    ] = 0.19
+    pressure_floor: Annotated[
+        float,
+        Parameter(
+            "part of the coefficient that no pressure takes away", NONE, 0.0, 1.0, symbol="c", step=0.01
+        ),
+    ] = 0.068
+    reference_pressure: Annotated[
+        float, Parameter("reference pressure", N_PER_MM2, 0.1, 1000.0, symbol=r"p_{\mathrm{ref}}", step=1.0)
+    ] = 60.0
+    speed_drop: Annotated[
+        float,
+        Parameter(
+            "part of the coefficient that is missing at zero speed", NONE, 0.0, 0.999, symbol="a", step=0.01
+        ),
+    ] = 0.55
+    speed_rate: Annotated[
+        float,
+        Parameter("rate of the velocity factor", S_PER_MM, 0.0, 10.0, symbol="b", above=True, step=0.001),
+    ] = 0.019
+    temperature_rate: Annotated[
+        float, Parameter("rate of the temperature factor", PER_DEGC, 0.0, 0.2, symbol="r", step=0.001)
+    ] = 0.007
+    reference_temperature: Annotated[
+        float, Parameter("reference temperature", DEGC, -60.0, 1000.0, symbol=r"T_{\mathrm{ref}}", step=1.0)
+    ] = REFERENCE_TEMPERATURE
+    tested_pressure: Annotated[
+        tuple[float, float] | None,
+        Parameter("smallest and largest pressure of the tests", N_PER_MM2, 0.0, 1000.0, vary=False),
+    ] = None
+    tested_speed: Annotated[
+        tuple[float, float] | None,
+        Parameter("smallest and largest speed of the tests", MM_PER_S, 0.0, 1e5, vary=False),
+    ] = None
+    tested_ambient: Annotated[
+        float | None, Parameter("temperature before the tests", DEGC, -60.0, 200.0, vary=False)
+    ] = None
+
+    def check_relations(self) -> None:
+        """Refuse ranges of tests that are not in order."""
         for name in ("tested_pressure", "tested_speed"):
-            object.__setattr__(self, name, _range(getattr(self, name), name))
-        if self.tested_ambient is not None:
-            finite(self.tested_ambient, "temperature before the tests", "degC")
+            pair = getattr(self, name)
+            if pair is not None and pair[0] > pair[1]:
+                msg = f"{name} must be the smallest and the largest value in this order, not {pair!r}."
+                raise InputError(msg)
 
     def tests(self) -> Tested | None:
         """Return the tests that the constants rest on, if the law says which."""
@@ -125,24 +157,3 @@ class FittedFriction(FrictionLaw):
             self.temperature_rate,
             0.0,
         )
-
-
-def _range(values: object, name: str) -> tuple[float, float] | None:
-    """Return a smallest and a largest value; a list of a file becomes a tuple."""
-    if values is None:
-        return None
-    if not isinstance(values, (list, tuple)) or len(cast("list[float]", values)) != 2:
-        msg = f"{name} must be a pair of numbers, the smallest and the largest, not {values!r}."
-        raise InputError(msg)
-    least, most = cast("list[float]", values)
-    if not finite(least, name, "the tests") <= finite(most, name, "the tests"):
-        msg = f"{name} must be the smallest and the largest value in this order, not {values!r}."
-        raise InputError(msg)
-    return float(least), float(most)
-
-
-def _between(value: float, name: str, least: float, most: float) -> None:
-    finite(value, name, "numbers")
-    if not least <= value <= most:
-        msg = f"The {name} must lie between {least:g} and {most:g}, not {value!r}."
-        raise InputError(msg)

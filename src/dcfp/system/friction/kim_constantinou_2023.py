@@ -3,26 +3,27 @@ r"""Two more laws of how friction falls with temperature: Kim and Constantinou (
 All else is as in `kumar_2015`, whose law leaves half of the coefficient at 200 degC; these leave a third and two thirds.
 """
 
-from dataclasses import dataclass
 from typing import ClassVar
 
-from dcfp.system.friction.kumar_2015 import Kumar2015
-from dcfp.system.friction.law import TemperatureLaw
+from dcfp.schema.parameters import declared
+from dcfp.system.friction.kumar_2015 import Kumar2015, TemperatureLaw
 
 
-@dataclass(frozen=True)
+@declared
 class KimConstantinou2023Third(Kumar2015):
     """The law of Kumar et al. (2015) with a temperature factor that leaves one third at 200 degC."""
 
     temperature_law: ClassVar[TemperatureLaw] = TemperatureLaw(0.9696, 0.0289, 0.2099)
     name: ClassVar[str] = "kim2023-third"
+    words: ClassVar[str] = "Kim and Constantinou (2023), a third at 200 °C"
     citation: ClassVar[str] = "kim_constantinou_2022"
 
 
-@dataclass(frozen=True)
+@declared
 class KimConstantinou2023TwoThirds(Kumar2015):
     """The law of Kumar et al. (2015) with a temperature factor that leaves two thirds at 200 degC."""
 
     temperature_law: ClassVar[TemperatureLaw] = TemperatureLaw(0.8383, 0.00851, 0.2099)
     name: ClassVar[str] = "kim2023-two-thirds"
+    words: ClassVar[str] = "Kim and Constantinou (2023), two thirds at 200 °C"
     citation: ClassVar[str] = "kim_constantinou_2022"

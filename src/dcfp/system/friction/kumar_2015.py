@@ -1,19 +1,52 @@
 """Friction that depends on pressure, velocity and temperature: Kumar, Whittaker and Constantinou (2015)."""
 
+import math
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.kernels.friction import ExponentialLaw
-from dcfp.system.checks import fraction, positive, yes_or_no
+from dcfp.schema.parameters import Parameter, declared
+from dcfp.schema.units import FRACTION, N_PER_MM2
 from dcfp.system.friction import li_2020
-from dcfp.system.friction.law import FrictionLaw, TemperatureLaw
+from dcfp.system.friction.law import FrictionLaw
 
 #: Rate of the velocity factor [s/mm]: 100 s/m.
 VELOCITY_RATE = 0.1
+
+
+@dataclass(frozen=True)
+class TemperatureLaw:
+    r"""A fall with temperature that levels off.
+
+    .. math:: k_T = A\,0.7^{n T} + C
+
+    Parameters
+    ----------
+    scale
+        A [-].
+    power
+        n [1/degC].
+    floor
+        C [-].
+    """
+
+    scale: float
+    power: float
+    floor: float
+
+    @property
+    def rate(self) -> float:
+        """Rate of the same law written with an exponential [1/degC]."""
+        return -self.power * math.log(0.7)
+
+    def factor(self, temperature: ArrayLike) -> FloatArray:
+        """Factor k_T [-] at a temperature of the contact [degC]."""
+        exponent = self.power * np.asarray(temperature, dtype=np.float64)
+        return np.asarray(self.scale * np.power(0.7, exponent) + self.floor)
 
 
 def pressure_factor(pressure: ArrayLike, reference_pressure: float) -> FloatArray:
@@ -32,7 +65,7 @@ def velocity_factor(speed: ArrayLike) -> FloatArray:
     return np.asarray(1.0 - 0.5 * np.exp(-VELOCITY_RATE * np.abs(speed)))
 
 
-@dataclass(frozen=True)
+@declared
 class Kumar2015(FrictionLaw):
     r"""Law of Kumar et al. (2015), :math:`\mu = \mu_{ref} k_p k_v k_T`.
 
@@ -52,22 +85,37 @@ class Kumar2015(FrictionLaw):
     a diffusivity of 4.44 mm2/s; the heating models know that of Li et al. unless it is given to them.
     """
 
-    mu_reference: float = li_2020.MU_0
-    reference_pressure: float = 60.0
-    pressure_dependent: bool = True
-    velocity_dependent: bool = True
-    temperature_dependent: bool = True
     temperature_law: ClassVar[TemperatureLaw] = TemperatureLaw(0.789, 0.02, 0.789 * 0.40)
     name: ClassVar[str] = "kumar2015"
+    words: ClassVar[str] = "Kumar et al. (2015)"
     citation: ClassVar[str] = "kumar_2015"
     reference_parameter: ClassVar[str] = "mu_reference"
     speed_is_of_surface: ClassVar[bool] = True
 
-    def __post_init__(self) -> None:
-        fraction(self.mu_reference, "reference coefficient of friction")
-        positive(self.reference_pressure, "reference pressure", "N/mm2")
-        for effect in ("pressure", "velocity", "temperature"):
-            yes_or_no(getattr(self, f"{effect}_dependent"), f"{effect}_dependent")
+    mu_reference: Annotated[
+        float,
+        Parameter(
+            "coefficient at the reference pressure, at high speed and 20 degC",
+            FRACTION,
+            0.0,
+            0.9999,
+            symbol=r"\mu_{\mathrm{ref}}",
+            above=True,
+            step=0.005,
+        ),
+    ] = li_2020.MU_0
+    reference_pressure: Annotated[
+        float, Parameter("reference pressure", N_PER_MM2, 0.1, 1000.0, symbol="p_0", step=1.0)
+    ] = 60.0
+    pressure_dependent: Annotated[
+        bool, Parameter("whether the coefficient depends on pressure", vary=False)
+    ] = True
+    velocity_dependent: Annotated[
+        bool, Parameter("whether the coefficient depends on velocity", vary=False)
+    ] = True
+    temperature_dependent: Annotated[
+        bool, Parameter("whether the coefficient depends on temperature", vary=False)
+    ] = True
 
     @property
     def reference(self) -> float:

@@ -1,14 +1,14 @@
 """Friction that depends on pressure, velocity and temperature: Li et al. (2020), section 4.1."""
 
-from dataclasses import dataclass
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.kernels.friction import ExponentialLaw
-from dcfp.system.checks import fraction, yes_or_no
+from dcfp.schema.parameters import Parameter, declared
+from dcfp.schema.units import FRACTION
 from dcfp.system.friction.law import FrictionLaw, Tested
 
 #: Coefficient at 60 N/mm2, 400 mm/s and about 20 degC [-], section 4.1.
@@ -47,7 +47,7 @@ def temperature_factor(temperature: ArrayLike) -> FloatArray:
     return np.asarray(_BETA_SCALE * np.exp(-_BETA_RATE * np.asarray(temperature, dtype=np.float64)))
 
 
-@dataclass(frozen=True)
+@declared
 class Li2020(FrictionLaw):
     r"""The paper's law, :math:`\mu = \mu_0 \gamma \alpha \beta`: Li et al. (2020), Eq. (10).
 
@@ -64,21 +64,35 @@ class Li2020(FrictionLaw):
     of two equal plates. On a single or two different plates it is still taken as that, not as twice the speed on one plate.
     """
 
-    mu_0: float = MU_0
-    pressure_dependent: bool = True
-    velocity_dependent: bool = True
-    temperature_dependent: bool = True
     name: ClassVar[str] = "li2020"
+    words: ClassVar[str] = "Li et al. (2020), the paper's"
     citation: ClassVar[str] = "li_2020"
     reference_parameter: ClassVar[str] = "mu_0"
     tested: ClassVar[Tested | None] = Tested(
         (30.0, 90.0), (0.0, 644.0), "Li et al. 2020, Tables 1 and 2", 20.0
     )
 
-    def __post_init__(self) -> None:
-        fraction(self.mu_0, "coefficient of friction mu_0")
-        for effect in ("pressure", "velocity", "temperature"):
-            yes_or_no(getattr(self, f"{effect}_dependent"), f"{effect}_dependent")
+    mu_0: Annotated[
+        float,
+        Parameter(
+            "coefficient at 60 N/mm2, 400 mm/s and 17.5 degC",
+            FRACTION,
+            0.0,
+            0.9999,
+            symbol=r"\mu_0",
+            above=True,
+            step=0.005,
+        ),
+    ] = MU_0
+    pressure_dependent: Annotated[
+        bool, Parameter("whether the coefficient depends on pressure", vary=False)
+    ] = True
+    velocity_dependent: Annotated[
+        bool, Parameter("whether the coefficient depends on velocity", vary=False)
+    ] = True
+    temperature_dependent: Annotated[
+        bool, Parameter("whether the coefficient depends on temperature", vary=False)
+    ] = True
 
     @property
     def reference(self) -> float:

@@ -5,16 +5,15 @@ nor calibrated constants could be read in the paper itself. Constants therefore 
 """
 
 import math
-from dataclasses import dataclass
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
-from dcfp.errors import InputError
 from dcfp.kernels.friction import CyclingLaw
-from dcfp.system.checks import fraction, positive
+from dcfp.schema.parameters import Parameter, declared
+from dcfp.schema.units import FRACTION, MM_PER_S, N_PER_MM2, N_PER_S, NONE
 from dcfp.system.friction import li_2020
 from dcfp.system.friction.law import FrictionLaw, Tested
 
@@ -47,7 +46,7 @@ def cycling_factor(dose: ArrayLike, reference_dose: float, power: float) -> Floa
     return np.asarray(np.exp(-((np.asarray(dose, dtype=np.float64) / reference_dose) ** power)))
 
 
-@dataclass(frozen=True)
+@declared
 class Lomiento2013(FrictionLaw):
     r"""Law after Lomiento et al. (2013), :math:`\mu = \mu_0 f_N f_v f_c`. *Unconfirmed*.
 
@@ -73,13 +72,8 @@ class Lomiento2013(FrictionLaw):
     for the cycling effect a fit to the friction at zero displacement in its dependency test T01 (precise model, four cycles; within 0.9 %).
     """
 
-    mu_0: float = 0.45 * li_2020.MU_0 * math.exp(60.0 / 325.6)
-    reference_pressure: float = 325.6
-    velocity_ratio: float = 1.0 / 0.45
-    reference_speed: float = 0.5 / 0.019
-    reference_dose: float = 2.1e7
-    dose_power: float = 0.28
     name: ClassVar[str] = "lomiento2013"
+    words: ClassVar[str] = "Lomiento et al. (2013), unconfirmed"
     citation: ClassVar[str] = "lomiento_2013"
     reference_parameter: ClassVar[str] = "mu_0"
     speed_is_of_surface: ClassVar[bool] = True
@@ -90,16 +84,47 @@ class Lomiento2013(FrictionLaw):
         "its form is unconfirmed and its constants are this package's own; what has worn off never recovers."
     )
 
-    def __post_init__(self) -> None:
-        fraction(self.mu_0, "coefficient of friction mu_0")
-        positive(self.reference_pressure, "reference pressure", "N/mm2")
-        positive(self.velocity_ratio, "ratio of the fast to the slow coefficient", "[-]")
-        positive(self.reference_speed, "reference speed", "mm/s")
-        positive(self.reference_dose, "reference dose", "N/s")
-        positive(self.dose_power, "power of the dose", "[-]")
-        if not 0.1 <= self.dose_power <= 3.0:
-            msg = f"The power of the dose must be from 0.1 to 3, not {self.dose_power!r}."
-            raise InputError(msg)
+    mu_0: Annotated[
+        float,
+        Parameter(
+            "coefficient of a slow first motion under no load",
+            FRACTION,
+            0.0,
+            0.9999,
+            symbol=r"\mu_0",
+            above=True,
+            step=0.005,
+        ),
+    ] = 0.45 * li_2020.MU_0 * math.exp(60.0 / 325.6)
+    reference_pressure: Annotated[
+        float,
+        Parameter(
+            "reference load, as a pressure", N_PER_MM2, 1.0, 1e5, symbol=r"N_{\mathrm{ref}}", step=10.0
+        ),
+    ] = 325.6
+    velocity_ratio: Annotated[
+        float, Parameter("fast coefficient over the slow one", NONE, 0.1, 100.0, symbol=r"\gamma", step=0.1)
+    ] = 1.0 / 0.45
+    reference_speed: Annotated[
+        float,
+        Parameter(
+            "reference speed of the slider on a plate",
+            MM_PER_S,
+            0.1,
+            1e4,
+            symbol=r"v_{\mathrm{ref}}",
+            step=1.0,
+        ),
+    ] = 0.5 / 0.019
+    reference_dose: Annotated[
+        float,
+        Parameter(
+            "reference of the cycling parameter", N_PER_S, 1e3, 1e15, symbol=r"c_{\mathrm{ref}}", step=1e6
+        ),
+    ] = 2.1e7
+    dose_power: Annotated[
+        float, Parameter("power of the cycling parameter", NONE, 0.1, 3.0, symbol=r"\beta", step=0.01)
+    ] = 0.28
 
     @property
     def reference(self) -> float:

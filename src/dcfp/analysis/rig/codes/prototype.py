@@ -8,7 +8,7 @@ from dcfp.analysis.rig.loops import Loops
 from dcfp.analysis.rig.measures import Cycle
 from dcfp.analysis.rig.program import VerticalLoad
 from dcfp.errors import InputError
-from dcfp.system.checks import positive
+from dcfp.schema.checks import positive
 
 #: Minimum of the total maximum displacement over the maximum displacement [-]: ASCE/SEI 7, section 17.5.3.5.
 LEAST_TOTAL = 1.15

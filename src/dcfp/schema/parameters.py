@@ -1,0 +1,426 @@
+"""Parameters, each declared once beside its field: words, unit, limits, symbol, names; and what every door needs of them.
+
+A class says what its fields are with ``Annotated[float, Parameter(...)]`` under `declared`. Its constructor, files, options, study factors,
+forms, reports and documentation all loop over the same declarations, so that they have the same names, limits and sentences.
+"""
+
+import dataclasses
+import inspect
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from difflib import get_close_matches
+from typing import (
+    Annotated,
+    Any,
+    ClassVar,
+    Self,
+    TypeVar,
+    Union,
+    cast,
+    dataclass_transform,
+    get_args,
+    get_origin,
+    get_type_hints,
+)
+
+from dcfp.errors import InputError
+from dcfp.schema.units import WORDS, Unit, convert, split_number
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class Parameter:
+    r"""What there is to know of one parameter.
+
+    Attributes
+    ----------
+    words
+        What it is, in a few words without an article.
+    unit
+        In which a plain number is taken at every door but Python, where all is in the package's units.
+    least, most
+        Limits, in that unit: what a wrong unit would pass.
+    symbol
+        In LaTeX.
+    key
+        Name in files, options, factors and forms; by default that of the field.
+    aliases
+        Further names in files.
+    more
+        What else the help of an option says.
+    step
+        By how much the buttons of a field change it.
+    choices
+        Words of which it must be one.
+    counts
+        How many numbers it may be; empty for one number.
+    repeat
+        How many times a single number of several stands for; 1 where it is itself alone.
+    above
+        Whether the least value itself is not allowed.
+    option
+        Whether it is an option of the command line.
+    vary
+        Whether a study may vary it.
+    absent
+        What a form says of an empty field.
+    name, kind, default, optional
+        Of the field; filled in by `declared`.
+    """
+
+    words: str
+    unit: Unit = WORDS
+    least: float = -math.inf
+    most: float = math.inf
+    symbol: str = ""
+    key: str = ""
+    aliases: tuple[str, ...] = ()
+    more: str = ""
+    step: float | None = None
+    choices: tuple[str, ...] = ()
+    counts: tuple[int, ...] = ()
+    repeat: int = 1
+    above: bool = False
+    option: bool = True
+    vary: bool = True
+    absent: str = ""
+    name: str = ""
+    kind: type = float
+    default: Any = None
+    optional: bool = False
+
+    @property
+    def is_number(self) -> bool:
+        """Whether it is one number or several."""
+        return self.kind in (float, int)
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Limits in the package's unit."""
+        return self.unit.inner(self.least), self.unit.inner(self.most)
+
+    def rule(self, unit: Unit | None = None) -> str:
+        """Return what must hold of a value given in `unit`, to stand behind ``must be``."""
+        if self.choices:
+            return f"one of {', '.join(self.choices)}"
+        if self.kind is bool:
+            return "true or false"
+        if self.kind is str:
+            return "a text"
+        unit = unit or self.unit
+        of_unit = f" of {unit.text}" if unit.has_dimension else ""
+        several = f", or {max(self.counts)} of them," if len(self.counts) > 1 else ""
+        number = f"{'a whole number' if self.kind is int else 'a number'}{of_unit}{several}"
+        if self.counts and 1 not in self.counts:
+            number = f"{self.counts[0]} numbers{of_unit}"
+        least, most = (unit.shown(limit) for limit in self.limits)
+        if math.isfinite(least) and math.isfinite(most):
+            number += f" above {least:g} and" if self.above else f" from {least:g}"
+            return f"{number} {'up to' if self.above else 'to'} {most:g}"
+        if math.isfinite(least):
+            return f"{number} {'above' if self.above else 'of at least'} {least:g}"
+        return number
+
+    def checked(self, value: Any, label: str, unit: Unit | None = None, given: object = None) -> Any:
+        """Return a value given in `unit` in the package's unit, if it is allowed.
+
+        Parameters
+        ----------
+        value
+            As it was given.
+        label
+            What it is called at the door where it was given, to begin a complaint with.
+        unit
+            Of a plain number; by default the package's.
+        given
+            How it was written, where that is not the value itself.
+
+        Raises
+        ------
+        InputError
+            If it is not allowed.
+        """
+        unit = unit or self.unit.inner_unit
+        given = value if given is None else given
+        if value is None and self.optional:
+            return None
+        if self.choices and isinstance(value, str) and value.strip().lower() in self.choices:
+            return value.strip().lower()
+        if self.choices or (self.kind is bool) != isinstance(value, bool):
+            raise self._refusal(value, label, unit, given)
+        if self.kind is bool:
+            return value
+        if self.kind is str:
+            if not isinstance(value, str):
+                raise self._refusal(value, label, unit, given)
+            return value
+        if not self.counts:
+            return self._number(value, label, unit, given)
+        if not isinstance(value, (list, tuple)):
+            value = [value] * self.repeat
+        values = list(cast("Iterable[Any]", value))
+        if len(values) not in self.counts:
+            msg = f"{label} must be {self.rule(unit)}, not {len(values)} of them."
+            raise InputError(msg)
+        return tuple(self._number(one, label, unit, one if len(values) > 1 else given) for one in values)
+
+    def read(self, value: Any, label: str) -> Any:
+        """Return a value of a file, an option or a form in the package's unit: a plain number is in the declared unit, a text may name another.
+
+        Raises
+        ------
+        InputError
+            If it is not allowed.
+        """
+        found = value
+        if self.is_number:
+            if isinstance(value, (list, tuple)):
+                found = [self._with_unit(one, label) for one in cast("Iterable[Any]", value)]
+            else:
+                found = self._with_unit(value, label)
+        return self.checked(found, label, self.unit, cast("object", value))
+
+    def written(self, value: Any) -> Any:
+        """Return a value in the declared unit, as a file holds it."""
+        if isinstance(value, tuple):
+            return [self.written(one) for one in cast("tuple[Any, ...]", value)]
+        return self.unit.shown(value) if self.kind is float and value is not None else value
+
+    def text(self, value: Any) -> str:
+        """Return a value in words, with its declared unit."""
+        if value is None or value == "":
+            return self.absent or "not given"
+        if isinstance(value, bool):
+            return "yes" if value else "no"
+        if isinstance(value, tuple):
+            numbers = ", ".join(f"{self.unit.shown(one):.6g}" for one in cast("tuple[float, ...]", value))
+        else:
+            numbers = f"{self.unit.shown(value):.6g}" if self.is_number else str(value)
+        return f"{numbers} {self.unit.name}" if self.unit.has_dimension else numbers
+
+    @property
+    def help(self) -> str:
+        """Words for a list of options, with the unit and the default."""
+        parts = [
+            f"{self.words} {self.unit.heading}" if self.is_number else self.words,
+            *([self.more] if self.more else []),
+        ]
+        if self.choices:
+            parts[0] += f": {', '.join(self.choices)}"
+        if self.default is not None and self.default != "":
+            default = self.written(self.default)
+            values = list(
+                dict.fromkeys(cast("list[float]", default) if isinstance(default, list) else [default])
+            )
+            parts.append(
+                "default " + " ".join(f"{one:g}" if self.is_number else str(one).lower() for one in values)
+            )
+        return "; ".join(parts)
+
+    # ----- parts -----
+
+    def _with_unit(self, value: Any, label: str) -> Any:
+        """Return the number of a text such as ``"4.5 m"`` in the declared unit; what is no such text is returned as it is."""
+        found = split_number(value) if isinstance(value, str) else None
+        if found is None:
+            return value
+        number, unit = found
+        return convert(number, unit, self.unit, label) if unit else number
+
+    def _number(self, value: Any, label: str, unit: Unit, given: object) -> float:
+        if hasattr(value, "item") and getattr(value, "ndim", None) == 0:  # a number of NumPy
+            value = value.item()
+        if isinstance(value, bool) or not isinstance(value, (int, float)):
+            raise self._refusal(value, label, unit, given)
+        inner = unit.inner(value)
+        whole = self.kind is not int or float(value).is_integer()
+        if not (math.isfinite(inner) and whole and self._holds(inner)):
+            raise self._refusal(value, label, unit, given)
+        return int(inner) if self.kind is int else float(inner)
+
+    def _holds(self, inner: float) -> bool:
+        least, most = self.limits
+        return (least < inner if self.above else least <= inner) and inner <= most
+
+    def _refusal(self, value: Any, label: str, unit: Unit, given: object) -> InputError:
+        found = f"{given:g}" if isinstance(given, float) else repr(given)[:60]
+        return InputError(
+            f"{label} must be {self.rule(unit)}, not {found}{self._meant(value, unit)}.".strip()
+        )
+
+    def _meant(self, value: Any, unit: Unit) -> str:
+        """Return the question whether another unit was meant, if there is one in which the number would be allowed."""
+        if isinstance(value, bool) or not isinstance(value, (int, float)):
+            return ""
+        near = [name for name, size in unit.meant if self._holds(unit.inner(value * size))]
+        return f" (were {near[0]} meant?)" if near else ""
+
+
+class Declared:
+    """A class whose fields are declared parameters."""
+
+    #: What the class is called in a sentence.
+    noun: ClassVar[str] = ""
+    _parameters: ClassVar[dict[str, Parameter]] = {}
+
+    def __post_init__(self) -> None:
+        for one in parameters(type(self)).values():
+            label = f"{type(self).__name__}: {one.words} ({one.name})"
+            object.__setattr__(self, one.name, one.checked(getattr(self, one.name), label))
+        self.check_relations()
+
+    def check_relations(self) -> None:
+        """Refuse values that are allowed each, but not together."""
+
+    @classmethod
+    def from_table(cls, table: Mapping[str, Any], where: str, base: Self | None = None) -> Self:
+        """Return what a table of a file says, with the rest from `base` or from the defaults.
+
+        Parameters
+        ----------
+        table
+            Values by their keys, each in its declared unit or a text with a number and a unit.
+        where
+            What to begin a complaint with: the file, and the table in it.
+        base
+            Where what the table leaves out comes from; by default the defaults.
+
+        Raises
+        ------
+        InputError
+            If there is an unknown key or a value that is not allowed.
+        """
+        values = read_table(cls, table, where)
+        return build(cls, values, where, base)
+
+    def to_table(self) -> dict[str, Any]:
+        """Return what a file would hold of it: every value that is given, by its key, in its declared unit."""
+        return {
+            one.key: one.written(value)
+            for one in parameters(type(self)).values()
+            if (value := getattr(self, one.name)) is not None and value != ""
+        }
+
+    def rows(self) -> Iterator[tuple[Parameter, Any]]:
+        """Give every parameter with its value."""
+        for one in parameters(type(self)).values():
+            yield one, getattr(self, one.name)
+
+
+def read_table(
+    kind: type[Declared], table: Mapping[str, Any], where: str, *, also: tuple[str, ...] = ()
+) -> dict[str, Any]:
+    """Return the values of a table in the package's units by the names of the fields.
+
+    Parameters
+    ----------
+    kind
+        The declared class.
+    table
+        Values by their keys.
+    where
+        What to begin a complaint with.
+    also
+        What else such a file may hold, for the sentence.
+
+    Raises
+    ------
+    InputError
+        If there is an unknown key or a value that is not allowed.
+    """
+    by_key = {key: one for one in parameters(kind).values() for key in (one.key, *one.aliases)}
+    values: dict[str, Any] = {}
+    for key, value in table.items():
+        if key not in by_key:
+            msg = f"{where}: {unknown(key, [*by_key, *also], f'parameter of {described(kind)}')}"
+            raise InputError(msg)
+        one = by_key[key]
+        if one.name in values:
+            msg = f"{where}: give either {' or '.join((one.key, *one.aliases))}, not both."
+            raise InputError(msg)
+        values[one.name] = one.read(value, f"{where}: {key}: {one.words}")
+    return values
+
+
+def described(kind: type[Declared]) -> str:
+    """Return what a declared class is called in a sentence, such as ``"the friction law li2020"``."""
+    name = "" if "name" in parameters(kind) else getattr(kind, "name", "")
+    return f"{kind.noun or kind.__name__} {name}".strip()
+
+
+def build(kind: type[T], values: Mapping[str, Any], where: str, base: T | None = None) -> T:
+    """Return an object with those values; a complaint about how they go together begins with `where`."""
+    try:
+        return kind(**values) if base is None else replace(cast("Any", base), **values)
+    except InputError as error:
+        msg = f"{where}: {error}" if where else str(error)
+        raise InputError(msg) from error
+
+
+def unknown(given: object, known: Iterable[str], what: str) -> str:
+    """Return the sentence that there is no such thing, `what`, with the name that is probably meant."""
+    known = list(known)
+    near = get_close_matches(str(given), known, n=1)
+    meant = f"did you mean {near[0]!r}?" if near else f"the choices are {', '.join(known)}."
+    return f"there is no {what} {given!r}; {meant}"
+
+
+def parameters(kind: type) -> dict[str, Parameter]:
+    """Return the parameters of a declared class by the names of their fields, in their order."""
+    return cast("dict[str, Parameter]", kind.__dict__.get("_parameters") or _bind(kind))
+
+
+@dataclass_transform(frozen_default=True, field_specifiers=(field,))
+def declared(kind: type[T]) -> type[T]:
+    """Make a frozen dataclass of declared parameters; fields without `Parameter` are fields like any other."""
+    hints = get_type_hints(kind, include_extras=True)
+    marks = {name: hint for name, hint in hints.items() if get_origin(hint) is Annotated}
+    # without this every signature prints the whole declaration
+    for name in inspect.get_annotations(kind).keys() & marks.keys():
+        kind.__annotations__[name] = get_args(marks[name])[0]
+    inherited = {
+        name: one
+        for base in reversed(kind.__mro__[1:])
+        for name, one in base.__dict__.get("_parameters", {}).items()
+    }
+    made = dataclass(frozen=True)(kind)
+    defaults: dict[str, Any] = {
+        one.name: None if one.default is dataclasses.MISSING else one.default
+        for one in dataclasses.fields(cast("Any", made))
+    }
+    found: dict[str, Parameter] = {}
+    for name, default in defaults.items():
+        if name in marks:
+            found[name] = _bound(name, marks[name], default)
+        elif name in inherited:
+            found[name] = replace(inherited[name], default=default)
+    cast("Any", made)._parameters = found
+    return made
+
+
+def _bind(kind: type) -> dict[str, Parameter]:
+    msg = f"{kind.__name__} is not declared."
+    raise TypeError(msg)
+
+
+def _bound(name: str, hint: Any, default: Any) -> Parameter:
+    """Return a parameter that knows its field."""
+    inside, *marks = get_args(hint)
+    mark = next(mark for mark in marks if isinstance(mark, Parameter))
+    options = get_args(inside) if get_origin(inside) in (Union, type(int | str)) else (inside,)
+    inner = next(one for one in options if one is not type(None))
+    kind = get_args(inner)[0] if get_origin(inner) is tuple else inner
+    counts = mark.counts
+    if get_origin(inner) is tuple and not counts:
+        counts = (len([one for one in get_args(inner) if one is not Ellipsis]),)
+    return replace(
+        mark,
+        name=name,
+        key=mark.key or name,
+        kind=cast("type", kind),
+        default=default,
+        optional=type(None) in options,
+        counts=counts,
+    )

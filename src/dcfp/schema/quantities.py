@@ -1,0 +1,132 @@
+"""Quantities of results, each declared once: key, symbol, units, digits, words, and how to get it from a result."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import Enum
+from typing import Any
+
+import numpy as np
+
+from dcfp.schema.units import WORDS, Unit
+
+#: Printed where there is no value.
+NOTHING = "–"
+
+
+@dataclass(frozen=True)
+class Quantity:
+    r"""One quantity of a result.
+
+    Attributes
+    ----------
+    key
+        Name in JSON, with its unit at the end where it has one.
+    words
+        What it is, in full.
+    unit
+        Unit in JSON, CSV, data sets and workbooks; `WORDS` for what is no number.
+    shown
+        Unit in tables, on axes and in reports; None for the same unit.
+    decimals
+        Digits behind the point in tables; None for the shortest form.
+    symbol
+        In LaTeX.
+    name
+        Name in CSV and data sets; by default the key.
+    head
+        Head of its column on a console; by default the name.
+    get
+        Returns the value from a result, in the units of the package.
+    printed, stored
+        Whether it is in tables that are read by people, and in JSON, CSV, data sets and workbooks.
+    signed
+        Whether a plus sign stands before positive values.
+    """
+
+    key: str
+    words: str
+    unit: Unit = WORDS
+    shown: Unit | None = None
+    decimals: int | None = None
+    symbol: str = ""
+    name: str = ""
+    head: str = ""
+    get: Callable[[Any], Any] | None = None
+    printed: bool = True
+    stored: bool = True
+    signed: bool = False
+
+    @property
+    def is_number(self) -> bool:
+        """Whether its values are numbers."""
+        return self.unit is not WORDS
+
+    @property
+    def title(self) -> str:
+        """Name in CSV and data sets."""
+        return self.name or self.key
+
+    @property
+    def display(self) -> Unit:
+        """Unit in tables and on axes."""
+        return self.unit if self.shown is None else self.shown
+
+    @property
+    def label(self) -> str:
+        """Label of an axis."""
+        unit = f" [{self.display.name}]" if self.display.has_dimension else ""
+        return f"${self.symbol}${unit}"
+
+    @property
+    def attributes(self) -> dict[str, str]:
+        """Attributes of a variable in a data set."""
+        found = {"long_name": self.words}
+        if self.is_number:
+            found["units"] = self.unit.udunits
+        return found | ({"symbol": self.symbol} if self.symbol else {})
+
+    def of(self, result: Any) -> Any:
+        """Return the value of a result in the package's units; what is not a number is returned as it is."""
+        value = result[self.key] if self.get is None else self.get(result)
+        return value.value if isinstance(value, Enum) else value
+
+    def datum(self, result: Any) -> Any:
+        """Return the value as data hold it: a number in `unit`; None where there is none."""
+        value = self.of(result)
+        if value is None or not self.is_number or isinstance(value, (bool, str)):
+            return value
+        if isinstance(value, np.ndarray):
+            return self.unit.shown(value)
+        number = self.unit.shown(value)
+        return None if isinstance(number, float) and not math.isfinite(number) else number
+
+    def text(self, result: Any, unit: Unit | None = None, decimals: int | None = None) -> str:
+        """Return the value as people read it, in `unit` with `decimals` (by default the declared ones), without the unit."""
+        return self.written(self.of(result), unit, decimals)
+
+    def written(self, value: Any, unit: Unit | None = None, decimals: int | None = None) -> str:
+        """Return a value in the package's units as people read it."""
+        if value is None:
+            return NOTHING
+        if isinstance(value, (bool, np.bool_)):
+            return "yes" if value else "no"
+        if not self.is_number or isinstance(value, str):
+            return str(value)
+        number = (unit or self.display).shown(value)
+        if not math.isfinite(number):
+            return NOTHING
+        digits = self.decimals if decimals is None else decimals
+        if digits is None:
+            return f"{number:g}"
+        text = f"{number:{'+' if self.signed else ''}.{digits}f}"
+        return text.removeprefix("-") if float(text) == 0.0 else text
+
+    def heading(self, unit: Unit | None = None) -> str:
+        """Return the head of its column on a console: a name, and the unit below it."""
+        name = self.head or self.title
+        return f"{name}\n[{self._bracket(unit or self.display)}]" if self.is_number else name
+
+    @staticmethod
+    def _bracket(unit: Unit) -> str:
+        return unit.name if unit.has_dimension else "-"

@@ -1,0 +1,43 @@
+"""A constant coefficient of friction (Coulomb)."""
+
+from typing import Annotated, ClassVar
+
+from dcfp.kernels.friction import ExponentialLaw
+from dcfp.schema.parameters import Parameter, declared
+from dcfp.schema.units import FRACTION
+from dcfp.system.friction.law import FrictionLaw
+
+#: Nominal coefficient mu_n [-], Li et al. (2020), section 4.4: mean of the tests at zero displacement
+#: in the second cycle of dependency test T01.
+NOMINAL_COEFFICIENT = 0.043
+
+
+@declared
+class ConstantFriction(FrictionLaw):
+    """The same coefficient at every pressure, speed and temperature.
+
+    Parameters
+    ----------
+    mu
+        Coefficient of friction [-]; by default the nominal one of Li et al. (2020), section 4.4.
+    """
+
+    name: ClassVar[str] = "constant"
+    words: ClassVar[str] = "constant"
+    citation: ClassVar[str] = "li_2020"
+    reference_parameter: ClassVar[str] = "mu"
+
+    mu: Annotated[
+        float,
+        Parameter("coefficient of friction", FRACTION, 0.0, 0.9999, symbol=r"\mu", above=True, step=0.005),
+    ] = NOMINAL_COEFFICIENT
+
+    @property
+    def reference(self) -> float:
+        """Coefficient of friction [-]."""
+        return self.mu
+
+    def at_pressure(self, pressure: float) -> ExponentialLaw:
+        """Return the constants for the kernels."""
+        del pressure
+        return ExponentialLaw(self.mu, 0.0, 0.0, 1.0, 0.0, 0.0)

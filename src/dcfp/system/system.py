@@ -1,0 +1,296 @@
+"""The system that is analysed: bearing, friction law and heating model as one object, and how its parts are changed by name."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cache
+from pathlib import Path
+from typing import Any, TypeVar, cast
+
+from dcfp.errors import InputError
+from dcfp.schema.notebook import fields_card
+from dcfp.schema.parameters import Parameter, build, described, parameters, read_table, unknown
+from dcfp.schema.reading import read_toml
+from dcfp.schema.units import FRACTION, NONE
+from dcfp.system.bearing import LI_2020, Bearing
+from dcfp.system.friction import FRICTION_LAWS, FrictionLaw, Li2020
+from dcfp.system.heating import HEATINGS, Heating, SimplifiedHeating, plates_of
+
+Part = TypeVar("Part", FrictionLaw, Heating)
+
+#: Before the name of a parameter of the friction law.
+OF_LAW = "friction."
+#: The radius of one of two plates, by its place.
+_RADII = {"lower_radius": 0, "upper_radius": 1}
+_MU = Parameter("reference coefficient of the friction law", FRACTION, 0.0, 0.9999, symbol=r"\mu_0", key="mu", above=True, step=0.005)  # fmt: skip
+_LAMBDA = Parameter("property factor on the reference coefficient", NONE, 0.05, 20.0, symbol=r"\lambda", key="lambda", option=False)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class System:
+    """A rigid structure on a bearing, with what rules its friction; a part may be given by its name.
+
+    Parameters
+    ----------
+    bearing
+        The bearing under its load; or the path of a bearing file, whose law and heating model then stand for those not given.
+    friction
+        The friction law, or its name.
+    heating
+        The heating model, or its name.
+
+    Raises
+    ------
+    InputError
+        If a part is none, or there is none of that name.
+    """
+
+    bearing: Bearing = LI_2020
+    friction: FrictionLaw = field(default_factory=Li2020)
+    heating: Heating = field(default_factory=SimplifiedHeating)
+
+    @classmethod
+    def of(
+        cls,
+        bearing: "System | Bearing | str | Path | None" = None,
+        friction: FrictionLaw | str | None = None,
+        heating: Heating | str | None = None,
+    ) -> "System":
+        """Return the system of parts or of their names; what is None is that of Li et al. (2020), or of the bearing file."""
+        _refuse_other(
+            bearing,
+            (System, Bearing, str, Path),
+            "bearing",
+            "a Bearing, a System or the path of a bearing file",
+        )
+        _refuse_other(
+            friction,
+            (FrictionLaw, str),
+            "friction",
+            f"a friction law or its name ({', '.join(FRICTION_LAWS)})",
+        )
+        _refuse_other(
+            heating, (Heating, str), "heating", f"a heating model or its name ({', '.join(HEATINGS)})"
+        )
+        if isinstance(bearing, (str, Path)):
+            bearing = read_bearing(bearing)
+        base = bearing if isinstance(bearing, System) else cls(bearing or LI_2020)
+        if isinstance(friction, str):
+            friction = friction_law(friction)
+        if isinstance(heating, str):
+            heating = heating_model(heating, plates_of(base.heating))
+        return cls(base.bearing, friction or base.friction, heating or base.heating)
+
+    @classmethod
+    def from_table(cls, content: Mapping[str, Any], where: str, name: str | None = None) -> "System":
+        """Return the system of a bearing file; what it leaves out is that of Li et al. (2020).
+
+        Parameters
+        ----------
+        content
+            As `read_bearing` reads it.
+        where
+            What to begin a complaint with.
+        name
+            Of the bearing, unless it has one of its own; None for that of Li et al. (2020).
+
+        Raises
+        ------
+        InputError
+            If there is an unknown key or a value out of range.
+        """
+        tables = {key: _table(content, key, where) for key in ("friction", "heating")}
+        rest = {key: value for key, value in content.items() if key not in tables}
+        values = read_table(Bearing, rest, where, also=("friction", "heating"))
+        law = friction_law(
+            tables["friction"].pop("law", Li2020.name), tables["friction"], f"{where}: [friction]"
+        )
+        kind = tables["heating"].pop("model", SimplifiedHeating.name)
+        heating = heating_from(kind, tables["heating"], f"{where}: [heating]")
+        bearing = build(Bearing, {}, where, LI_2020) if not values else _changed(values, where)
+        return cls(replace(bearing, name=values.get("name", name or LI_2020.name)), law, heating)
+
+    def to_table(self) -> dict[str, Any]:
+        """Return the content of a bearing file that reads back as the same system."""
+        friction = {"law": self.friction.name, **self.friction.to_table()}
+        heating = {"model": self.heating.name, **self.heating.to_table()}
+        return self.bearing.to_table() | {"friction": friction, "heating": heating}
+
+    def changed(self, values: Mapping[str, Any]) -> "System":
+        """Return the system with parameters changed by their keys, as `system_parameters` names them; values in the package's units.
+
+        Raises
+        ------
+        InputError
+            If a value is out of range, or the law has no such parameter.
+        """
+        known = system_parameters()
+        in_order = {
+            name: values[name] for name in (*known, *(values.keys() - known.keys())) if name in values
+        }
+        of_heating = {name for kind in HEATINGS.values() for name in parameters(kind)}
+        friction, heating, changes = self.friction, self.heating, dict[str, Any]()
+        for name, value in in_order.items():
+            if name == "heating":
+                heating = heating if value == heating.name else heating_model(value, plates_of(heating))
+            elif name in of_heating:
+                heating = _with_parameter(heating, name, value)
+            elif name in ("law", "mu", "lambda") or name.startswith(OF_LAW):
+                friction = _changed_law(friction, name, value)
+            else:
+                radii = changes.get("radii", self.bearing.radii)
+                changes |= _change_of_bearing(radii, name, value)
+        bearing = self.bearing.changed(**changes) if changes else self.bearing
+        return System(bearing, friction, heating)
+
+    def _repr_html_(self) -> str:
+        facts = {"friction": repr(self.friction), "heating": repr(self.heating)}
+        return fields_card(self.bearing, self.bearing.name, facts)
+
+
+def _changed_law(friction: FrictionLaw, name: str, value: Any) -> FrictionLaw:
+    if name == "law":
+        return friction if value == friction.name else friction_law(value)
+    if name == "mu":
+        return friction.with_reference(value)
+    if name == "lambda":
+        return friction.with_reference(value * friction.reference)
+    return _with_parameter(friction, name.removeprefix(OF_LAW), value)
+
+
+def _change_of_bearing(radii: tuple[float, ...], name: str, value: Any) -> dict[str, Any]:
+    """Return the field of a bearing that a parameter changes, with its value; `radii` are those that it has."""
+    if name in _RADII:
+        if len(radii) != 2:
+            msg = (
+                "lower_radius and upper_radius are of a double concave bearing; of a single one vary radius."
+            )
+            raise InputError(msg)
+        return {"radii": (value, radii[1]) if _RADII[name] == 0 else (radii[0], value)}
+    if name == "radius" and isinstance(value, (int, float)):
+        return {"radii": (value,) * len(radii)}
+    fields = {one.key: one.name for one in parameters(Bearing).values()}
+    if name not in fields:
+        msg = unknown(name, system_parameters(), "parameter of a system")
+        raise InputError(msg)
+    return {fields[name]: value}
+
+
+@cache
+def _parameters_of_bearing() -> dict[str, Parameter]:
+    plates = {
+        name: replace(parameters(Bearing)["radii"], words=f"effective radius of the {name.partition('_')[0]} plate", key=name, counts=(), option=False)
+        for name in _RADII
+    }  # fmt: skip
+    of_bearing = {one.key: one for one in parameters(Bearing).values()}
+    return {"radius": of_bearing.pop("radius"), **plates, **of_bearing}
+
+
+def system_parameters() -> dict[str, Parameter]:
+    """Return every parameter of a system by its key, in the order in which they are applied: bearing, law, what changes a law, heating."""
+    return _system_parameters(tuple(FRICTION_LAWS.items()), tuple(HEATINGS.items()))
+
+
+@cache
+def _system_parameters(
+    laws: tuple[tuple[str, type[FrictionLaw]], ...], heatings: tuple[tuple[str, type[Heating]], ...]
+) -> dict[str, Parameter]:
+    law = Parameter("friction law", choices=tuple(dict(laws)), key="law", kind=str, default=Li2020.name)
+    heating = Parameter("heating model", choices=tuple(dict(heatings)), key="heating", kind=str, default=SimplifiedHeating.name)  # fmt: skip
+    of_laws: dict[str, Parameter] = {}
+    for name, kind in laws:
+        for one in parameters(kind).values():
+            key = OF_LAW + one.key
+            known = of_laws.get(key)
+            # of several laws with the same name for a parameter the first says what it is, and each has limits of its own
+            of_laws[key] = (
+                replace(one, key=key, default=None, more=f"of {name}")
+                if known is None
+                else replace(
+                    known,
+                    least=min(known.least, one.least),
+                    most=max(known.most, one.most),
+                    more=f"{known.more}, {name}",
+                )
+            )
+    of_heatings = {one.key: one for _, kind in heatings for one in parameters(kind).values()}
+    first = {**_parameters_of_bearing(), "law": law, "mu": _MU, "lambda": _LAMBDA}
+    return {**first, **of_laws, "heating": heating, **of_heatings}
+
+
+def read_bearing(path: str | Path) -> System:
+    """Read a bearing file; what it leaves out is that of Li et al. (2020).
+
+    Parameters
+    ----------
+    path
+        TOML with any of the keys of a `Bearing` and the tables ``[friction]`` (``law`` and its parameters) and ``[heating]`` (``model`` and its parameters). A plain number is
+        in the declared unit; a text may name another, as in ``radius = "4.5 m"``.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, or has an unknown key or a value out of range.
+    """
+    content = read_toml(path, "a bearing file is TOML with keys such as radius and slider")
+    return System.from_table(content, str(path), Path(path).stem)
+
+
+def friction_law(name: object, table: Mapping[str, Any] | None = None, where: str = "") -> FrictionLaw:
+    """Return a friction law by name, with some of its parameters changed.
+
+    Parameters
+    ----------
+    name
+        Of the law.
+    table
+        Parameters by their keys, as a file holds them.
+    where
+        What to begin a complaint with.
+
+    Raises
+    ------
+    InputError
+        If there is no law of that name, or it has no such parameter, or a value is out of range.
+    """
+    return FRICTION_LAWS.find(name, where).from_table(table or {}, where or f"friction law {name}")
+
+
+def heating_from(name: object, table: Mapping[str, Any], where: str = "") -> Heating:
+    """Return a heating model by name, with parameters as a file holds them; raises as `friction_law`."""
+    return HEATINGS.find(name, where).from_table(table, where or f"heating model {name}")
+
+
+def heating_model(name: object, values: Mapping[str, Any] | None = None) -> Heating:
+    """Return a heating model by name, with values by the names of its fields, in the package's units; raises as `friction_law`."""
+    return HEATINGS.find(name)(**(values or {}))
+
+
+def _changed(values: dict[str, Any], where: str) -> Bearing:
+    try:
+        return LI_2020.changed(**values)
+    except InputError as error:
+        msg = f"{where}: {error}"
+        raise InputError(msg) from error
+
+
+def _table(content: Mapping[str, Any], key: str, where: str) -> dict[str, Any]:
+    table = content.get(key, {})
+    if not isinstance(table, Mapping):
+        msg = f"{where}: {key!r} must be a table, written [{key}]."
+        raise InputError(msg)
+    return dict(cast("Mapping[str, Any]", table))
+
+
+def _with_parameter(part: Part, key: str, value: Any) -> Part:
+    known = {one.key: one.name for one in parameters(type(part)).values()}
+    if key not in known:
+        msg = unknown(key, known, f"parameter of {described(type(part))}")
+        raise InputError(msg)
+    made: Any = part
+    return replace(made, **{known[key]: value})
+
+
+def _refuse_other(part: object, kinds: tuple[type, ...], name: str, wanted: str) -> None:
+    if part is not None and not isinstance(part, kinds):
+        msg = f"{name} must be {wanted}, not {part!r}."
+        raise InputError(msg)
