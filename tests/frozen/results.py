@@ -37,7 +37,7 @@ else:
 ROOT = Path(__file__).parents[2]
 FROZEN = Path(__file__).with_name("results.json.xz")
 #: Keys that differ from run to run, or from machine to machine.
-VOLATILE = re.compile(r"elapsed|seconds_each|version|^threads$|^workers$|^created$|^rate$|^duration_of")
+VOLATILE = re.compile(r"elapsed|seconds_each|version|sha256|^threads$|^workers$|^created$|^rate$|^duration_of")
 #: Keys of what only rounding leaves; they must stay below this [-].
 ROUNDING = re.compile(r"energy_residual")
 LARGEST_ROUNDING = 1e-9
