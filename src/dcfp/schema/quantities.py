@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -30,6 +30,10 @@ class Quantity:
         Unit in tables, on axes and in reports; None for the same unit.
     decimals
         Digits behind the point in tables; None for the shortest form.
+    digits
+        Significant digits in tables, where the decimals are not given.
+    places
+        Digits behind the point that data keep; None for all.
     symbol
         In LaTeX.
     name
@@ -42,6 +46,8 @@ class Quantity:
         Whether it is in tables that are read by people, and in JSON, CSV, data sets and workbooks.
     signed
         Whether a plus sign stands before positive values.
+    flat
+        Whether it is one value; what is not stands in JSON alone.
     """
 
     key: str
@@ -49,6 +55,8 @@ class Quantity:
     unit: Unit = WORDS
     shown: Unit | None = None
     decimals: int | None = None
+    digits: int | None = None
+    places: int | None = None
     symbol: str = ""
     name: str = ""
     head: str = ""
@@ -56,6 +64,7 @@ class Quantity:
     printed: bool = True
     stored: bool = True
     signed: bool = False
+    flat: bool = True
 
     @property
     def is_number(self) -> bool:
@@ -92,14 +101,21 @@ class Quantity:
         return value.value if isinstance(value, Enum) else value
 
     def datum(self, result: Any) -> Any:
-        """Return the value as data hold it: a number in `unit`; None where there is none."""
+        """Return the value as data hold it: a number in `unit`, or a list of them; None where there is none."""
         value = self.of(result)
-        if value is None or not self.is_number or isinstance(value, (bool, str)):
-            return value
         if isinstance(value, np.ndarray):
-            return self.unit.shown(value)
+            value = value.tolist()
+        if isinstance(value, (list, tuple)):
+            return [self._datum(one) for one in cast("list[Any]", value)]
+        return self._datum(value)
+
+    def _datum(self, value: Any) -> Any:
+        if not self.is_number or not isinstance(value, (int, float)) or isinstance(value, bool):
+            return value
         number = self.unit.shown(value)
-        return None if isinstance(number, float) and not math.isfinite(number) else number
+        if not math.isfinite(number):
+            return None
+        return number if self.places is None else round(number, self.places)
 
     def text(self, result: Any, unit: Unit | None = None, decimals: int | None = None) -> str:
         """Return the value as people read it, in `unit` with `decimals` (by default the declared ones), without the unit."""
@@ -118,7 +134,7 @@ class Quantity:
             return NOTHING
         digits = self.decimals if decimals is None else decimals
         if digits is None:
-            return f"{number:g}"
+            return f"{number:g}" if self.digits is None else f"{number:.{self.digits}g}"
         text = f"{number:{'+' if self.signed else ''}.{digits}f}"
         return text.removeprefix("-") if float(text) == 0.0 else text
 

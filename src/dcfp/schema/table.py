@@ -47,6 +47,11 @@ class Table:
         """Columns that data hold."""
         return tuple(one for one in self.columns if one.stored)
 
+    @property
+    def flat(self) -> tuple[Quantity, ...]:
+        """Columns that lines of text and data sets hold."""
+        return tuple(one for one in self.stored if one.flat)
+
     def objects(self) -> list[dict[str, Any]]:
         """Return the rows as JSON holds them, by keys that end with their units."""
         return [{one.key: one.datum(result) for one in self.stored} for result in self.results]
@@ -64,8 +69,8 @@ class Table:
     def csv(self) -> str:
         """Return the rows as CSV, with units in the head; what there is not leaves its cell empty."""
         return csv_text(
-            [csv_head(one) for one in self.stored],
-            ([one.datum(result) for one in self.stored] for result in self.results),
+            [csv_head(one) for one in self.flat],
+            ([one.datum(result) for one in self.flat] for result in self.results),
         )
 
     def dataset(
@@ -76,7 +81,7 @@ class Table:
     ) -> "xarray.Dataset":
         """Return the rows as variables over one dimension, with units; `names` are the coordinate along it."""
         xarray: Any = import_module("xarray")  # late: it takes a third of a second to import
-        variables = {one.title: (dimension, self._column(one), one.attributes) for one in self.stored}
+        variables = {one.title: (dimension, self._column(one), one.attributes) for one in self.flat}
         coordinates = {} if names is None else {dimension: (dimension, np.array(names, dtype=object))}
         return xarray.Dataset(variables, coords=coordinates, attrs=dict(attributes or {}))
 
