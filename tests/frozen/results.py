@@ -37,12 +37,14 @@ else:
 ROOT = Path(__file__).parents[2]
 FROZEN = Path(__file__).with_name("results.json.xz")
 #: Keys that differ from run to run, or from machine to machine.
-VOLATILE = re.compile(r"elapsed|seconds_each|version|sha256|^threads$|^workers$|^created$|^rate$|^duration_of")
+VOLATILE = re.compile(
+    r"elapsed|seconds_each|version|sha256|^threads$|^workers$|^created$|^rate$|^duration_of"
+)
 #: Keys of what only rounding leaves; they must stay below this [-].
 ROUNDING = re.compile(r"energy_residual")
 LARGEST_ROUNDING = 1e-9
 #: Longest list of rows or cases that is kept as it is; of a longer one some, and of each column sum and digest.
-LONGEST = 120
+LONGEST = 150
 KEPT = 20
 
 
@@ -96,7 +98,7 @@ def main() -> int:
         for words in command_lines(QUICK) + ([] if options.quick else command_lines(SLOW))
         if words[: len(options.words)] == options.words or words[:2] == ["study", "run"]
     ]
-    frozen = {} if options.freeze else load()
+    frozen = {} if options.freeze and not options.words else load()
     answers, count = {}, 0
     for line, answer, elapsed in answers_to(commands, options.entry):
         answers[line] = answer
@@ -113,7 +115,7 @@ def main() -> int:
         for one in found[: options.most]:
             print(f"          {one}")
     if options.freeze:
-        FROZEN.write_bytes(lzma.compress(json.dumps(answers, ensure_ascii=False).encode(), preset=9))
+        FROZEN.write_bytes(lzma.compress(json.dumps(frozen | answers, ensure_ascii=False).encode(), preset=9))
         print(f"{FROZEN}: {FROZEN.stat().st_size / 1024:.0f} KiB")
     else:
         print(f"{len(answers)} commands, {count} differences")
