@@ -69,7 +69,7 @@ class Bearing(Declared):
     elastic_stiffness: Annotated[
         float,
         Parameter(
-            "stiffness before sliding", KN_PER_MM, 1e-3, 1e6, symbol="k_f", key="stiffness", step=100.0
+            "stiffness before sliding", KN_PER_MM, 1e-4, 1e6, symbol="k_f", key="stiffness", step=100.0
         ),
     ] = 1.9e6
     displacement_capacity: Annotated[

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from dcfp.analysis.rig import load_program, run_program
-from dcfp.analysis.rig.codes import PrototypeDesign, judge_tests, prototype, prototype_program
+from dcfp.analysis.rig.codes import PrototypeDesign, judge_tests, property_factors, prototype_program
 from dcfp.analysis.rig.codes.prototype import Criterion
 from dcfp.errors import InputError
 from dcfp.system import LI_2020
@@ -201,7 +201,7 @@ def test_checks_and_factors_of_a_constant_coefficient():
 
     program = load_program("asce")
     loops = run_program(program, friction=ConstantFriction(), heating=NoHeating())
-    for factor in prototype(loops):
+    for factor in property_factors(loops):
         assert factor.upper == pytest.approx(1.0, abs=2e-3)  # the first cycle starts without friction
         assert factor.lower == pytest.approx(1.0, abs=2e-3)
         assert factor.enduring == pytest.approx(1.0, abs=2e-3)
@@ -213,7 +213,7 @@ def test_checks_and_factors_of_a_constant_coefficient():
 def test_heat_makes_the_first_cycle_the_strongest():
     program = load_program("asce")
     loops = run_program(program)
-    friction = next(f for f in prototype(loops) if f.name == "friction of the loop")
+    friction = next(f for f in property_factors(loops) if f.name == "friction of the loop")
     seventh = next(test for test in loops if test.test.name == "T07")
     values = [cycle.loop_friction for cycle in seventh.cycles]
     mean = sum(values) / 3.0
@@ -238,7 +238,7 @@ def test_a_program_of_no_code_is_not_judged():
     program = load_program("dependency")
     loops = run_program(program.only(["T01"]))
     assert judge_tests(program, loops) == []
-    assert prototype(loops) == []
+    assert property_factors(loops) == []
 
 
 def test_what_is_not_a_number_never_passes():

@@ -227,11 +227,11 @@ def _write(
 
 
 def _show_checks(program: "Program", runs: "dict[str, tuple[Loops, ...]]", *, as_json: bool) -> None:
-    from dcfp.analysis.rig.codes import judge_tests, prototype
+    from dcfp.analysis.rig.codes import judge_tests, property_factors
     from dcfp.doors.cli.test_table import print_checks
 
     name, loops = next(iter(runs.items()))
-    criteria, factors = judge_tests(program, loops), prototype(loops)
+    criteria, factors = judge_tests(program, loops), property_factors(loops)
     if not as_json:
         print_checks(program, loops, criteria, factors)
         return

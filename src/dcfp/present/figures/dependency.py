@@ -174,9 +174,8 @@ def _draw_friction(
         if fast is not None:
             time, friction = _at_zero(fast)
             axes.plot(time, friction, marker="o", markersize=3.5, linewidth=0.7, color=colour)
-    from dcfp.system.friction.law import (
-        NOMINAL_COEFFICIENT,  # late: the package of bearings imports the kernels
-    )
+    # late: the package of bearings imports the kernels
+    from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
 
     axes.axhline(NOMINAL_COEFFICIENT, color=RED, linewidth=0.7, linestyle=(0, (5, 3)))
     axes.text(0.985, 1.08 * NOMINAL_COEFFICIENT, r"$\mu_n = 0.043$, tests of Li et al.", color=RED, ha="right", va="bottom",
