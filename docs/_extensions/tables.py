@@ -13,7 +13,7 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
 from dcfp.schema.citations import bibliography
-from dcfp.schema.nomenclature import nomenclature
+from dcfp.schema.nomenclature import NOMENCLATURE
 from dcfp.version import version
 
 _VERDICTS = {True: "agrees", False: "FAILS", None: "skipped"}
@@ -94,11 +94,12 @@ class Symbols(SphinxDirective):
             [
                 [nodes.paragraph("", "", nodes.math(one.symbol, one.symbol))],
                 [_small(one.words)],
-                [_small(_plain(one.unit))],
-                [_small(one.shown.replace("1", "–") if one.shown == "1" else one.shown)],
-                [nodes.paragraph("", "", nodes.literal(one.name, one.name))],
+                [_small(one.unit.inner_unit.name)],
+                [_small(one.shown.name)],
+                [nodes.paragraph("", "", nodes.literal(name, name))],
             ]
-            for one in nomenclature().values()
+            for name, one in NOMENCLATURE.items()
+            if one.symbol
         ]
         return [
             table(
@@ -108,10 +109,6 @@ class Symbols(SphinxDirective):
                 "symbols",
             )
         ]
-
-
-def _plain(unit: str) -> str:
-    return {"1": "–", "mm s-1": "mm/s", "mm s-2": "mm/s²", "degC": "°C"}.get(unit, unit)
 
 
 class References(SphinxDirective):

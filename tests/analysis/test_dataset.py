@@ -8,7 +8,7 @@ import xarray
 
 import dcfp
 from dcfp.schema.citations import bibliography, citation
-from dcfp.schema.nomenclature import nomenclature
+from dcfp.schema.nomenclature import NOMENCLATURE
 
 
 @pytest.fixture(scope="module")
@@ -24,7 +24,7 @@ def test_every_variable_has_words_and_a_unit(response):
         if name in ("plate", "profile_time"):
             continue
         assert dataset[name].attrs["long_name"]
-        assert dataset[name].attrs["units"] == nomenclature()[name].unit
+        assert dataset[name].attrs["units"] == NOMENCLATURE[name].unit.udunits
 
 
 def test_a_file_gives_back_what_was_written(response, tmp_path):

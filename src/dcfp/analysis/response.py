@@ -5,6 +5,7 @@ import math
 from dataclasses import asdict, dataclass
 from enum import Enum
 from functools import cached_property
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,8 +18,10 @@ from dcfp.kernels.march import TEMPERATURE
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import motion_remarks
 from dcfp.schema.citations import citations_of
-from dcfp.schema.nomenclature import quantity
+from dcfp.schema.nomenclature import Quantities, quantity
 from dcfp.schema.notebook import card, with_units
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.units import KN, M_PER_S, NONE, SECOND
 from dcfp.system import Bearing, FrictionLaw, Heating
 from dcfp.system.plates import Profiles, mean_temperature, profile_variables
 from dcfp.system.validity import LARGEST_ANGLE, History, assumption_remarks
@@ -179,6 +182,11 @@ class Response:
         return float(self.final_state.march[m.PEAK_FORCE]) * self.bearing.mass
 
     @property
+    def force_ratio(self) -> float:
+        """Largest horizontal force over the weight [-]."""
+        return self.peak_force / self.bearing.vertical_force
+
+    @property
     def peak_temperature(self) -> float:
         """Highest temperature of the contact of any plate [degC]."""
         return float(self.final_state.march[m.PEAK_TEMPERATURE])
@@ -251,7 +259,7 @@ class Response:
 
     def summary(self) -> dict[str, float | str]:
         """Return the peaks with their units in their names, ready for JSON."""
-        return summary(self)
+        return {one.key: one.datum(self) for one in PEAKS.values() if one.stored}
 
     def __str__(self) -> str:
         return (
@@ -345,26 +353,43 @@ def _provenance(response: "Response") -> dict[str, str | float]:
     }
 
 
-# The peaks with their units in their names.
-
-
-def summary(response: "Response") -> dict[str, float | str]:
-    """Return what the command line's JSON holds for one analysis."""
-    return {
-        "record": response.motion.name,
-        "pgv_m_s": response.motion.peak_velocity / 1e3,
-        "friction": response.friction_law.name,
-        "heating": response.heating.name,
-        "y_max_mm": response.peak_displacement,
-        "dy_max_mm": response.peak_change,
-        "v_max_mm_s": response.peak_velocity,
-        "residual_mm": response.residual_displacement,
-        "force_max_kN": response.peak_force / 1e3,
-        "temperature_max_degC": response.peak_temperature,
-        "friction_min": response.least_friction,
-        "V_E_mm_s": response.input_velocity,
-        "V_Eh_mm_s": response.hysteretic_velocity,
-        "energy_residual": response.energy.relative_residual,
-        "status": response.status.value,
-        "elapsed_s": response.elapsed,
-    }
+#: What is told of one analysis: what it is of, its peaks and how it ended; by the names of the nomenclature, as JSON, CSV and tables have it.
+PEAKS = Quantities("peak of a response")
+PEAKS.add(
+    "record", Quantity("record", "name of the ground motion", head="Record", get=attrgetter("motion.name"))
+)
+PEAKS.tell(
+    "peak_ground_velocity",
+    "pgv_m_s",
+    unit=M_PER_S,
+    name="pgv",
+    head="PGV",
+    decimals=3,
+    get=attrgetter("motion.peak_velocity"),
+)
+PEAKS.add("law", Quantity("friction", "friction law", printed=False, get=attrgetter("friction_law.name")))
+PEAKS.add("heating", Quantity("heating", "heating model", printed=False, get=attrgetter("heating.name")))
+PEAKS.tell("peak_displacement", "y_max_mm", name="y_max", decimals=1)
+PEAKS.tell("peak_change", "dy_max_mm", name="dy_max", decimals=1)
+PEAKS.tell("peak_velocity", "v_max_mm_s", name="v_max", decimals=3)
+PEAKS.tell("residual_displacement", "residual_mm", name="residual", head="resid.", decimals=1)
+PEAKS.tell("peak_force", "force_max_kN", unit=KN, name="force_max", head="F_max", decimals=0)
+PEAKS.tell("force_ratio", "force_ratio", head="F/W", decimals=3, stored=False)
+PEAKS.tell("peak_temperature", "temperature_max_degC", name="temperature_max", head="T_max", decimals=0)
+PEAKS.tell("least_friction", "friction_min", head="mu_min", decimals=4)
+PEAKS.tell("input_velocity", "V_E_mm_s", name="V_E", decimals=3)
+PEAKS.tell("hysteretic_velocity", "V_Eh_mm_s", name="V_Eh", decimals=3)
+PEAKS.add(
+    "relative_energy_residual",
+    Quantity(
+        "energy_residual",
+        "residual of the energy balance over the largest input energy",
+        NONE,
+        printed=False,
+        get=attrgetter("energy.relative_residual"),
+    ),
+)
+PEAKS.add("status", Quantity("status", "how the analysis ended", head="Status"))
+PEAKS.add(
+    "elapsed", Quantity("elapsed_s", "computing time of the analysis", SECOND, name="elapsed", printed=False)
+)

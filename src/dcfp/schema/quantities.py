@@ -27,7 +27,7 @@ class Quantity:
     unit
         Unit in JSON, CSV, data sets and workbooks; `WORDS` for what is no number.
     shown
-        Unit in tables, on axes and in reports; None for the same unit.
+        Unit in tables, on axes and in reports; by default the same.
     decimals
         Digits behind the point in tables; None for the shortest form.
     digits
@@ -53,7 +53,7 @@ class Quantity:
     key: str
     words: str
     unit: Unit = WORDS
-    shown: Unit | None = None
+    shown: Unit = WORDS
     decimals: int | None = None
     digits: int | None = None
     places: int | None = None
@@ -66,6 +66,10 @@ class Quantity:
     signed: bool = False
     flat: bool = True
 
+    def __post_init__(self) -> None:
+        if self.shown is WORDS:
+            object.__setattr__(self, "shown", self.unit)
+
     @property
     def is_number(self) -> bool:
         """Whether its values are numbers."""
@@ -77,14 +81,9 @@ class Quantity:
         return self.name or self.key
 
     @property
-    def display(self) -> Unit:
-        """Unit in tables and on axes."""
-        return self.unit if self.shown is None else self.shown
-
-    @property
     def label(self) -> str:
         """Label of an axis."""
-        unit = f" [{self.display.name}]" if self.display.has_dimension else ""
+        unit = f" [{self.shown.name}]" if self.shown.has_dimension else ""
         return f"${self.symbol}${unit}"
 
     @property
@@ -94,6 +93,10 @@ class Quantity:
         if self.is_number:
             found["units"] = self.unit.udunits
         return found | ({"symbol": self.symbol} if self.symbol else {})
+
+    def display(self, values: Any) -> Any:
+        """Return numbers or arrays in the package's units in the unit in which they are shown."""
+        return self.shown.shown(values)
 
     def of(self, result: Any) -> Any:
         """Return the value of a result in the package's units; what is not a number is returned as it is."""
@@ -129,7 +132,7 @@ class Quantity:
             return "yes" if value else "no"
         if not self.is_number or isinstance(value, str):
             return str(value)
-        number = (unit or self.display).shown(value)
+        number = (unit or self.shown).shown(value)
         if not math.isfinite(number):
             return NOTHING
         digits = self.decimals if decimals is None else decimals
@@ -141,7 +144,7 @@ class Quantity:
     def heading(self, unit: Unit | None = None) -> str:
         """Return the head of its column on a console: a name, and the unit below it."""
         name = self.head or self.title
-        return f"{name}\n[{self._bracket(unit or self.display)}]" if self.is_number else name
+        return f"{name}\n[{self._bracket(unit or self.shown)}]" if self.is_number else name
 
     @staticmethod
     def _bracket(unit: Unit) -> str:

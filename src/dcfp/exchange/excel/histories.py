@@ -59,7 +59,7 @@ def _histories(response: "Response") -> "dict[str, FloatArray]":
 
 
 def _unit(name: str) -> str:
-    return quantity(name).shown
+    return quantity(name).shown.name
 
 
 def _chart(book: Any, name: str, heads: list[Head], columns: tuple[int, int], rows: tuple[int, int]) -> Any:

@@ -102,7 +102,7 @@ def plot_comparison(cases: "Sequence[Case]") -> Figure:
 
 def _draw_panel(axes: "Axes", cases: "Sequence[Case]", which: "Quantity", looks: tuple[_Look, ...]) -> None:
     entry = quantity(ENTRIES[which.name])
-    analysed, predicted = _values(cases, which, entry.factor, looks)
+    analysed, predicted = _values(cases, which, looks)
     low, high = _limits(analysed, predicted)
     _draw_lines(axes, low, high)
     size = 4.5 if len(cases) <= _FEW else 3.0 if len(cases) <= _MANY else 2.2
@@ -113,8 +113,8 @@ def _draw_panel(axes: "Axes", cases: "Sequence[Case]", which: "Quantity", looks:
     calm_ticks(axes)
     axes.set(xscale="log", yscale="log", xlim=(low, high), ylim=(low, high))
     axes.set_box_aspect(1.0)
-    axes.set_xlabel(f"${entry.symbol}$ analysed [{entry.shown}]")
-    axes.set_ylabel(f"${entry.symbol}$ predicted [{entry.shown}]")
+    axes.set_xlabel(f"${entry.symbol}$ analysed [{entry.shown.name}]")
+    axes.set_ylabel(f"${entry.symbol}$ predicted [{entry.shown.name}]")
     plain_numbers(axes)
     _add_legend(axes, cases, which, looks)
 
@@ -125,7 +125,7 @@ def _is_outside(case: "Case", look: _Look) -> bool:
 
 
 def _values(
-    cases: "Sequence[Case]", which: "Quantity", factor: float, looks: tuple[_Look, ...]
+    cases: "Sequence[Case]", which: "Quantity", looks: tuple[_Look, ...]
 ) -> "tuple[FloatArray, list[FloatArray]]":
     """Return what was analysed, and what each method predicts, as shown; not a number where there is nothing."""
     from dcfp.inference.statistics import value_of
@@ -136,7 +136,8 @@ def _values(
         np.array([value_of(case.predicted.get(view, NOTHING), which) for case in cases])
         for view in _views(looks)
     ]
-    return factor * analysed, [factor * values for values in predicted]
+    entry = quantity(ENTRIES[which.name])
+    return entry.display(analysed), [entry.display(values) for values in predicted]
 
 
 def _views(looks: tuple[_Look, ...]) -> "list[View]":

@@ -229,7 +229,7 @@ def _mark_second_cycle(axes: "Axes", test: "Loops") -> None:
         crossings[:, 0] < test.cycle_times[2] - slack
     )
     for (_, force, _), letter in zip(crossings[inside], "cd", strict=False):
-        height = float(quantity("force").factor * force)
+        height = float(quantity("force").display(force))
         axes.plot(0.0, height, marker="o", markersize=4, color=INK, linestyle="none", zorder=4)
         axes.annotate(
             letter,

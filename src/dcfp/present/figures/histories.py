@@ -62,7 +62,7 @@ def plot_velocities(response: "Response", axes: "Axes | None" = None) -> "Axes":
     largest = max(
         float(np.abs(values).max()) for values in (response.ground_velocity, response.structure_velocity)
     )
-    between_equal_limits(axes, float(quantity("velocity").factor * largest))
+    between_equal_limits(axes, float(quantity("velocity").display(largest)))
     legend_above(axes)
     return axes
 

@@ -109,7 +109,7 @@ def _draw_history(
     width = 0.5 if motion.duration * columns > 60.0 else 0.7
     axes.plot(motion.time, heights, color=BLUE, linewidth=width)
     calm_ticks(axes, max(4, 10 // columns), 4)
-    mark_peak(axes, motion.time, heights, lambda peak: words(peak / entry.factor))
+    mark_peak(axes, motion.time, heights, lambda peak: words(entry.shown.inner(peak)))
     axes.set_xlim(0.0, motion.duration)
     axes.set_ylabel(entry.label)
     between_equal_limits(axes, float(np.abs(heights).max()))

@@ -135,7 +135,7 @@ def _folded(words: str, response: "Response", width: int) -> str:
 def _share_limits(axes: "np.ndarray", responses: "Sequence[Response]") -> None:
     """Give all panels the same limits, and only the outer ones numbers."""
     reach = 1.06 * max(max(response.peak_displacement for response in responses), 1e-6)
-    height = 1.1 * quantity("force").factor * max(max(response.peak_force for response in responses), 1e-3)
+    height = 1.1 * quantity("force").display(max(max(response.peak_force for response in responses), 1e-3))
     columns = axes.shape[1]
     # in small panels the two lines of numbers need a band of their own above the loop
     band = 0.0 if columns <= _COLUMNS else min(0.5, _NUMBERS_HEIGHT * columns / PAGE_WIDTH)

@@ -47,11 +47,11 @@ def plot_pgv_prediction(
             entry = quantity(ENTRIES[key])
             if intervals is not None and key in intervals:
                 _draw_interval(
-                    axes, velocity, entry.factor * np.asarray(intervals[key], dtype=np.float64)[order]
+                    axes, velocity, entry.display(np.asarray(intervals[key], dtype=np.float64)[order])
                 )
             axes.plot(
                 velocity,
-                entry.factor * values[order],
+                entry.display(values[order]),
                 color=BLUE,
                 linewidth=1.1,
                 marker="o",

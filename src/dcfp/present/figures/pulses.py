@@ -114,7 +114,7 @@ def _words(predicted: "PulsePrediction", number: int, friction: float) -> str:
     pulses = predicted.pulses
     change, slope = abs(float(pulses.changes[number])), abs(float(pulses.mean_accelerations[number]))
     moved = float(predicted.displacement_change[number])
-    slope_shown = quantity("ground_velocity_slope").factor * slope
+    slope_shown = quantity("ground_velocity_slope").display(slope)
     return ",  ".join(
         (
             rf"$|\Delta v_g|$ {metres_per_second(change)}",

@@ -7,7 +7,23 @@ import numpy as np
 import xarray
 
 from dcfp.errors import InputError
-from dcfp.schema.nomenclature import Quantity, nomenclature
+from dcfp.schema.nomenclature import NOMENCLATURE
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.units import (
+    DEGC,
+    KN,
+    M_PER_S,
+    M_PER_S2,
+    MM,
+    MM_PER_S,
+    MM_PER_S2,
+    N_PER_MM,
+    N_PER_MM2,
+    NEWTON,
+    NONE,
+    SECOND,
+    Unit,
+)
 from dcfp.study.results import INTENSITIES
 
 #: How far a number may be off the value of a factor that it means, relative [-] and, at zero, absolute.
@@ -176,16 +192,11 @@ def _is(names: Sequence[str]) -> str:
 _OTHER_NAMES = {"pgv": "peak_ground_velocity"}
 #: Symbols of those that it does not know.
 _SYMBOLS = {"pga": r"\mathrm{PGA}", "mu": r"\mu", "lambda": r"\lambda", "ambient": "T_0", "radius": "R"}
-#: How units are shown, and shown value over value [-].
-_SHOWN = {
-    "1": ("–", 1.0),
-    "degC": ("°C", 1.0),
-    "mm s-1": ("m/s", 1e-3),
-    "mm s-2": ("m/s²", 1e-3),
-    "N": ("kN", 1e-3),
-    "N mm-1": ("N/mm", 1.0),
-    "N mm-2": ("N/mm²", 1.0),
+#: Units as data sets name them, and those that are shown in another.
+_UNITS = {
+    one.udunits: one for one in (NONE, DEGC, MM, SECOND, MM_PER_S, MM_PER_S2, NEWTON, N_PER_MM, N_PER_MM2)
 }
+_SHOWN = {MM_PER_S: M_PER_S, MM_PER_S2: M_PER_S2, NEWTON: KN}
 #: What is known of a record beside its name.
 OF_RECORDS = ("event", "station", "record_sha256", "time_step", "unscaled_pgv")
 #: Values of a factor that a sentence names.
@@ -195,14 +206,15 @@ _MOST_NAMED = 12
 def described(variable: "xarray.DataArray") -> Quantity:
     """Return what is known of a factor or a result: from the nomenclature, or else from its own attributes."""
     name = str(variable.name)
-    known = nomenclature().get(_OTHER_NAMES.get(name, name))
+    known = NOMENCLATURE.get(_OTHER_NAMES.get(name, name))
     if known is not None:
         return known
-    unit = str(variable.attrs.get("units", "1"))
-    shown, factor = _SHOWN.get(unit, (unit, 1.0))
+    text = str(variable.attrs.get("units", "1"))
+    unit = _UNITS.get(text) or Unit(text, udunits=text)
     plain = r"\ ".join(name.split("_"))
     symbol = str(variable.attrs.get("symbol", _SYMBOLS.get(name, rf"\mathrm{{{plain}}}")))
-    return Quantity(name, symbol, unit, str(variable.attrs.get("long_name", name)), shown, factor)
+    words = str(variable.attrs.get("long_name", name))
+    return Quantity(name, words, unit, _SHOWN.get(unit, unit), symbol=symbol)
 
 
 def is_number(variable: "xarray.DataArray") -> bool:
@@ -215,8 +227,8 @@ def shown_value(variable: "xarray.DataArray", value: object) -> str:
     if not is_number(variable):
         return str(value)
     entry = described(variable)
-    number = f"{float(np.asarray(value, dtype=np.float64)) * entry.factor:.6g}"
-    return number if entry.shown == "–" else f"{number} {entry.shown}"
+    number = f"{entry.display(float(np.asarray(value, dtype=np.float64))):.6g}"
+    return f"{number} {entry.shown.name}" if entry.shown.has_dimension else number
 
 
 def shown_values(variable: "xarray.DataArray") -> str:

@@ -101,7 +101,7 @@ def shown_factor(variable: "xarray.DataArray") -> float:
     """Return shown value over value [-]."""
     from dcfp.study.assessment.selection import described
 
-    return described(variable).factor
+    return 1.0 / described(variable).shown.size
 
 
 def head(variable: "xarray.DataArray") -> str:
@@ -109,7 +109,7 @@ def head(variable: "xarray.DataArray") -> str:
     from dcfp.study.assessment.selection import described
 
     name = "PGV" if variable.name == "pgv" else "PGA" if variable.name == "pga" else str(variable.name)
-    return f"{name.replace('_', ' ')}\n[{described(variable).shown.replace('–', '-')}]"
+    return f"{name.replace('_', ' ')}\n[{described(variable).shown.name.replace('–', '-')}]"
 
 
 def key(variable: "xarray.DataArray") -> str:

@@ -104,12 +104,12 @@ def _head(name: str) -> str:
         "input_velocity": "V_E",
     }[name]
     unit = quantity(name).shown
-    return f"{short}\n[{'-' if unit == '–' else unit}]"
+    return f"{short}\n[{unit.name if unit.has_dimension else '-'}]"
 
 
 def _spread(values: dict[str, float | None], name: str) -> str:
-    factor = quantity(name).factor
-    shown = [None if value is None else value * factor for value in values.values()]
+    entry = quantity(name)
+    shown = [None if value is None else entry.display(value) for value in values.values()]
     digits = _DIGITS.get(name, 1)
     if None in shown:
         return "–"

@@ -16,7 +16,7 @@ def axis_label(variable: "xarray.DataArray") -> str:
 
     entry = described(variable)
     symbol = "" if entry.symbol.startswith(r"\mathrm") else f", ${entry.symbol}$"
-    unit = "" if entry.shown == "–" else f" [{entry.shown}]"
+    unit = f" [{entry.shown.name}]" if entry.shown.has_dimension else ""
     return f"{entry.words}{symbol}{unit}"
 
 

@@ -44,7 +44,9 @@ def plot_fragility(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes
         label = f"{name}: no fit"
         if np.isfinite(medians[place]):
             beta = float(one["total_dispersion"])
-            label = f"{name}: " + rf"$\theta$ = {medians[place]:.3g} {entry.shown.replace('–', '')}".rstrip()
+            label = (
+                f"{name}: " + rf"$\theta$ = {medians[place]:.3g} {entry.shown.name.replace('–', '')}".rstrip()
+            )
             label += rf", $\beta$ = {beta:.2f}"
         low, high = one["probability_bound"].to_numpy()
         axes.fill_between(points, low, high, color=colour, alpha=0.15, linewidth=0.0)

@@ -52,7 +52,7 @@ def plot_sensitivity(found: "xarray.Dataset") -> Figure:
             _draw(axes, found.isel({left[0]: place}) if left else found)
             if left:
                 along = found[left[0]]
-                symbol = "PGV" if left[0] == "pgv" else described(along).name
+                symbol = "PGV" if left[0] == "pgv" else described(along).title
                 axes.set_title(f"{symbol} {shown_value(along, along.to_numpy()[place])}")
         last = panels.flat[-1]  # all share its limits
         low, high = last.get_xlim()
@@ -83,9 +83,9 @@ def _draw(axes: "Axes", one: "xarray.Dataset") -> None:
 
 
 def _words(found: "xarray.Dataset") -> str:
-    from dcfp.schema.nomenclature import nomenclature
+    from dcfp.schema.nomenclature import NOMENCLATURE
 
     name = str(found.attrs["quantity"])
-    entry = nomenclature().get(name)
+    entry = NOMENCLATURE.get(name)
     words = name.replace("_", " ") if entry is None else entry.words
     return f"{'logarithm of the ' if found.attrs['logarithm'] else ''}{words}"

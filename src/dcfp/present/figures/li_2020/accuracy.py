@@ -31,8 +31,8 @@ def draw_accuracy(
     def point(case: "Case") -> tuple[float, float] | None:
         if view not in case.predicted:
             return None
-        analysed = entry.factor * value_of(case.analysed.whole, which)
-        predicted = entry.factor * value_of(case.predicted[view], which)
+        analysed = entry.display(value_of(case.analysed.whole, which))
+        predicted = entry.display(value_of(case.predicted[view], which))
         return (analysed, predicted) if np.isfinite(predicted) else None
 
     draw_points(axes, cases, marks, point)
@@ -43,8 +43,8 @@ def draw_accuracy(
     calm_ticks(axes, 6, 5)
     axes.set_xlim(0.0, across)
     axes.set_ylim(0.0, max(up, across))
-    axes.set_xlabel(f"${entry.symbol}$ analysed [{entry.shown}]")
-    axes.set_ylabel(f"${entry.symbol}$ predicted [{entry.shown}]")
+    axes.set_xlabel(f"${entry.symbol}$ analysed [{entry.shown.name}]")
+    axes.set_ylabel(f"${entry.symbol}$ predicted [{entry.shown.name}]")
 
 
 def _draw_range(axes: "Axes", least: float, largest: float, across: float) -> None:

@@ -37,7 +37,7 @@ def draw_velocity_change(
 
     entry = quantity("ground_velocity_change")
     _draw_against_pgv(axes, cases, marks, "ground_velocity_change", change)
-    axes.set_ylabel(f"$|{entry.symbol}|$ [{entry.shown}]")
+    axes.set_ylabel(f"$|{entry.symbol}|$ [{entry.shown.name}]")
     ends = quantity("peak_ground_velocity").display(np.array([0.0, _largest_pgv(cases)]))
     label = rf"$\zeta={constants.change_ratio:.3g}$, Eq. (29)"
     axes.plot(ends, constants.change_ratio * ends, color=INK, linewidth=0.9, linestyle=_DASHED, label=label)
@@ -116,11 +116,11 @@ def _draw_against_pgv(
 
     def point(case: "Case") -> tuple[float, float] | None:
         found = value(case)
-        return None if found is None else (velocity.factor * case.pgv, entry.factor * found)
+        return None if found is None else (velocity.display(case.pgv), entry.display(found))
 
     draw_points(axes, cases, marks, point)
     calm_ticks(axes, 6, 5)
-    axes.set_xlim(0.0, 1.08 * velocity.factor * _largest_pgv(cases))
+    axes.set_xlim(0.0, 1.08 * velocity.display(_largest_pgv(cases)))
     axes.set_ylim(bottom=0.0)
     axes.set_xlabel(velocity.label)
     axes.set_ylabel(entry.label)

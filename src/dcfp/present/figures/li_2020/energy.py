@@ -63,14 +63,14 @@ def draw_input_over_change(
         pulse = case.analysed.pulse
         if pulse is None:
             return None
-        across = change.factor * abs(float(case.pulses.changes[pulse]))
-        return across, put_in.factor * case.analysed.governing.input_velocity
+        across = change.display(abs(float(case.pulses.changes[pulse])))
+        return across, put_in.display(case.analysed.governing.input_velocity)
 
     draw_points(axes, cases, marks, point)
     points = [place for place in map(point, cases) if place is not None]
     across = 1.06 * (max((x for x, _ in points), default=0.0) or 1.0)
     if constants.slides_on_average:
-        ends = np.array([0.0, across]) / change.factor
+        ends = change.shown.inner(np.array([0.0, across]))
         line = input_velocity(ends, constants.friction_deceleration, constants.average_slope)
         label = rf"Eq. (28), $k_{{g,\mathrm{{ave}}}}={constants.average_slope:.0f}$ mm/s²"
         axes.plot(
@@ -80,5 +80,5 @@ def draw_input_over_change(
     calm_ticks(axes, 6, 5)
     axes.set_xlim(0.0, across)
     axes.set_ylim(bottom=0.0)
-    axes.set_xlabel(f"$|{change.symbol}|$ [{change.shown}]")
+    axes.set_xlabel(f"$|{change.symbol}|$ [{change.shown.name}]")
     axes.set_ylabel(put_in.label)
