@@ -85,7 +85,9 @@ def bearings(draw: st.DrawFn) -> Bearing:
     diameter = min(draw(logarithmic(10.0, 800.0)), 1.5 * min(radii))
     pressure = draw(st.floats(3.0, 150.0))
     pendulum = pressure * math.pi * diameter**2 / 4.0 / sum(radii)
-    return Bearing(radii, diameter, pressure, pendulum * draw(logarithmic(3.0, 100_000.0)))
+    # never so soft that a wrong unit would be suspected
+    ratio = max(draw(logarithmic(3.0, 100_000.0)), sum(radii) / 290.0)
+    return Bearing(radii, diameter, pressure, pendulum * ratio)
 
 
 def friction_laws() -> st.SearchStrategy[FrictionLaw]:
