@@ -77,6 +77,21 @@ def test_plates_that_conduct_perfectly_do_not_heat() -> None:
         assert np.abs(loops.force - cold.force).max() < 1e-6 * np.abs(cold.force).max()
 
 
+@pytest.mark.parametrize("radii", [(4500.0,), (4500.0, 4500.0), (6000.0, 3000.0)])
+def test_the_centre_of_a_plate_heats_until_the_slider_has_left_it(radii: tuple[float, ...]) -> None:
+    """Eq. (11) under a constant flux, while the part of the travel that is on this plate is within the contact: Eq. (12)."""
+    bearing, heating = replace(LI_2020, radii=radii), SimplifiedHeating()
+    shares = np.array(radii) / sum(radii)  # of the travel and of the heat
+    edge = 0.25 * np.sqrt(np.pi) * bearing.slider_diameter / shares.max()
+    loops = run_one(Triangle(1.2 * edge, 100.0, 1), heating=heating, bearing=bearing)
+    flux = 0.043 * 60.0 * 100.0 * (shares @ shares)
+    for part, is_heated in ((0.5, True), (0.97, True), (1.1, False)):
+        at = int(np.argmax(loops.displacement >= part * edge))
+        sliding = loops.time[at] - REACH / 100.0
+        rise = 2.0 * flux / heating.conductivity * np.sqrt(heating.diffusivity * sliding / np.pi)
+        assert (abs(loops.temperature[at] - 20.0 - rise) < 2e-3 * rise) == is_heated
+
+
 def test_both_heating_models_agree_where_the_slider_hardly_moves() -> None:
     simplified = run_one(Sine(2.0, 20.0, 5), Li2020(), SimplifiedHeating(), STIFF)
     precise = run_one(Sine(2.0, 20.0, 5), Li2020(), PreciseHeating(), STIFF)

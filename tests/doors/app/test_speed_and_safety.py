@@ -137,6 +137,9 @@ def test_another_host_or_origin_is_refused(server):
     assert ask(server, Origin="http://evil.example")[0] == 403
     assert ask(server, Origin=f"http://{own}")[0] == 200
     assert ask(server, Origin="null")[0] == 403
+    # another program of this machine, whose page the same browser shows
+    assert ask(server, Origin="http://127.0.0.1:9")[0] == 403
+    assert ask(server, Origin="http://127.0.0.1")[0] == 403
 
 
 def test_a_socket_of_another_page_is_refused(server):

@@ -117,6 +117,14 @@ def test_what_is_at_the_capacity_does_not_exceed_it():
     assert (found.lower[0], found.upper[0]) == (1.0, 2.0)
 
 
+def test_a_record_at_the_capacity_is_not_counted_among_those_beyond_it(build):
+    study = build({"record": 8, "pgv": [200.0, 400.0, 600.0]}, strength=np.linspace(0.5, 1.5, 8))
+    values = study["peak_displacement"].to_numpy()
+    found = fragility(study, float(values[3, 1]), draws=10)
+    np.testing.assert_array_equal(found["fraction"][0], (values > values[3, 1]).mean(axis=0))
+    assert float(found["fraction"][0, 1]) == 0.5
+
+
 # ----- the whole -----
 
 
