@@ -35,8 +35,7 @@ def findings() -> list[dict[str, Any]]:
     """Return the findings of ``dcfp reproduce``."""
 
     def make() -> list[dict[str, Any]]:
-        from dcfp.verify.reproduction import analyse, findings_of
-        from dcfp.verify.reproduction.analyses import paper_motions
+        from dcfp.verify.reproduction import analyse, findings_of, paper_motions
 
         return [
             {**asdict(one), "outside": [str(case) for case in one.outside]}

@@ -10,7 +10,7 @@ tests. Nothing was tuned to bring them together; what would is in :doc:`/virtual
 
 import dcfp
 from dcfp.analysis.rig.run import paper_models, run_models
-from dcfp.present.figures.dependency import plot_dependency
+from dcfp.present.figures.program import plot_dependency
 from dcfp.system import LI_2020, Li2020, PreciseHeating
 
 program = dcfp.load_program("dependency")

@@ -9,7 +9,7 @@ from dcfp.system import LI_2020, PreciseHeating, SimplifiedHeating
 from dcfp.verify import rig_opensees
 from dcfp.verify.check import Task
 from dcfp.verify.opensees import REQUIRED
-from dcfp.verify.rig_cases import FinerSine, refined
+from dcfp.verify.rig import FinerSine, refined
 from dcfp.verify.rig_explicit import Path, integrate, sine, twice
 
 CONSTANT = np.array([0.043, 0.0, 0.0, 0.0, 0.0, 1.0])

@@ -5,8 +5,7 @@ from functools import partial
 from dcfp.analysis import respond
 from dcfp.analysis.building import respond_building, uniform_building
 from dcfp.system import LI_2020, Li2020, PreciseHeating, SimplifiedHeating
-from dcfp.verify.cases import scaled_record
-from dcfp.verify.check import Finding, Task
+from dcfp.verify.check import Finding, Task, scaled_record
 
 GROUP = "Shear building"
 _RECORDS = ("NCC", "LPG")

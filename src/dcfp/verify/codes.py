@@ -14,8 +14,7 @@ from dcfp.methods import aij_2016, asce_2016
 from dcfp.methods.equivalent_linear import PendulumWithFriction
 from dcfp.methods.spectra import Asce2016Spectrum, TabulatedSpectrum, input_energy_spectrum, response_spectrum
 from dcfp.motion import treatment
-from dcfp.verify.cases import scaled_record
-from dcfp.verify.check import Finding, Task
+from dcfp.verify.check import Finding, Task, scaled_record
 
 GROUP = "Spectra and codes"
 _INCH = 25.4

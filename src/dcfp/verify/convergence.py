@@ -8,8 +8,7 @@ from dcfp.analysis import Response, respond
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.synthetic import ricker
 from dcfp.system import Heating, PreciseHeating, SimplifiedHeating
-from dcfp.verify.cases import hundred_components, sixteen_analyses
-from dcfp.verify.check import Finding, Task
+from dcfp.verify.check import Finding, Task, hundred_components, sixteen_analyses
 
 GROUP = "Convergence"
 #: What the default settings promise of the peak displacement [-] and of the peak temperature [degC].

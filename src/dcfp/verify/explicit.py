@@ -18,8 +18,7 @@ from dcfp.arrays import FloatArray
 from dcfp.kernels.memory import fading_modes
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.system import LI_2020, Bearing, FrictionLaw, Kumar2015, Li2020, SimplifiedHeating
-from dcfp.verify.cases import scaled_record
-from dcfp.verify.check import Finding, Task
+from dcfp.verify.check import Finding, Task, scaled_record
 
 if TYPE_CHECKING:
     from dcfp.kernels.friction import ExponentialLaw

@@ -1,12 +1,12 @@
 """Heat in the plate: the short sum of modes against the half-order kernel, closed forms, and brute force."""
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 
-from dcfp.analysis import respond
+from dcfp.analysis import Response, respond
 from dcfp.analysis.kernel_input import state_at_rest
 from dcfp.arrays import FloatArray
 from dcfp.kernels.march import STATE_ELONGATION, STATE_SIDE, STATE_VELOCITY
@@ -15,9 +15,7 @@ from dcfp.motion.ground_motion import GroundMotion
 from dcfp.system import LI_2020, ConstantFriction, Heating, PreciseHeating, SimplifiedHeating
 from dcfp.system.heating import constant_flux_rise
 from dcfp.system.plates import structure_of
-from dcfp.verify.cases import scaled_record
-from dcfp.verify.check import Finding, Task
-from dcfp.verify.direct_convolution import centre_temperature, contact_temperature
+from dcfp.verify.check import Finding, Task, scaled_record
 
 GROUP = "Heat in the plate"
 #: Largest relative error of the trapezoidal rule behind the modes: `dcfp.kernels.memory`.
@@ -146,3 +144,88 @@ TASKS = (
         for heating in (SimplifiedHeating(), PreciseHeating(cells=200))
     ),
 )
+
+
+# Temperature of the contact by brute force: the integral of Eq. (11) summed over the whole past, at many
+# points.
+#
+# Nothing here is shared with the kernels. The flux is taken constant over each interval, and its weight is
+# exact:
+#
+# .. math:: \int_{t_a}^{t_b} \frac{d\tau}{\sqrt{t-\tau}} = 2 \left(\sqrt{t-t_a} - \sqrt{t-t_b}\right)
+
+
+@dataclass(frozen=True)
+class SlidingHistory:
+    """A slider on one of two equal plates.
+
+    Attributes
+    ----------
+    time
+        [s], shape (n + 1,).
+    position
+        Of the slider on the plate in the middle of each interval [mm], shape (n,).
+    flux
+        Heat into the plate per area in each interval [N/(mm s)], shape (n,).
+    """
+
+    time: FloatArray
+    position: FloatArray
+    flux: FloatArray
+
+
+def history_of(response: Response) -> SlidingHistory:
+    """Return the history of a response on two equal plates: y/2 and mu p |v| / 2, Li et al. (2020), Eq. (12)."""
+    speed = np.where(response.sliding != 0.0, np.abs(response.velocity), 0.0)
+    flux = 0.5 * response.friction * response.bearing.pressure * speed
+    position = 0.5 * response.displacement
+    return SlidingHistory(
+        time=response.time,
+        position=0.5 * (position[1:] + position[:-1]),
+        flux=0.5 * (flux[1:] + flux[:-1]),
+    )
+
+
+def rises_at(
+    history: SlidingHistory,
+    sample: int,
+    points: FloatArray,
+    half_contact: float,
+    conductivity: float,
+    diffusivity: float,
+) -> FloatArray:
+    """Temperature rise of points on the plate [degC] at a sample: Li et al. (2020), Eqs (11) and (12).
+
+    `points` and `half_contact` [mm], `conductivity` [N/(s degC)], `diffusivity` [mm2/s].
+    """
+    ago = np.sqrt(history.time[sample] - history.time[: sample + 1])
+    weighted = 2.0 * (ago[:-1] - ago[1:]) * history.flux[:sample]
+    factor = math.sqrt(diffusivity / math.pi) / conductivity
+    covered = np.abs(points[:, np.newaxis] - history.position[np.newaxis, :sample]) <= half_contact
+    return np.asarray(factor * (covered @ weighted))
+
+
+def centre_temperature(response: Response, sample: int) -> float:
+    """Temperature of the centre of the plate [degC] at a sample: the simplified model."""
+    return _mean_temperature(response, sample, np.zeros(1))
+
+
+def contact_temperature(response: Response, sample: int, spacing: float) -> float:
+    """Mean temperature of the contact [degC] at a sample, of points `spacing` [mm] apart: the precise model."""
+    half = response.bearing.contact_half_side
+    count = max(2, math.ceil(2.0 * half / spacing))
+    inside = (np.arange(count) + 0.5) / count * 2.0 * half - half
+    return _mean_temperature(response, sample, 0.5 * response.displacement[sample] + inside)
+
+
+def _mean_temperature(response: Response, sample: int, points: FloatArray) -> float:
+    heating = response.heating
+    rises = rises_at(
+        history_of(response),
+        sample,
+        points,
+        response.bearing.contact_half_side,
+        heating.conductivity,
+        heating.diffusivity,
+    )
+    return heating.ambient + float(rises.mean())

@@ -10,8 +10,7 @@ import numpy as np
 from dcfp.analysis import Response, respond
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.system import LI_2020, ConstantFriction, Heating, NoHeating, PreciseHeating, SimplifiedHeating
-from dcfp.verify.cases import scaled_record, sixteen_analyses
-from dcfp.verify.check import Finding, Task
+from dcfp.verify.check import Finding, Task, scaled_record, sixteen_analyses
 
 GROUP = "Laws"
 _EXACT = "Allowed: what rounding may grow to over thousands of steps."

@@ -25,8 +25,7 @@ import numpy as np
 from dcfp.analysis import respond
 from dcfp.system import ConstantFriction, NoHeating, SimplifiedHeating
 from dcfp.system.friction.kumar_2015 import VELOCITY_RATE
-from dcfp.verify.cases import scaled_record
-from dcfp.verify.check import Finding, Skipped, Task
+from dcfp.verify.check import Finding, Skipped, Task, scaled_record
 from dcfp.verify.explicit import KUMAR, SINGLE_CONCAVE, integrate
 
 GROUP = "OpenSees"

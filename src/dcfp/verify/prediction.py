@@ -22,8 +22,7 @@ from dcfp.motion import treatment
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.named import VELOCITIES
 from dcfp.system import LI_2020, ConstantFriction, FrictionLaw, Heating, Li2020, NoHeating, SimplifiedHeating
-from dcfp.verify.cases import RECORDS, scaled_record
-from dcfp.verify.check import Finding, Task
+from dcfp.verify.check import RECORDS, Finding, Task, scaled_record
 
 GROUP = "Prediction"
 _PAPER = "Li et al. (2020)"

@@ -7,8 +7,7 @@ from dcfp.constants import STANDARD_GRAVITY
 from dcfp.system import LI_2020
 from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
 from dcfp.system.friction.li_2020 import pressure_factor, temperature_factor, velocity_factor
-from dcfp.verify.cases import record
-from dcfp.verify.check import Finding, Task
+from dcfp.verify.check import Finding, Task, record
 
 GROUP = "Published numbers"
 _PAPER = "Li et al. (2020)"

@@ -27,7 +27,7 @@ from dcfp.verify import opensees
 from dcfp.verify.check import Finding, Skipped, Task
 from dcfp.verify.explicit import KUMAR, SINGLE_CONCAVE
 from dcfp.verify.opensees import REQUIRED, OpenSeesMissingError
-from dcfp.verify.rig_cases import SINES, run_one
+from dcfp.verify.rig import SINES, run_one
 from dcfp.verify.rig_explicit import Story, integrate, sine
 
 _PROGRAM = Path(__file__).with_name("rig_opensees_driver.py")

@@ -14,7 +14,7 @@ from dcfp.verify import (
     prediction,
     published,
     rig,
-    rig_brute_force,
+    rig_explicit,
     rig_opensees,
 )
 from dcfp.verify.check import Check, Task
@@ -31,7 +31,7 @@ GROUPS = (
     codes,
     building,
     rig,
-    rig_brute_force,
+    rig_explicit,
     opensees,
     rig_opensees,
 )

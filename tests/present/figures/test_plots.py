@@ -26,9 +26,8 @@ from dcfp.present.figures import (
     plot_velocities,
     save_figure,
 )
-from dcfp.present.figures.extent import shown
-from dcfp.present.figures.style import drawable
-from dcfp.present.figures.words import metres_per_second, millimetres, number
+from dcfp.present.figures.histories import shown
+from dcfp.present.figures.style import drawable, metres_per_second, millimetres, number
 
 LABELS = {
     plot_loop: ("$y$ [mm]", "$F$ [kN]"),

@@ -16,9 +16,9 @@ from dcfp.inference.case import Basis, Method, analysed_of
 from dcfp.methods import NOTHING, PulseMarch, find_pulses, march_through_pulses
 from dcfp.methods.li_2020 import LI_2020, predict_from_pgv
 from dcfp.present.figures import plot_comparison, plot_pulses, save_figure
+from dcfp.present.figures.forecasts import plot_pgv_prediction
 from dcfp.present.figures.li_2020 import PaperFigure, paper_figures
 from dcfp.present.figures.li_2020.marks import marks_of
-from dcfp.present.figures.pgv_prediction import plot_pgv_prediction
 
 PGVS = (250.0, 1000.0)
 
@@ -265,7 +265,7 @@ def test_the_design_method_with_and_without_intervals() -> None:
 
 def test_these_figures_know_nothing_of_kernels_when_they_are_imported() -> None:
     code = (
-        "import sys, dcfp.present.figures, dcfp.present.figures.li_2020, dcfp.present.figures.pgv_prediction; "
+        "import sys, dcfp.present.figures, dcfp.present.figures.li_2020, dcfp.present.figures.forecasts; "
         "late = ('dcfp.analysis', 'dcfp.inference', 'dcfp.methods', 'numba', 'matplotlib.pyplot'); "
         "assert not [m for m in sys.modules if m.startswith(late)]"
     )

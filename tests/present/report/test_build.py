@@ -9,7 +9,7 @@ import pytest
 
 from dcfp.errors import InputError
 from dcfp.present.report import build_report
-from dcfp.present.report.typst_source import typst_source
+from dcfp.present.report.pdf import typst_source
 from dcfp.study.scenario import Calculation, calculate, read_scenario
 
 MOTION = '[motion]\nunits = "m/s2"\n'

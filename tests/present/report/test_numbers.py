@@ -6,7 +6,7 @@ import pytest
 
 import dcfp
 from dcfp.present.report import Document
-from dcfp.present.report.digits import DECIMALS, number, powered, written
+from dcfp.present.report.document import DECIMALS, number, powered, written
 from dcfp.study.scenario import Calculation
 
 PEAKS = (

@@ -11,8 +11,7 @@ from PIL import Image
 from pypdf import PdfReader
 
 from dcfp.present.report import Document, page_of, pdf_of
-from dcfp.present.report.pdf import fonts_suffice
-from dcfp.present.report.typst_source import typst_source
+from dcfp.present.report.pdf import fonts_suffice, typst_source
 
 #: Margins of a page that stay empty [cm]: of the text there are 2.2 at the sides.
 _SIDES, _ENDS, _DOTS = 2.0, 0.9, 50.0

@@ -128,7 +128,7 @@ def run(chosen: argparse.Namespace) -> int:
         (".csv",),
     )
     from dcfp.doors.cli.codes_table import print_panels
-    from dcfp.present.tables.answers import panel_object
+    from dcfp.present.tables.comparisons import panel_object
 
     model = inputs.model(chosen)
     panels, nominal = _panels(chosen, model)
@@ -235,14 +235,14 @@ def _spectrum(chosen: argparse.Namespace) -> "ElasticSpectrum | None":
 
 def _write(panels: "list[Panel]", outputs: Outputs) -> None:
     def data(part: Path, kind: str) -> None:
-        from dcfp.present.tables.answers import panels_csv
+        from dcfp.present.tables.comparisons import panels_csv
 
         del kind
         part.write_text(panels_csv(panels), encoding="utf-8")
 
     def figure(part: Path, form: str) -> None:
         from dcfp.present.figures import save_figure  # late: Matplotlib takes long to import
-        from dcfp.present.figures.codes import plot_codes
+        from dcfp.present.figures.spectra import plot_codes
 
         save_figure(plot_codes(panels), part, form)
 

@@ -53,7 +53,7 @@ def run(chosen: argparse.Namespace) -> int:
     outputs = Outputs.checked(chosen, inputs.input_files(chosen), (".csv",))
     # late, so that a slip in the command is answered at once
     from dcfp.doors.cli.predict_table import print_forecasts
-    from dcfp.present.tables.forecasts import forecast_objects
+    from dcfp.present.tables.comparisons import forecast_objects
 
     setting, nominal = prediction_inputs.setting(chosen, inputs.model(chosen))
     if chosen.allow is not None:
@@ -118,7 +118,7 @@ def _calibrations(pgvs: list[float], setting: "Setting") -> "dict[float, list[Ca
 
 def _write(forecasts: "list[Forecast]", setting: "Setting", outputs: Outputs) -> None:
     def data(part: Path, kind: str) -> None:
-        from dcfp.present.tables.forecasts import forecasts_csv
+        from dcfp.present.tables.comparisons import forecasts_csv
 
         del kind
         part.write_text(forecasts_csv(forecasts), encoding="utf-8")

@@ -27,14 +27,14 @@ def pulse_figure(case: "Case", setting: "Setting") -> "Figure":
     """Draw a case that kept its analysis, with the march through the pulses."""
     from dcfp.inference.case import march
     from dcfp.present.figures import plot_pulses
-    from dcfp.present.figures.swings import response_of
+    from dcfp.present.figures.pulses import response_of
 
     marched = march(response_of(case).motion, setting, with_path=True)
     return plot_pulses(case, marched, constants=setting.constants)
 
 
 def _pgv_figure(forecasts: "Sequence[Forecast]") -> "Figure":
-    from dcfp.present.figures.pgv_prediction import DRAWN, plot_pgv_prediction
+    from dcfp.present.figures.forecasts import DRAWN, plot_pgv_prediction
 
     said = [next(iter(one.predicted.values())) for one in forecasts]
     if not all(None in one.intervals for one in forecasts):

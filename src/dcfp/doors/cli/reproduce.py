@@ -44,8 +44,7 @@ def run(chosen: argparse.Namespace) -> int:
     # late, so that a slip in the command is answered at once
     from dcfp.doors.cli.progress import progress
     from dcfp.motion.named import MISSING
-    from dcfp.verify.reproduction import analyse, findings_of
-    from dcfp.verify.reproduction.analyses import number_of, paper_motions
+    from dcfp.verify.reproduction import analyse, findings_of, number_of, paper_motions
 
     motions = paper_motions(_loaded(files))
     with progress("analyses", number_of(len(motions))) as advance:
@@ -120,14 +119,14 @@ def _write(
         return drawn
 
     def data(part: Path, kind: str) -> None:
-        from dcfp.verify.reproduction.page import reproduction_page
+        from dcfp.verify.reproduction_page import reproduction_page
 
         del kind
         part.write_text(reproduction_page(findings, figures(), records, missing), encoding="utf-8")
 
     def figure(part: Path, form: str) -> None:
         from dcfp.present.figures import save_figure
-        from dcfp.present.figures.contact_sheet import contact_sheet
+        from dcfp.present.figures.overview import contact_sheet
 
         save_figure(
             contact_sheet([(f"Figure {one.number}. {one.title}", one.figure) for one in figures()]),

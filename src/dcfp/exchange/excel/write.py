@@ -4,13 +4,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from dcfp.errors import InputError
-from dcfp.exchange.excel.histories import write_histories
-from dcfp.exchange.excel.inputs import write_inputs
+from dcfp.exchange.excel.histories import write_histories, write_summary
+from dcfp.exchange.excel.inputs import write_inputs, write_provenance
 from dcfp.exchange.excel.methods import write_conditions, write_methods
-from dcfp.exchange.excel.names import sheet_names
-from dcfp.exchange.excel.provenance import write_provenance
-from dcfp.exchange.excel.sheet import Formats, Sheet
-from dcfp.exchange.excel.summary import write_summary
+from dcfp.exchange.excel.sheet import Formats, Sheet, sheet_names
 from dcfp.present.tables.responses import group_names
 from dcfp.version import version
 

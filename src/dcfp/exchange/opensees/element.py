@@ -5,13 +5,13 @@ from dataclasses import dataclass, replace
 from enum import Enum
 
 from dcfp.errors import InputError
-from dcfp.exchange.opensees.element_law import (
+from dcfp.exchange.opensees.fit import (
     ELEMENT_AMBIENT,
     ELEMENT_SPEED_DROP,
     ElementFriction,
+    fit_element_law,
     has_the_elements_temperature_factor,
 )
-from dcfp.exchange.opensees.fit import fit_element_law
 from dcfp.kernels.friction import ExponentialLaw
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.system import System

@@ -7,14 +7,13 @@ that friction dissipates there.
 """
 
 from dataclasses import dataclass, replace
-from typing import Any, cast
+from typing import Any, ClassVar, cast
 
 import numpy as np
 from scipy import optimize
 
 from dcfp.analysis import Response, respond
 from dcfp.arrays import FloatArray
-from dcfp.exchange.opensees.element_law import ELEMENT_AMBIENT, ELEMENT_SPEED_DROP, ElementFriction
 from dcfp.kernels.friction import ExponentialLaw
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.system import Bearing, FrictionLaw, Kumar2015, SimplifiedHeating, System
@@ -113,3 +112,54 @@ def _coefficient(law: ExponentialLaw, speed: FloatArray, temperature: FloatArray
     """Coefficient of the heated element [-]."""
     velocity_factor = 1.0 - law.speed_drop * np.exp(-law.speed_rate * speed)
     return law.reference * velocity_factor * Kumar2015.temperature_law.factor(temperature)
+
+
+# The friction of OpenSees's elements as a law of this package, to say how far it is from another.
+
+
+#: What is written into FPBearingPTV: the temperature at the start [degC], and the part of the coefficient that is missing at zero speed [-].
+ELEMENT_AMBIENT = 20.0
+ELEMENT_SPEED_DROP = 0.5
+
+
+@dataclass(frozen=True)
+class ElementFriction(FrictionLaw):
+    """Friction of an element.
+
+    Parameters
+    ----------
+    friction
+        Coefficient at high speed, and where it heats at about 20 degC [-].
+    drop
+        The part that is missing at zero speed [-].
+    rate
+        Of the velocity factor, for the relative speed of the plates [s/mm].
+    heated
+        Whether it falls with temperature as the law of Kumar et al. (2015).
+    """
+
+    friction: float
+    drop: float
+    rate: float
+    heated: bool = True
+    name: ClassVar[str] = "opensees"
+    citation: ClassVar[str] = "kumar_2015"
+
+    @property
+    def reference(self) -> float:
+        """Coefficient at high speed [-]."""
+        return self.friction
+
+    def at_pressure(self, pressure: float) -> ExponentialLaw:
+        """Return the constants for the kernels; the coefficient is already that at the pressure."""
+        del pressure
+        factor = Kumar2015.temperature_law
+        if not self.heated:
+            return ExponentialLaw(self.friction, self.drop, self.rate, 0.0, 0.0, 1.0)
+        return ExponentialLaw(self.friction, self.drop, self.rate, factor.scale, factor.rate, factor.floor)
+
+
+def has_the_elements_temperature_factor(law: ExponentialLaw) -> bool:
+    """Return whether a law falls with temperature as the heated element does."""
+    factor = Kumar2015.temperature_law
+    return (law.heat_scale, law.heat_rate, law.heat_floor) == (factor.scale, factor.rate, factor.floor)

@@ -1,5 +1,6 @@
 """A script for OpenSeesPy: what is analysed, on which element, and by how much that differs."""
 
+from dataclasses import dataclass
 from importlib.resources import files
 from string import Template
 
@@ -7,9 +8,7 @@ from dcfp.analysis import Response, respond
 from dcfp.errors import InputError
 from dcfp.exchange.opensees.constants import constant_lines
 from dcfp.exchange.opensees.element import Element, Kind, element_for
-from dcfp.exchange.opensees.head import head_lines
-from dcfp.exchange.opensees.parts import parts_of
-from dcfp.exchange.opensees.words import difference_in_words
+from dcfp.exchange.opensees.head import difference_in_words, head_lines
 from dcfp.motion.ground_motion import GroundMotion, check_step_and_tail, parts_in
 from dcfp.system import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating, System
 
@@ -112,3 +111,80 @@ def _values(motion: GroundMotion) -> str:
     values = [repr(value) for value in motion.acceleration.tolist()]
     rows = [values[first : first + _IN_A_LINE] for first in range(0, len(values), _IN_A_LINE)]
     return "\n".join(f"    {', '.join(row)}," for row in rows)
+
+
+# The parts of a script that differ from element to element.
+
+
+_SINGLE = '''\
+def add_bearing():
+    """Add the bearing: one concave surface, friction by a friction model."""
+    {model}
+    ops.element(
+        "singleFPBearing", 1, GROUND, STRUCTURE, 1, RADIUS, INITIAL_STIFFNESS,
+        "-P", 1, "-T", 2, "-My", 2, "-Mz", 2,
+        "-orient", 0.0, 0.0, 1.0, 1.0, 0.0, 0.0,  # its axis is vertical, its first direction along the motion
+        "-iter", 50, 1e-8,
+    )'''
+
+_HEATED = '''\
+def add_bearing():
+    """Add the bearing: one concave surface that heats up."""
+    pressure_dependent, temperature_dependent = 0, 1
+    shear_distance, rayleigh, element_mass, newton_and_millimetre = 0.0, 0, 0.0, 3
+    ops.element(
+        "FPBearingPTV", 1, GROUND, STRUCTURE, FRICTION, pressure_dependent, PRESSURE, temperature_dependent,
+        DIFFUSIVITY, CONDUCTIVITY, VELOCITY_DEPENDENT, RATE, RADIUS, CONTACT_RADIUS, INITIAL_STIFFNESS,
+        1, 2, 2, 2,  # materials: vertical, torsion, and the two rotations
+        0.0, 0.0, 1.0, 1.0, 0.0, 0.0,  # its axis is vertical, its first direction along the motion
+        shear_distance, rayleigh, element_mass, 50, 1e-3, newton_and_millimetre,
+    )'''
+
+_ADVANCE_IN_PARTS = '''\
+def advance(step):
+    """Go on by a step; where it does not converge, in two of half the length, and so on."""
+    if ops.analyze(1, step) == 0:
+        return True
+    return step > STEP / 100.0 and advance(step / 2.0) and advance(step / 2.0)'''
+
+_TEMPERATURE = '''
+
+
+def temperature():
+    """Return the temperature of the contact of the bearing; the element begins at 20 degC."""
+    return AMBIENT + (ops.eleResponse(1, "temperature")[0] - 20.0) / RISE_FACTOR'''
+
+_ADVANCE_AT_ONCE = '''\
+def advance(step):
+    """Go on by a step; the element sums up its heat in equal steps, so that a single one must not be divided."""
+    return ops.analyze(1, step) == 0'''
+
+
+@dataclass(frozen=True)
+class Parts:
+    """Text for the places of the script that depend on the element."""
+
+    element: str
+    advance: str
+    state_words: str = ""
+    state_value: str = ""
+    csv_head: str = ""
+
+
+_COLD = {
+    Kind.COULOMB: 'ops.frictionModel("Coulomb", 1, FRICTION)',
+    Kind.VELOCITY: 'ops.frictionModel("VelDependent", 1, FRICTION_SLOW, FRICTION, RATE)',
+}
+
+
+def parts_of(kind: Kind) -> Parts:
+    """Return the text that belongs to an element."""
+    if kind is not Kind.HEATED:
+        return Parts(_SINGLE.format(model=_COLD[kind]), _ADVANCE_IN_PARTS)
+    return Parts(
+        _HEATED,
+        _ADVANCE_AT_ONCE + _TEMPERATURE,
+        " and temperature",
+        ", temperature()",
+        ', "temperature [degC]"',
+    )

@@ -8,10 +8,20 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from dcfp.errors import InputError
-from dcfp.present.figures.logarithmic import plain_numbers
-from dcfp.present.figures.predicted import ENTRIES
-from dcfp.present.figures.style import BLUE, GREY, INK, OCHRE, PAGE_WIDTH, PALE, RED, calm_ticks, style
-from dcfp.present.figures.words import number
+from dcfp.present.figures.style import (
+    BLUE,
+    ENTRIES,
+    GREY,
+    INK,
+    OCHRE,
+    PAGE_WIDTH,
+    PALE,
+    RED,
+    calm_ticks,
+    number,
+    plain_numbers,
+    style,
+)
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:

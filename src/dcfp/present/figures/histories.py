@@ -1,10 +1,9 @@
-"""Histories of velocity, displacement, temperature and friction."""
+"""Histories of velocity, displacement, temperature, friction and energies, and how much of them is worth showing."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias, TypeGuard
 
 import numpy as np
 
-from dcfp.present.figures.extent import line_width, shown
 from dcfp.present.figures.style import (
     BLUE,
     GREY,
@@ -14,20 +13,24 @@ from dcfp.present.figures.style import (
     RED,
     calm_ticks,
     legend_above,
+    millimetres,
     new_axes,
     styled,
 )
-from dcfp.present.figures.words import millimetres
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from matplotlib.axes import Axes
+    from numpy.typing import NDArray
 
     from dcfp.analysis import Response
+    from dcfp.analysis.rig import Loops
     from dcfp.arrays import FloatArray
-    from dcfp.present.figures.extent import History
+
+    History: TypeAlias = Response | Loops
+
 
 #: Part of the capacity from which on it is drawn [-].
 _NEAR_CAPACITY = 0.6
@@ -150,3 +153,82 @@ def mark_peak(
         bbox={"boxstyle": "square,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.8},
         zorder=5,
     )
+
+
+#: Part of the hysteretic energy, or of the peak velocity of the ground, below which nothing of note happens [-].
+_LITTLE = 0.001
+_QUIET = 0.05
+#: Part of the time at the start that has to be quiet before it is left out [-].
+_LONG_START = 0.2
+
+
+def shown(history: "History") -> slice:
+    """Return the samples in which something happens; of a test all of them.
+
+    Those of an analysis end a little after the last thousandth of the hysteretic energy, or after the ground has become quiet where
+    nothing slides; a long quiet start is left out.
+    """
+    samples = int(history.time.size)
+    if not _is_response(history):
+        return slice(0, samples)
+    places = np.flatnonzero(_busy(history))
+    if places.size < 2:
+        return slice(0, samples)
+    first, last = int(places[0]), int(places[-1])
+    margin = 2 + (last - first) // 12
+    start = max(0, first - margin) if first > _LONG_START * last else 0
+    return slice(start, min(samples, last + margin))
+
+
+def _is_response(history: "History") -> "TypeGuard[Response]":
+    return hasattr(history, "motion")
+
+
+def _busy(response: "Response") -> "NDArray[np.bool_]":
+    dissipated = response.energy.hysteretic
+    whole = float(dissipated[-1])
+    if whole > 0.0:
+        return (dissipated > _LITTLE * whole) & (dissipated < (1.0 - _LITTLE) * whole)
+    ground = np.abs(response.ground_velocity)
+    return ground > _QUIET * float(ground.max())
+
+
+def line_width(history: "History") -> float:
+    """Return the width [pt] at which the waves of a history stay apart."""
+    part = shown(history)
+    span = float(history.time[part.stop - 1] - history.time[part.start])
+    return 0.9 if span < 25.0 else 0.7 if span < 60.0 else 0.5
+
+
+_PALE_BLUE = "#7FA3CB"
+
+
+@styled
+def plot_energies(response: "Response", axes: "Axes | None" = None) -> "Axes":
+    """Draw the hysteretic, strain and kinetic energies on top of each other, and the input energy as a line."""
+    axes = new_axes(height=1.8) if axes is None else axes
+    part = shown(response)
+    time = response.time[part]
+    energy = response.energy
+    stack = (
+        ("hysteretic_energy", energy.hysteretic, OCHRE),
+        ("strain_energy", energy.strain, _PALE_BLUE),
+        ("kinetic_energy", energy.kinetic, BLUE),
+    )
+    axes.stackplot(
+        time,
+        *(quantity(name).display(values[part]) for name, values, _ in stack),
+        colors=[colour for _, _, colour in stack],
+        labels=[f"${quantity(name).symbol}$" for name, _, _ in stack],
+        linewidth=0.0,
+    )
+    entry = quantity("input_energy")
+    width = min(line_width(response), 0.7)
+    axes.plot(time, entry.display(energy.input[part]), color=INK, linewidth=width, label=f"${entry.symbol}$")
+    axes.set_xlim(float(time[0]), float(time[-1]))
+    axes.set_ylim(bottom=min(0.0, float(entry.display(energy.input[part]).min())))
+    calm_ticks(axes, 8, 4)
+    axes.set_xlabel(quantity("time").label)
+    axes.set_ylabel(entry.label)
+    legend_above(axes)
+    return axes

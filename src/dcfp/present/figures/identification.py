@@ -7,8 +7,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from dcfp.present.figures.style import BLUE, GREY, INK, OCHRE, PAGE_WIDTH, RED, calm_ticks, drawable, style
-from dcfp.present.figures.words import number
+from dcfp.present.figures.style import (
+    BLUE,
+    GREY,
+    INK,
+    OCHRE,
+    PAGE_WIDTH,
+    RED,
+    calm_ticks,
+    drawable,
+    number,
+    style,
+)
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:

@@ -1,5 +1,6 @@
-"""Several analyses beside each other."""
+"""Several analyses beside each other, and figures of any size on one sheet."""
 
+import io
 import math
 import textwrap
 from typing import TYPE_CHECKING, Any
@@ -8,6 +9,7 @@ import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
+from matplotlib.image import imread
 
 from dcfp.present.figures.loop import ColourQuantity, colour_quantity, colour_range, plot_loop
 from dcfp.present.figures.style import (
@@ -17,11 +19,14 @@ from dcfp.present.figures.style import (
     calm_ticks,
     drawable,
     finish_colour_bar,
+    metres_per_second,
+    millimetres,
+    number,
+    save_figure,
     style,
     time_colours,
     warm_colours,
 )
-from dcfp.present.figures.words import metres_per_second, millimetres, number
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:
@@ -30,6 +35,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from dcfp.analysis import Response
+
 
 #: Most panels in a row, when they follow each other and when each is a PGV.
 _COLUMNS, _TABLE_COLUMNS = 5, 7
@@ -163,3 +169,55 @@ def _add_scale(figure: Figure, axes: "np.ndarray", shows: ColourQuantity, norm: 
         ScalarMappable(norm, colours), ax=axes, pad=0.015, aspect=18 * len(axes), fraction=0.03
     )
     finish_colour_bar(bar, quantity(shows).label)
+
+
+# Figures of any size on one sheet.
+
+
+#: Width of the sheet, the gap between two figures, and the height of a title [in].
+_WIDTH, _GAP, _TITLE = 14.8, 0.2, 0.4
+#: Characters of a title in an inch.
+_CHARACTERS = 14
+
+
+def contact_sheet(figures: "Sequence[tuple[str, Figure]]") -> Figure:
+    """Return a new figure that shows all others as images, in rows and in their order, each at its own size below its title."""
+    rows: list[list[tuple[str, Figure]]] = [[]]
+    for title, figure in figures:
+        if rows[-1] and _length(rows[-1]) + _GAP + figure.get_figwidth() > _WIDTH:
+            rows.append([])
+        rows[-1].append((title, figure))
+    heights = [_TITLE + max((figure.get_figheight() for _, figure in row), default=1.0) for row in rows]
+    height = sum(heights) + _GAP * (len(rows) - 1)
+    with style():
+        sheet = Figure(figsize=(_WIDTH, height))
+        top = height
+        for row, tallest in zip(rows, heights, strict=True):
+            _draw_row(sheet, row, top)
+            top -= tallest + _GAP
+    return sheet
+
+
+def _draw_row(sheet: Figure, row: "Sequence[tuple[str, Figure]]", top: float) -> None:
+    height = sheet.get_figheight()
+    left = 0.0
+    for title, figure in row:
+        width, tall = figure.get_figwidth(), figure.get_figheight()
+        below = top - _TITLE
+        words = textwrap.fill(title, max(12, int(_CHARACTERS * width)))
+        sheet.text(left / _WIDTH, below / height, words, weight="bold", va="bottom", size=8.0)
+        axes = sheet.add_axes((left / _WIDTH, (below - tall) / height, width / _WIDTH, tall / height))
+        axes.imshow(_drawn(figure), aspect="auto", interpolation="none")
+        axes.set_axis_off()
+        left += width + _GAP
+
+
+def _length(row: "Sequence[tuple[str, Figure]]") -> float:
+    return math.fsum(figure.get_figwidth() for _, figure in row) + _GAP * (len(row) - 1)
+
+
+def _drawn(figure: Figure) -> Any:
+    stream = io.BytesIO()
+    save_figure(figure, stream, "png")
+    stream.seek(0)
+    return imread(stream, format="png")

@@ -8,12 +8,24 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.transforms import blended_transform_factory
 
-from dcfp.present.figures.energies import plot_energies
-from dcfp.present.figures.histories import plot_displacement, plot_friction, plot_temperature, plot_velocities
-from dcfp.present.figures.loop import ColourQuantity, colour_quantity, colour_range, plot_loop
-from dcfp.present.figures.profile import plot_profile
-from dcfp.present.figures.style import INK, PAGE_WIDTH, RED, drawable, style
-from dcfp.present.figures.words import metres_per_second, millimetres, number
+from dcfp.present.figures.histories import (
+    plot_displacement,
+    plot_energies,
+    plot_friction,
+    plot_temperature,
+    plot_velocities,
+)
+from dcfp.present.figures.loop import ColourQuantity, colour_quantity, colour_range, plot_loop, plot_profile
+from dcfp.present.figures.style import (
+    INK,
+    PAGE_WIDTH,
+    RED,
+    drawable,
+    metres_per_second,
+    millimetres,
+    number,
+    style,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Callable

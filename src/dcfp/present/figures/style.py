@@ -1,4 +1,4 @@
-"""What every figure has in common: sizes, colours, fonts, and how it is saved."""
+"""What every figure has in common: sizes, colours, fonts, numbers and names as they are written, and how it is saved."""
 
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
@@ -8,15 +8,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec
 
 import matplotlib as mpl
+import numpy as np
 from matplotlib import font_manager
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
+from matplotlib.ticker import FormatStrFormatter, LogLocator, MaxNLocator, NullFormatter
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Colormap
+
 
 P = ParamSpec("P")
 
@@ -189,3 +191,41 @@ def _middle(name: str, first: float, last: float) -> "Colormap":
     whole = mpl.colormaps[name]
     parts = [whole(first + (last - first) * i / 255.0) for i in range(256)]
     return LinearSegmentedColormap.from_list(f"{name}_middle", parts)
+
+
+def number(value: float, decimals: int = 0) -> str:
+    """Return a number with a true minus sign, and without one before a zero."""
+    text = f"{value:.{decimals}f}"
+    return text.replace("-", "" if float(text) == 0.0 else "−")
+
+
+def millimetres(value: float) -> str:
+    """Return a length [mm] with as many decimals as it deserves."""
+    decimals = 0 if abs(value) >= 10.0 else 1 if abs(value) >= 1.0 else 2
+    return f"{number(value, decimals)} mm"
+
+
+def metres_per_second(value: float) -> str:
+    """Return a velocity given in mm/s."""
+    velocity = value / 1e3
+    return f"{velocity:.2f} m/s" if velocity >= 0.095 else f"{velocity:.2g} m/s"
+
+
+def plain_numbers(axes: "Axes") -> None:
+    """Write the numbers of axes that are logarithmic both ways in full: at 1, 2 and 5, in a short range also between, in a long one at 1."""
+    low, high = axes.get_xlim()
+    decades = float(np.log10(high / low))
+    steps = (1.0, 2.0, 3.0, 5.0, 7.0) if decades < 0.8 else (1.0, 2.0, 5.0) if decades < 2.5 else (1.0,)
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(LogLocator(subs=steps, numticks=20))
+        axis.set_major_formatter(FormatStrFormatter("%g"))
+        axis.set_minor_formatter(NullFormatter())
+
+
+#: Names in the nomenclature, by those in tables, which are those of `dcfp.inference.case`.
+ENTRIES = {
+    "dy": "displacement_change",
+    "y": "peak_displacement",
+    "V_dE": "swing_input_velocity",
+    "V_dEhr": "swing_hysteretic_velocity",
+}

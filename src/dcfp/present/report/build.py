@@ -1,10 +1,11 @@
 """A report from a calculation."""
 
 from dcfp.errors import InputError
-from dcfp.present.report.closing import appendix, remarks_section, sources_section
-from dcfp.present.report.document import Document
+from dcfp.kernels._jit import source_digest
+from dcfp.motion.measures import motion_remarks
+from dcfp.present.report.document import Block, Bullets, Code, Document, Listing, Section, Table, cells, words
 from dcfp.present.report.inputs import inputs_section
-from dcfp.present.report.numbers import numbers_of
+from dcfp.present.report.references import numbers_of, record_citations, sources_of, versions
 from dcfp.present.report.results import methods_section, results_section
 from dcfp.present.report.verdicts import checks_section, front_blocks
 from dcfp.present.report.worked import worked_out
@@ -43,3 +44,65 @@ def build_report(calculation: Calculation) -> Document:
         with_contents=True,
         numbers=numbers_of(calculation, worked.formulas),
     )
+
+
+# What a reader must know besides the numbers: remarks, limits, sources, provenance, and the scenario
+# itself.
+
+
+_LIMITS = (
+    "One horizontal direction, one bearing with the mass that it carries; the vertical force is constant.",
+    "The structure above is rigid and has no viscous damping: forces and accelerations in it are not calculated, nor what its flexibility changes.",
+    "The force of the pendulum is linear in the displacement; there is no restrainer, and no impact where the capacity is exceeded.",
+    "Properties are the nominal ones: ageing, contamination and scatter of friction (property modification factors) are not in these numbers.",
+    "A plate's heat flows at right angles to its surface; two plates share the travel as their radii do.",
+    "Records scaled to a PGV keep their durations. A record stands for itself: how likely it is, and what others do, is not part of this report.",
+    "Predictions and codes are given beside the analysis for comparison; a verdict on a condition says whether the method may be used, not whether the structure is safe.",
+)
+
+
+def remarks_section(calculation: Calculation) -> Section:
+    """Return the remarks of all analyses, each once, and the limits of the model."""
+    remarks: list[str] = []
+    for one in calculation.results:
+        remarks += [*motion_remarks(one.motion, with_scale=False), *one.response.remarks]
+    found = tuple((remark,) for remark in dict.fromkeys(remarks))
+    blocks: tuple[Block, ...] = (Bullets(found),) if found else (words("None."),)
+    limits = Bullets(tuple((limit,) for limit in _LIMITS))
+    return Section(
+        "Remarks and limits",
+        (),
+        (Section("Remarks of the analyses", blocks), Section("Limits of the model", (limits,))),
+    )
+
+
+def sources_section(calculation: Calculation) -> Section:
+    """Return the bibliography and what the numbers were made with."""
+    lines = (*sources_of(calculation), *record_citations(calculation))
+    codes = [name for one in calculation.results for name in one.case.answers]
+    if codes:
+        lines += (
+            f"Methods of codes as dcfp has them, with what could not be confirmed marked: {', '.join(dict.fromkeys(codes))}.",
+        )
+    made = [cells("Program", f"dcfp {version()}"), cells("Kernels, SHA-256", (Code(source_digest()),))]
+    made += [cells(name, words) for name, words in versions().items()]
+    made += [
+        cells(f"Record {motion.name} before scaling, SHA-256", (Code(motion.digest),))
+        for motion in calculation.scenario.study.motions
+    ]
+    # a user's words take what room the digests leave
+    table = Table((), tuple(made), "ll", (1.0, 0.0))
+    return Section(
+        "Sources and provenance",
+        (),
+        (Section("Sources", (Bullets(tuple((line,) for line in lines)),)), Section("Provenance", (table,))),
+    )
+
+
+def appendix(calculation: Calculation) -> tuple[Section, ...]:
+    """Return the scenario file; nothing where the scenario came from none."""
+    text = calculation.scenario.study.text
+    if not text.strip():
+        return ()
+    note = words("The same program with this file gives the same numbers.")
+    return (Section("Appendix: scenario file", (note, Listing(text.rstrip())), on_new_page=True),)

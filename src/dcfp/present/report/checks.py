@@ -7,7 +7,7 @@ import numpy as np
 from dcfp.analysis import Response
 from dcfp.methods.result import Condition, Verdict, at_most
 from dcfp.motion.measures import DRIFT_THRESHOLD, baseline_drift
-from dcfp.present.report.digits import powered, short, written
+from dcfp.present.report.document import powered, short, written
 from dcfp.study.scenario import Result
 from dcfp.system.validity import (
     LARGEST_AMBIENT_CHANGE,

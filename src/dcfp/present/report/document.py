@@ -1,11 +1,11 @@
 """What a report is made of, whatever it is written in: both renderers hold the same words and the same numbers."""
 
+import unicodedata
 from dataclasses import dataclass
 from enum import Enum
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from dcfp.methods.result import Verdict
-from dcfp.present.report.digits import number
 from dcfp.study.scenario import Heading
 
 if TYPE_CHECKING:
@@ -261,3 +261,101 @@ def heads(*texts: str | Parts) -> tuple[Parts, ...]:
 def named_values(rows: "list[tuple[str, str | Parts]]", caption: str = "") -> Table:
     """Return a table of names and values; a value that is empty is left out."""
     return Table((), tuple(cells(name, value) for name, value in rows if value), "ll", (0.0, 1.0), caption)
+
+
+# How many digits each number of a report has.
+
+
+#: Decimals by the key of JSON; what ends in none of these is no number of a table.
+DECIMALS = {
+    "pgv_m_s": 3,
+    "y_max_mm": 1,
+    "dy_max_mm": 1,
+    "v_max_mm_s": 1,
+    "residual_mm": 1,
+    "force_max_kN": 1,
+    "temperature_max_degC": 1,
+    "friction_min": 4,
+    "V_E_mm_s": 1,
+    "V_Eh_mm_s": 1,
+    "dy_mm": 1,
+    "y_mm": 1,
+    "V_dE_mm_s": 1,
+    "V_dEhr_mm_s": 1,
+    "displacement_mm": 1,
+    "base_shear_over_weight": 4,
+    "effective_period_s": 3,
+    "effective_damping": 4,
+    "energy_kN_m": 2,
+    "pga_m_s2": 3,
+    "ratio": 2,
+}
+#: Decimals of a number in the power of ten.
+_POWER = 1
+#: Where nothing is known.
+NONE = "–"
+
+
+def number(value: float, decimals: int) -> str:
+    """Return a number as mathematics has it: with a hyphen for minus, and none before a zero."""
+    text = f"{value:.{decimals}f}"
+    return text.removeprefix("-") if float(text) == 0.0 else text
+
+
+def written(key: str, value: float | None) -> str:
+    """Return a number of a key as it stands in the report, with a true minus; a dash for none."""
+    return NONE if value is None else number(value, DECIMALS[key]).replace("-", "−")
+
+
+def powered(value: float) -> str:
+    """Return a small number with a power of ten, as in ``1.1e−14``."""
+    return f"{value:.{_POWER}e}".replace("-", "−") if value else "0"
+
+
+def short(value: float) -> str:
+    """Return a given number with the digits that it was given with."""
+    return f"{value:.10g}".replace("-", "−")
+
+
+# The head of a report: who made it for whom.
+
+
+def heading_rows(document: Document) -> Table:
+    """Return what the scenario says of the report."""
+    heading = document.heading
+    return named_values(
+        [
+            ("Project", heading.project),
+            ("Client", heading.client),
+            ("Report number", heading.number),
+            ("Date", heading.date),
+            ("Notes", heading.notes),
+            ("Calculated with", document.maker),
+        ]
+    )
+
+
+def short_title(document: Document) -> str:
+    """Return what stands at the top of every page."""
+    heading = document.heading
+    return "  |  ".join(_short(word) for word in (heading.number, heading.project, document.title) if word)
+
+
+def signatories(document: Document) -> tuple[tuple[str, str, str], ...]:
+    """Return role and name of those who sign, and a line for the date where the report has none."""
+    heading = document.heading
+    asked, date = ("signature, date", "") if heading.date else ("signature", "Date: ________")
+    return (
+        (f"Calculated by ({asked})", heading.author, date),
+        (f"Checked by ({asked})", heading.checker, date),
+    )
+
+
+def _short(text: str, most: int = 45) -> str:
+    plain = " ".join(text.split())
+    return plain if len(plain) <= most else plain[: most - 1].rstrip() + "…"
+
+
+def printable(text: str) -> str:
+    """Return a text without the characters that steer a machine; line ends and tabs stay."""
+    return "".join(c for c in text if c in "\n\t" or unicodedata.category(c) not in ("Cc", "Cs"))

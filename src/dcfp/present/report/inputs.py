@@ -5,7 +5,6 @@ from typing import Any
 
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.present.report.checks import label_of
-from dcfp.present.report.digits import short, written
 from dcfp.present.report.document import (
     Block,
     Code,
@@ -18,7 +17,9 @@ from dcfp.present.report.document import (
     cells,
     heads,
     named_values,
+    short,
     words,
+    written,
 )
 from dcfp.present.report.laws import law_equations
 from dcfp.present.report.references import source_of

@@ -23,8 +23,10 @@ from dcfp.present.report.document import (
     Section,
     Table,
     Tone,
+    heading_rows,
+    printable,
+    signatories,
 )
-from dcfp.present.report.heading import heading_rows, printable, signatories
 from dcfp.present.report.maths import mathml
 
 _CLASSES = {Verdict.MET: "met", Verdict.NOT_MET: "broken", Verdict.NOT_KNOWN: "open"}

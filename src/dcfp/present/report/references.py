@@ -1,8 +1,19 @@
-"""The sources that a calculation rests on."""
+"""What a report rests on: its sources and the versions of the programs; and every number of it, ready for JSON."""
 
+import platform
+from dataclasses import asdict
+from importlib import metadata
+from typing import Any
+
+from dcfp.analysis.response import remarks_on
+from dcfp.kernels._jit import source_digest
 from dcfp.methods import aij_2016, asce_2016, eurocode_8, iwan_1980
+from dcfp.present.report.checks import checks_of
+from dcfp.present.report.document import DECIMALS, Formula
+from dcfp.present.tables.comparisons import case_objects
 from dcfp.schema.citations import bibliography, citation
-from dcfp.study.scenario import Calculation
+from dcfp.study.scenario import Calculation, Result
+from dcfp.version import version
 
 #: What the formulas and conditions of each method of a code cite.
 _OF_CODES = {
@@ -54,3 +65,103 @@ def source_of(key: str) -> str:
     authors = [name.split(",")[0].strip() for name in entry["author"].split(" and ")]
     who = f"{authors[0]} et al." if len(authors) > 2 else " and ".join(authors)
     return f"{who} ({entry['year']})"
+
+
+# Versions of what makes the numbers and the pages, besides this package.
+
+
+#: Packages by their names in the report; Typst is there only where a PDF can be made.
+_PACKAGES = {"NumPy": "numpy", "SciPy": "scipy", "Numba": "numba", "Typst (of the PDF)": "typst"}
+
+
+def versions() -> dict[str, str]:
+    """Return the versions of Python and of the packages that are installed, by their names."""
+    found = {"Python": platform.python_version()}
+    for name, package in _PACKAGES.items():
+        try:
+            found[name] = metadata.version(package)
+        except metadata.PackageNotFoundError:  # a page is made without it
+            continue
+    return found
+
+
+# Every number of a report, ready for JSON.
+
+
+_KILO, _MEGA = 1e3, 1e6
+
+
+def numbers_of(calculation: Calculation, formulas: tuple[Formula, ...]) -> dict[str, Any]:
+    """Return the numbers of a report.
+
+    Parameters
+    ----------
+    calculation
+        The results; ``cases`` has an object for each, with the keys of ``dcfp respond --json`` and of ``dcfp compare --json``.
+    formulas
+        Those that are worked out in the report.
+    """
+    scenario = calculation.scenario
+    model = scenario.model
+    digests = {motion.name: motion.digest for motion in scenario.study.motions}
+    compared = case_objects([one.case for one in calculation.results], calculation.setting)
+    return {
+        "title": scenario.title,
+        "report": asdict(scenario.heading),
+        "version": version(),
+        "kernels_sha256": source_digest(),
+        "versions": versions(),
+        "decimals": DECIMALS,
+        "bearing": asdict(model.bearing)
+        | {
+            "vertical_force_N": model.bearing.vertical_force,
+            "mass_t": model.bearing.mass,
+            "restoring_stiffness_N_mm": model.bearing.restoring_stiffness,
+            "period_s": model.bearing.period,
+        },
+        "friction_law": repr(model.friction),
+        "heating_model": repr(model.heating),
+        "settings": asdict(scenario.study.settings),
+        "nominal_friction": calculation.nominal.value,
+        "nominal_friction_source": calculation.nominal.source,
+        "cases": [
+            _case(one, row, found) | {"record_sha256": digests[one.motion.name]}
+            for one, row, found in zip(calculation.results, calculation.summary, compared, strict=True)
+        ],
+        "formulas": [one.as_numbers() for one in formulas],
+        "references": list(sources_of(calculation)),
+    }
+
+
+def energies_of(result: Result) -> dict[str, float]:
+    """Return the energies at the end of an analysis [kN m], and the residual of their balance over the largest input [-]."""
+    energy = result.response.energy
+    ends = {
+        "input": energy.input,
+        "hysteretic": energy.hysteretic,
+        "strain": energy.strain,
+        "kinetic": energy.kinetic,
+        "absolute_input": energy.absolute_input,
+        "residual": energy.residual,
+    }
+    return {f"{name}_kN_m": float(values[-1]) / _MEGA for name, values in ends.items()} | {
+        "largest_residual_over_largest_input": energy.relative_residual
+    }
+
+
+def _case(one: Result, row: dict[str, Any], compared: dict[str, Any]) -> dict[str, Any]:
+    motion = one.motion
+    return {
+        **compared,
+        **row,
+        "remarks": remarks_on(one.response),
+        "pga_m_s2": motion.peak_acceleration / _KILO,
+        "scaled_record_sha256": motion.digest,
+        "record_origin": asdict(motion.origin),
+        "record_treatment": list(motion.treatment),
+        "energies": energies_of(one),
+        "checks": [
+            {"of": check.of, **asdict(check.condition), "verdict": check.condition.verdict.value}
+            for check in checks_of(one)
+        ],
+    }

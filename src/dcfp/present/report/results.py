@@ -1,7 +1,8 @@
 """Results: peaks of all cases, a page for each, and every method beside the analysis."""
 
 import math
-from typing import Any
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
 
 from dcfp.analysis import Status
 from dcfp.inference.case import CHANGE, Basis, View
@@ -10,7 +11,6 @@ from dcfp.methods import Prediction, iwan_1980
 from dcfp.methods.panel import NAMES
 from dcfp.methods.result import Answer, Verdict
 from dcfp.present.report.checks import label_of
-from dcfp.present.report.digits import powered, written
 from dcfp.present.report.document import (
     Block,
     Cell,
@@ -22,12 +22,20 @@ from dcfp.present.report.document import (
     Tone,
     cells,
     heads,
+    powered,
     words,
+    written,
 )
-from dcfp.present.report.figures import draw_pulses, draw_response
-from dcfp.present.report.numbers import energies_of
-from dcfp.present.tables.answers import answer_object
+from dcfp.present.report.references import energies_of
+from dcfp.present.tables.comparisons import answer_object
 from dcfp.study.scenario import Calculation, Result
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from dcfp.analysis import Response
+    from dcfp.methods.li_2020 import Constants
+
 
 _BASES = {
     Basis.BLIND: "record",
@@ -222,3 +230,45 @@ def _against(ratio: float | None) -> Cell:
 
 def _known(value: float | None) -> float | None:
     return None if value is None or not math.isfinite(value) else value
+
+
+# The figures of a case, in heights that let both stand on one page.
+
+
+#: Heights of the sheet of the analysis with the temperature along the plates, and of the pulses [in].
+_SHEET_WITH_PROFILE, _PULSES = 5.35, 3.55
+#: Characters of a record's name that the head of a figure has room for.
+_LONGEST = 40
+
+
+def draw_response(result: "Result") -> "Figure":
+    """Draw loop and histories."""
+    from dcfp.present.figures import plot_response  # late: Matplotlib takes long to import
+
+    figure = plot_response(_named_shortly(result.response))
+    if result.response.profiles is not None:
+        figure.set_figheight(_SHEET_WITH_PROFILE)
+    return figure
+
+
+def draw_pulses(result: "Result", constants: "Constants") -> "Figure":
+    """Draw the pulses, the velocities and the displacement."""
+    from dcfp.present.figures import plot_pulses
+
+    case = replace(result.case, record=_short(result.case.record))
+    figure = plot_pulses(case, response=result.response, constants=constants)
+    figure.set_figheight(_PULSES)
+    return figure
+
+
+def _named_shortly(response: "Response") -> "Response":
+    name = _short(response.motion.name)
+    return (
+        response
+        if name == response.motion.name
+        else replace(response, motion=replace(response.motion, name=name))
+    )
+
+
+def _short(name: str) -> str:
+    return name if len(name) <= _LONGEST else f"{name[: _LONGEST - 1]}…"

@@ -4,8 +4,19 @@ from collections.abc import Sequence
 
 from dcfp.methods.result import Condition, Verdict
 from dcfp.present.report.checks import ANALYSIS, Check, checks_of, label_of
-from dcfp.present.report.digits import short, written
-from dcfp.present.report.document import Block, Cell, Maths, Section, Table, Tone, cells, heads, words
+from dcfp.present.report.document import (
+    Block,
+    Cell,
+    Maths,
+    Section,
+    Table,
+    Tone,
+    cells,
+    heads,
+    short,
+    words,
+    written,
+)
 from dcfp.present.report.results import peaks_table
 from dcfp.present.report.worked import governing
 from dcfp.study.scenario import Calculation

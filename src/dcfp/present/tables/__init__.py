@@ -9,8 +9,8 @@ from dcfp.present.tables.motions import motion_names as motion_names
 from dcfp.present.tables.motions import write_motions_netcdf as write_motions_netcdf
 from dcfp.present.tables.responses import COLUMNS as COLUMNS
 from dcfp.present.tables.responses import csv_text as csv_text
+from dcfp.present.tables.responses import cycles_csv as cycles_csv
 from dcfp.present.tables.responses import group_names as group_names
 from dcfp.present.tables.responses import summary_dataset as summary_dataset
 from dcfp.present.tables.responses import write_netcdf as write_netcdf
-from dcfp.present.tables.rig_tests import cycles_csv as cycles_csv
-from dcfp.present.tables.rig_tests import write_tests_netcdf as write_tests_netcdf
+from dcfp.present.tables.responses import write_tests_netcdf as write_tests_netcdf

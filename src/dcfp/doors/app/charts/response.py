@@ -29,7 +29,7 @@ from dcfp.doors.app.elements import Options
 from dcfp.doors.app.thinning import kept, points
 from dcfp.doors.app.units import Units
 from dcfp.inference import Case
-from dcfp.present.figures.extent import shown
+from dcfp.present.figures.histories import shown
 
 #: Capacity beside which a peak has to come for the capacity to be drawn [-].
 _NEAR = 0.5

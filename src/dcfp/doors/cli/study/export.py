@@ -30,7 +30,7 @@ def run(chosen: argparse.Namespace) -> int:
 
 
 def _write(dataset: "xarray.Dataset", part: Path, kind: str) -> None:
-    from dcfp.present.tables.studies import study_csv, write_study_netcdf
+    from dcfp.present.tables.responses import study_csv, write_study_netcdf
 
     if kind == ".csv":
         study_csv(dataset, part)

@@ -5,16 +5,15 @@ from typing import TYPE_CHECKING
 from dcfp.errors import InputError
 from dcfp.present.figures.li_2020.histories import (
     draw_both_velocities,
+    draw_loops_of_both_models,
     draw_relative_velocity,
     draw_velocity_energy_displacement,
     history_figure,
+    loops_record,
 )
-from dcfp.present.figures.li_2020.loops import draw_loops_of_both_models, loops_record
-from dcfp.present.figures.li_2020.marks import small_figure
-from dcfp.present.figures.li_2020.paper_figure import PaperFigure
+from dcfp.present.figures.li_2020.marks import PaperFigure, small_figure
 from dcfp.present.figures.li_2020.points import point_figures
-from dcfp.present.figures.style import style
-from dcfp.present.figures.words import metres_per_second
+from dcfp.present.figures.style import metres_per_second, style
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

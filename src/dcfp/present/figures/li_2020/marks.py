@@ -1,4 +1,4 @@
-"""One mark for each record, the same in every figure of the paper."""
+"""A figure after one of the paper with its caption, and one mark for each record, the same in every figure."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
     from dcfp.inference import Case
 
-    #: Abscissa and ordinate of a case, or None where it has none.
     Point: TypeAlias = Callable[[Case], tuple[float, float] | None]
+
 
 #: Records of Li et al. (2020), Table 3, in its order; each has the mark of its place.
 _PAPER_RECORDS = ("JKB", "KNA", "TC1", "NCC", "LPG", "IVD", "TSD", "TIM")
@@ -124,3 +124,25 @@ def name_records(figure: Figure, marks: "Mapping[str, Mark]") -> None:
     )
     for text in legend.get_texts():
         text.set_parse_math(False)
+
+
+@dataclass(frozen=True, eq=False)
+class PaperFigure:
+    """A figure after one of Li et al. (2020).
+
+    Attributes
+    ----------
+    number
+        In the paper.
+    title
+        What it shows, in a few words.
+    words
+        The same in a sentence, for a caption.
+    figure
+        As drawn.
+    """
+
+    number: str
+    title: str
+    words: str
+    figure: "Figure"

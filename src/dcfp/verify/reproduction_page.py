@@ -6,11 +6,12 @@ from collections.abc import Sequence
 from html import escape
 from typing import TYPE_CHECKING
 
-from dcfp.verify.reproduction.findings import Finding
+from dcfp.verify.reproduction import Finding
 from dcfp.version import version
 
 if TYPE_CHECKING:
     from dcfp.present.figures.li_2020 import PaperFigure
+
 
 _STYLE = """
 body { font: 16px/1.5 "DejaVu Sans", Verdana, sans-serif; color: #222; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }

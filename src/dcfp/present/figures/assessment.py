@@ -1,0 +1,393 @@
+"""Figures of what a study says: curves of incremental dynamic analysis, fragility, envelopes of property bounds, Sobol indices."""
+
+from itertools import cycle
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from dcfp.errors import InputError
+from dcfp.present.figures.style import (
+    BLUE,
+    GREY,
+    INK,
+    OCHRE,
+    PAGE_WIDTH,
+    RED,
+    calm_ticks,
+    legend_above,
+    millimetres,
+    new_axes,
+    style,
+    styled,
+)
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.axes import Axes
+
+    from dcfp.arrays import FloatArray
+
+
+def axis_label(variable: "xarray.DataArray") -> str:
+    """Return the label of an axis: words, symbol and unit."""
+    from dcfp.study.assessment.selection import described  # late: the package imports the kernels
+
+    entry = described(variable)
+    symbol = "" if entry.symbol.startswith(r"\mathrm") else f", ${entry.symbol}$"
+    unit = f" [{entry.shown.name}]" if entry.shown.has_dimension else ""
+    return f"{entry.words}{symbol}{unit}"
+
+
+def shown(variable: "xarray.DataArray", values: "xarray.DataArray | None" = None) -> "FloatArray":
+    """Return the values of a variable, or others of its unit, as they are shown."""
+    from dcfp.study.assessment.selection import described
+
+    numbers = (variable if values is None else values).to_numpy()
+    return described(variable).display(np.asarray(numbers, dtype=np.float64))
+
+
+# The curves of an incremental dynamic analysis.
+
+
+@styled
+def plot_ida(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes":
+    """Draw the intensity over the result: each record thin and grey, the quantiles bold, the capacity as a line.
+
+    A hollow mark is where a record is first beyond the displacement capacity.
+
+    Parameters
+    ----------
+    found
+        What `dcfp.study.assessment.ida` returns.
+    axes
+        Where to draw; by default new axes.
+    """
+    axes = axes or new_axes(0.62 * PAGE_WIDTH, 3.6)
+    name = next(str(one) for one in found.data_vars if f"{one}_quantile" in found.data_vars)
+    result = found[name]
+    intensity = str(result.dims[1])
+    heights = shown(found[intensity])
+    capacity = found.attrs.get("displacement_capacity")
+    if name == "peak_displacement" and capacity is not None:
+        axes.plot(
+            [float(capacity)] * 2,
+            [0.0, heights[-1]],
+            color=RED,
+            linewidth=0.9,
+            linestyle=(0, (5, 3)),
+            label=f"capacity, {millimetres(float(capacity))}",
+        )
+    _draw_records(axes, shown(result), heights, found["beyond_capacity"].to_numpy())
+    _draw_quantiles(axes, found, name, heights)
+    axes.set_xlim(left=0.0)
+    axes.set_ylim(0.0, 1.07 * heights[-1])  # room for the names of the quantiles
+    calm_ticks(axes, 6, 6)
+    axes.set_xlabel(axis_label(result))
+    axes.set_ylabel(axis_label(found[intensity]))
+    legend_above(axes)
+    return axes
+
+
+def _draw_records(axes: "Axes", curves: "FloatArray", heights: "FloatArray", beyond: "np.ndarray") -> None:
+    for i, (curve, outside) in enumerate(zip(curves, beyond, strict=True)):
+        axes.plot(
+            curve,
+            heights,
+            color=GREY,
+            linewidth=0.4,
+            alpha=0.8,
+            label=f"{len(curves)} records" if i == 0 else None,
+            zorder=1,
+        )
+        if outside.any():
+            first = int(np.argmax(outside))
+            label = None if beyond[:i].any() else "first beyond the capacity"
+            axes.plot(
+                curve[first],
+                heights[first],
+                marker="o",
+                markersize=3.2,
+                markerfacecolor="white",
+                markeredgecolor=INK,
+                markeredgewidth=0.6,
+                linestyle="none",
+                label=label,
+                zorder=2,
+            )
+
+
+def _draw_quantiles(axes: "Axes", found: "xarray.Dataset", name: str, heights: "FloatArray") -> None:
+    lines = shown(found[name], found[f"{name}_quantile"])
+    parts = found["quantile"].to_numpy().tolist()
+    for part, line in zip(parts, lines, strict=True):
+        middle = part == 0.5
+        axes.plot(
+            line,
+            heights,
+            color=BLUE,
+            linewidth=1.8 if middle else 1.2,
+            linestyle="solid" if middle else (0, (4, 2)),
+            label="median" if middle else None,
+            zorder=3,
+        )
+        axes.annotate(
+            f"{100.0 * part:g} %",
+            (float(line[-1]), float(heights[-1])),
+            xytext=(0, 3),
+            textcoords="offset points",
+            color=BLUE,
+            ha="center",
+            va="bottom",
+        )
+
+
+# Fragility curves.
+
+
+_LOOKS = ((BLUE, "o"), (RED, "s"), (OCHRE, "^"), (INK, "D"))
+
+
+@styled
+def plot_fragility(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes":
+    """Draw the probability that each capacity is exceeded over the intensity.
+
+    Marks are the parts of the records that are observed to exceed it, bands hold a part of the draws of earthquakes, and a mark with a dotted line is the median.
+
+    Parameters
+    ----------
+    found
+        What `dcfp.study.assessment.fragility` returns.
+    axes
+        Where to draw; by default new axes.
+    """
+    from dcfp.study.assessment.selection import (  # late: the package imports the kernels
+        described,
+        shown_value,
+    )
+
+    axes = axes or new_axes(0.62 * PAGE_WIDTH, 3.5)
+    intensity = str(found.attrs["intensity"])
+    grid, points = shown(found[intensity]), shown(found[intensity], found[f"{intensity}_of_curve"])
+    medians = shown(found[intensity], found["median"])
+    entry = described(found[intensity])
+    for place, (colour, marker) in zip(range(found.sizes["capacity"]), cycle(_LOOKS), strict=False):
+        one = found.isel(capacity=place)
+        name = shown_value(found["capacity"].rename(str(found.attrs["quantity"])), one["capacity"].item())
+        label = f"{name}: no fit"
+        if np.isfinite(medians[place]):
+            beta = float(one["total_dispersion"])
+            label = (
+                f"{name}: " + rf"$\theta$ = {medians[place]:.3g} {entry.shown.name.replace('–', '')}".rstrip()
+            )
+            label += rf", $\beta$ = {beta:.2f}"
+        low, high = one["probability_bound"].to_numpy()
+        axes.fill_between(points, low, high, color=colour, alpha=0.15, linewidth=0.0)
+        axes.plot(points, one["probability"].to_numpy(), color=colour, linewidth=1.3, label=label)
+        axes.plot(
+            grid,
+            one["fraction"].to_numpy(),
+            color=colour,
+            marker=marker,
+            markersize=3.2,
+            linestyle="none",
+            clip_on=False,
+            zorder=3,
+        )
+        axes.plot([medians[place]] * 2, [0.0, 0.5], color=colour, linewidth=0.7, linestyle=":")
+        axes.plot(medians[place], 0.5, marker="+", markersize=7, color=colour, linestyle="none", zorder=4)
+    axes.set_xlim(0.0, float(grid[-1]))
+    axes.set_ylim(0.0, 1.0)
+    calm_ticks(axes, 6, 5)
+    axes.set_xlabel(axis_label(found[intensity]))
+    axes.set_ylabel("probability that the capacity is exceeded")
+    axes.legend(
+        loc="lower left",
+        bbox_to_anchor=(0.0, 1.02),
+        ncols=2 if found.sizes["capacity"] > 1 else 1,
+        title=rf"$\theta$: median, $\beta$: dispersion; marks: observed in {found.attrs['records']} records;"
+        f"\nband: {100.0 * found.attrs['confidence']:g} % of draws of earthquakes",
+        title_fontsize=7.0,
+        alignment="left",
+    )
+    return axes
+
+
+# Envelopes of property bounds.
+
+
+_MARKERS = ("o", "^", "s", "D", "v", "P", "X", "p", "h", "*")
+
+
+def plot_bounds(found: "xarray.Dataset", part: float | None = None) -> Figure:
+    """Draw the envelope and the nominal line of every result over the intensity, on a new figure.
+
+    A mark on the edge of an envelope says which combination of the properties governs there, full of the largest and hollow of the least.
+
+    Parameters
+    ----------
+    found
+        What `dcfp.study.assessment.bounds` returns.
+    part
+        Which of its quantiles [-]; by default the first.
+    """
+    place = 0 if part is None else int(np.flatnonzero(np.isclose(found["quantile"].to_numpy(), part))[0])
+    one = found.isel(quantile=place)
+    names = str(found.attrs["quantities"]).split(", ")
+    looks = dict(zip(_governing(one, names), cycle(_MARKERS), strict=False))
+    columns = min(2, len(names))
+    rows = -(-len(names) // columns)
+    with style():
+        height = 2.2 * rows + 0.7 + 0.15 * (len(looks) // 2)
+        figure = Figure(figsize=(PAGE_WIDTH, height), layout="constrained")
+        panels: Any = figure.subplots(rows, columns, squeeze=False)
+        for axes in panels.flat[len(names) :]:
+            axes.set_axis_off()
+        for axes, name in zip(panels.flat, names, strict=False):
+            _draw_bounds(axes, one, name, looks)
+        figure.legend(
+            handles=_handles(found, float(one["quantile"]), looks),
+            loc="outside upper center",
+            ncols=3,
+            borderaxespad=0.3,
+            title="marks: which properties govern, full the largest, hollow the least",
+            title_fontsize=7.0,
+        )
+    return figure
+
+
+def _governing(one: "xarray.Dataset", names: list[str]) -> list[str]:
+    """Return the combinations that govern somewhere, each once."""
+    told = [one[f"{name}_{side}_at"].to_numpy().tolist() for name in names for side in ("largest", "least")]
+    return list(dict.fromkeys(combination for line in told for combination in line if combination))
+
+
+def _draw_bounds(axes: "Axes", one: "xarray.Dataset", name: str, looks: dict[str, str]) -> None:
+    from dcfp.study.assessment.selection import described  # late: the package imports the kernels
+
+    intensity = str(one.attrs["intensity"])
+    x = shown(one[intensity])
+    least, largest, nominal = (
+        shown(one[name], one[f"{name}_{side}"]) for side in ("least", "largest", "nominal")
+    )
+    axes.fill_between(x, least, largest, color=BLUE, alpha=0.15, linewidth=0.0)
+    axes.plot(x, nominal, color=INK, linewidth=1.2)
+    for side, line in (("least", least), ("largest", largest)):
+        axes.plot(x, line, color=BLUE, linewidth=0.7)
+        told = one[f"{name}_{side}_at"].to_numpy().tolist()
+        for at, height, combination in zip(x, line, told, strict=True):
+            if not combination:  # nothing has been run there
+                continue
+            axes.plot(
+                at,
+                height,
+                marker=looks[combination],
+                markersize=4.0,
+                color=BLUE,
+                markerfacecolor="white" if side == "least" else BLUE,
+                linestyle="none",
+            )
+    axes.set_ylim(bottom=min(0.0, float(np.nanmin(least))))
+    calm_ticks(axes)
+    axes.set_xlabel(axis_label(one[intensity]))
+    axes.set_ylabel(described(one[name]).label)
+    axes.set_title(described(one[name]).words, loc="left")
+
+
+def _handles(found: "xarray.Dataset", part: float, looks: dict[str, str]) -> "list[Line2D | Patch]":
+    words = (
+        "median of the records" if part == 0.5 else f"what {100.0 * part:g} % of the records do not exceed"
+    )
+    marks = [
+        Line2D([], [], marker=marker, markersize=4.0, color=BLUE, linestyle="none", label=combination)
+        for combination, marker in looks.items()
+    ]
+    return [
+        Line2D([], [], color=INK, linewidth=1.2, label=f"nominal, {found.attrs['nominal']}"),
+        Patch(color=BLUE, alpha=0.15, linewidth=0.0, label=f"envelope, {words}"),
+        *marks,
+    ]
+
+
+# Sobol indices as bars.
+
+
+#: Most panels of a figure.
+_MOST = 4
+_BARS = (("S1", "first order", OCHRE, -0.19), ("ST", "total", BLUE, 0.19))
+
+
+def plot_sensitivity(found: "xarray.Dataset") -> Figure:
+    """Draw first-order and total Sobol indices by factor with their intervals, on a new figure.
+
+    A panel for each value of the one factor that is left of the grid, of many for some of them.
+
+    Parameters
+    ----------
+    found
+        What `dcfp.study.assessment.sensitivity` returns.
+
+    Raises
+    ------
+    InputError
+        If several factors are left.
+    """
+    from dcfp.study.assessment.selection import (  # late: the package imports the kernels
+        described,
+        shown_value,
+    )
+
+    left = [str(name) for name in found["S1"].dims if name != "factor"]
+    if len(left) > 1:
+        msg = f"A figure of Sobol indices is over one factor of the grid, and {' and '.join(left)} are left; choose values first."
+        raise InputError(msg)
+    number = found.sizes[left[0]] if left else 1
+    places = np.unique(np.linspace(0, number - 1, min(number, _MOST)).round().astype(int)).tolist()
+    with style():
+        height = 1.15 + 0.36 * found.sizes["factor"]
+        width = PAGE_WIDTH if len(places) > 1 else 0.55 * PAGE_WIDTH
+        figure = Figure(figsize=(width, height), layout="constrained")
+        panels: Any = figure.subplots(1, len(places), squeeze=False, sharex=True, sharey=True)
+        for axes, place in zip(panels.flat, places, strict=True):
+            _draw_indices(axes, found.isel({left[0]: place}) if left else found)
+            if left:
+                along = found[left[0]]
+                symbol = "PGV" if left[0] == "pgv" else described(along).title
+                axes.set_title(f"{symbol} {shown_value(along, along.to_numpy()[place])}")
+        last = panels.flat[-1]  # all share its limits
+        low, high = last.get_xlim()
+        last.set_xlim(min(0.0, low), max(1.0, high))
+        last.set_xticks([0.0, 0.5, 1.0])
+        figure.supxlabel(f"part of the variance of the {_words_of_indices(found)}", fontsize=7.5, color=INK)
+        handles, labels = panels.flat[0].get_legend_handles_labels()
+        figure.legend(handles, labels, loc="outside upper center", ncols=2, borderaxespad=0.3)
+    return figure
+
+
+def _draw_indices(axes: "Axes", one: "xarray.Dataset") -> None:
+    names = one["factor"].to_numpy().tolist()
+    heights = np.arange(len(names), dtype=np.float64)
+    for name, words, colour, shift in _BARS:
+        axes.barh(
+            heights + shift,
+            one[name].to_numpy(),
+            0.34,
+            xerr=one[f"{name}_confidence"].to_numpy(),
+            color=colour,
+            label=words,
+            error_kw={"elinewidth": 0.7, "capsize": 1.8, "capthick": 0.7, "ecolor": INK},
+        )
+    axes.axvline(0.0, color=INK, linewidth=0.6)
+    axes.set_yticks(heights, names)
+    axes.set_ylim(len(names) - 0.45, -0.55)
+
+
+def _words_of_indices(found: "xarray.Dataset") -> str:
+    from dcfp.schema.nomenclature import NOMENCLATURE
+
+    name = str(found.attrs["quantity"])
+    entry = NOMENCLATURE.get(name)
+    words = name.replace("_", " ") if entry is None else entry.words
+    return f"{'logarithm of the ' if found.attrs['logarithm'] else ''}{words}"
