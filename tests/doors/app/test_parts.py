@@ -8,12 +8,11 @@ import pytest
 pytest.importorskip("nicegui", reason="the web page needs nicegui")
 
 import dcfp
+from dcfp.doors.app.charts.look import kept
 from dcfp.doors.app.forms import HEATINGS, LAWS, LIMITS, BearingForm
-from dcfp.doors.app.guard import LARGEST_BODY, Guard
-from dcfp.doors.app.session import Session
-from dcfp.doors.app.thinning import kept
+from dcfp.doors.app.serve import LARGEST_BODY, Guard
+from dcfp.doors.app.session import MOST_COMPONENTS, MOST_FILES, Session, plain_name, read_upload
 from dcfp.doors.app.units import Units
-from dcfp.doors.app.uploads import MOST_COMPONENTS, MOST_FILES, plain_name, read_upload
 from dcfp.errors import InputError
 from dcfp.system import FRICTION_LAWS, System
 from dcfp.system import HEATINGS as HEATING_MODELS

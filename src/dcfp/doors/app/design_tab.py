@@ -5,12 +5,10 @@ import asyncio
 from nicegui import ui
 
 from dcfp.doors.app import downloads
-from dcfp.doors.app.bearing_panel import BearingPanel
 from dcfp.doors.app.charts import design as charts
 from dcfp.doors.app.elements import Chart, Grid, Slider, Text
-from dcfp.doors.app.fields import Alert, action, card, choice_field
-from dcfp.doors.app.latest import Latest
-from dcfp.doors.app.session import Session
+from dcfp.doors.app.fields import Alert, BearingPanel, action, card, choice_field
+from dcfp.doors.app.session import Latest, Session
 from dcfp.doors.app.surveys import PGVS, SETS, Question, Surveys
 from dcfp.errors import DcfpError
 from dcfp.inference.design_space import COEFFICIENTS, RADII, DesignSpace

@@ -9,13 +9,11 @@ from nicegui import ui
 
 from dcfp.analysis.rig import Loops, Program, RigTest, Sine, load_program, run_program
 from dcfp.doors.app import downloads
-from dcfp.doors.app.bearing_panel import BearingPanel
 from dcfp.doors.app.charts import machine as charts
 from dcfp.doors.app.elements import Chart, Grid, Text
-from dcfp.doors.app.fields import Alert, action, card, choice_field, number_field
+from dcfp.doors.app.fields import Alert, BearingPanel, action, card, choice_field, number_field
 from dcfp.doors.app.forms import Limits
-from dcfp.doors.app.latest import Latest
-from dcfp.doors.app.session import Session
+from dcfp.doors.app.session import Latest, Session
 from dcfp.errors import DcfpError, InputError
 
 if TYPE_CHECKING:

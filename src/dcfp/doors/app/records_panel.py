@@ -10,8 +10,7 @@ from nicegui.events import UploadEventArguments
 from dcfp.doors.app.elements import FileDrop, Slider, Text
 from dcfp.doors.app.fields import Alert, card, choice_field, more, number_field, switch_field
 from dcfp.doors.app.forms import Limits
-from dcfp.doors.app.session import Session
-from dcfp.doors.app.uploads import LARGEST_FILE, MOST_FILES, read_upload, too_large
+from dcfp.doors.app.session import LARGEST_FILE, MOST_FILES, Session, read_upload, too_large
 from dcfp.errors import InputError
 
 #: Most records that are analysed together.

@@ -1,14 +1,144 @@
-"""What belongs to one visitor."""
+"""What belongs to one visitor: what is chosen, records that are sent, read from memory, within limits, and calculations of which only the latest matters."""
 
+import re
+from collections.abc import Awaitable, Callable
 from dataclasses import dataclass, field
 from functools import cache
+from pathlib import PurePosixPath
+
+from nicegui import background_tasks
 
 from dcfp.doors.app.forms import BearingForm
 from dcfp.doors.app.units import Units
-from dcfp.doors.app.uploads import MOST_COMPONENTS, MOST_FILES, Upload
 from dcfp.errors import InputError
-from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.ground_motion import LONGEST_TAIL, GroundMotion
+from dcfp.motion.load import motions_of
 from dcfp.motion.named import named_motion, named_records
+
+# Calculations of which only the latest matters.
+
+
+class Latest:
+    """Does a piece of work again whenever it is asked to, one at a time; what is asked meanwhile is done once, with the latest values.
+
+    Parameters
+    ----------
+    work
+        Looks up what is wanted, calculates in another thread, and shows it.
+    """
+
+    def __init__(self, work: Callable[[], Awaitable[None]]) -> None:
+        self._work = work
+        self._wanted = False
+        self._runs = False
+
+    @property
+    def outdated(self) -> bool:
+        """Whether something newer is wanted than what is being done."""
+        return self._wanted
+
+    def ask(self) -> None:
+        """Do the work, now or after the present one."""
+        self._wanted = True
+        if not self._runs:
+            self._runs = True
+            background_tasks.create(self._run())
+
+    async def _run(self) -> None:
+        try:
+            while self._wanted:
+                self._wanted = False
+                await self._work()
+        finally:
+            self._runs = False
+
+
+# Records that a visitor sends: read from memory, within limits.
+
+
+#: Largest file [bytes], most files and most components that one visitor can have.
+LARGEST_FILE, MOST_FILES, MOST_COMPONENTS = 20_000_000, 12, 36
+#: Most time steps of an analysis with the rest after the record: what a page can be kept waiting for.
+MOST_STEPS = 1_000_000
+_LONGEST_NAME = 80
+
+
+@dataclass(frozen=True, eq=False)
+class Upload:
+    """One component of a file.
+
+    Attributes
+    ----------
+    motion
+        As it is in the file.
+    file
+        Name by which a scenario finds it beside itself, with ``::COMPONENT`` where the file holds several.
+    options
+        How a plain file is read, for the scenario.
+    """
+
+    motion: GroundMotion
+    file: str
+    options: dict[str, str | float]
+
+
+def read_upload(
+    content: bytes, name: str, *, units: str | None = None, time_step: float | None = None
+) -> list[Upload]:
+    """Return the components of a file that was sent.
+
+    Parameters
+    ----------
+    content
+        Of the file.
+    name
+        What its sender calls it; used in words only.
+    units, time_step
+        As for `dcfp.motion.load.read_motions`.
+
+    Raises
+    ------
+    InputError
+        If it is too large, or no record.
+    """
+    shown = plain_name(name)
+    if len(content) > LARGEST_FILE:
+        raise InputError(too_large(shown))
+    motions = motions_of(content, shown, units=units, time_step=time_step)
+    for motion in motions:
+        steps = motion.acceleration.size + LONGEST_TAIL / motion.time_step
+        if steps > MOST_STEPS:
+            msg = (
+                f"{shown}: with a time step of {motion.time_step:g} s this record is too long for the page, which takes"
+                f" {MOST_STEPS:,} steps; analyse it with dcfp respond."
+            )
+            raise InputError(msg)
+    options: dict[str, str | float] = {}
+    if units is not None:
+        options["units"] = units
+    if time_step is not None:
+        options["time_step"] = time_step
+    several = len(motions) > 1
+    return [
+        Upload(motion, f"{shown}::{motion.origin.component}" if several else shown, options)
+        for motion in motions
+    ]
+
+
+def plain_name(name: str) -> str:
+    """Return the last part of a file's name without control characters, shortened; never empty."""
+    last = PurePosixPath(name.replace("\\", "/")).name
+    clean = "".join(letter for letter in last if letter.isprintable()).strip()
+    clean = re.sub(r"\s+", " ", clean).lstrip(".") or "record"
+    return clean if len(clean) <= _LONGEST_NAME else f"{clean[: _LONGEST_NAME - 9]}…{clean[-8:]}"
+
+
+def too_large(name: str) -> str:
+    """Return what is said of a file that is too large."""
+    return (
+        f"{plain_name(name)}: the file is larger than {LARGEST_FILE / 1e6:.0f} MB, so it is not one record."
+    )
+
 
 #: Before the key of a record that was sent.
 _SENT = "sent-"

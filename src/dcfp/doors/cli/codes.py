@@ -5,7 +5,7 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from dcfp.doors.cli import inputs, options, prediction_inputs
+from dcfp.doors.cli import inputs, options
 from dcfp.doors.cli.outputs import Outputs
 from dcfp.doors.cli.parser import Numbers, Parser, fraction, not_negative, number_from, positive, whole_number
 from dcfp.errors import InputError
@@ -176,7 +176,7 @@ def _panels(chosen: argparse.Namespace, model: "inputs.System") -> "tuple[list[P
     from dcfp.methods.panel import panel_of_motion, panel_of_set, panel_of_spectrum
     from dcfp.motion.measures import refuse_a_drift
 
-    nominal = prediction_inputs.nominal(chosen, model)
+    nominal = inputs.nominal(chosen, model)
     pendulum = PendulumWithFriction(model.bearing.effective_radius, nominal.value)
     structure, bounds = _structure(chosen), _bounds(chosen)
     spectrum = _spectrum(chosen)

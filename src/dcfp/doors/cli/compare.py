@@ -5,7 +5,7 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from dcfp.doors.cli import inputs, options, prediction_inputs
+from dcfp.doors.cli import inputs, options
 from dcfp.doors.cli.outputs import Outputs
 from dcfp.doors.cli.parser import Parser
 from dcfp.errors import InputError
@@ -33,7 +33,7 @@ def add_arguments(parser: Parser) -> None:
         help="also constants and intervals from half of the earthquakes, judged on the other half",
     )
     options.add_treatment(parser)
-    prediction_inputs.add_method(parser)
+    inputs.add_method(parser)
     options.add_bearing(parser)
     options.add_output(parser, "every prediction and analysis as CSV (.csv)")
 
@@ -46,10 +46,10 @@ def run(chosen: argparse.Namespace) -> int:
         raise InputError(msg)
     outputs = Outputs.checked(chosen, inputs.input_files(chosen), (".csv",))
     # late, so that a slip in the command is answered at once
-    from dcfp.doors.cli.compare_table import print_cases
+    from dcfp.doors.cli.predict_table import print_cases
     from dcfp.inference.statistics import scatters
 
-    setting, nominal = prediction_inputs.setting(chosen, inputs.model(chosen))
+    setting, nominal = inputs.setting(chosen, inputs.model(chosen))
     cases = _compare(chosen, setting)
     held_out = _held_out(cases, len(chosen.pgv), setting) if chosen.held_out else None
     _write(cases, setting, outputs)
@@ -117,7 +117,7 @@ def _write(cases: "list[Case]", setting: "Setting", outputs: Outputs) -> None:
         from dcfp.present.figures import plot_comparison, save_figure  # late: Matplotlib takes long to import
 
         if len(cases) == 1:
-            from dcfp.doors.cli.predict_figure import pulse_figure
+            from dcfp.doors.cli.predict import pulse_figure
 
             save_figure(pulse_figure(cases[0], setting), part, form)
         else:

@@ -64,7 +64,7 @@ def run(chosen: argparse.Namespace) -> int:
     outputs = Outputs.checked(chosen, [Path(file) for file in read], EXTENSIONS)
     # late, so that a slip in the command is answered at once
     from dcfp.analysis.rig import read_measurement
-    from dcfp.doors.cli.identify_table import print_identification
+    from dcfp.doors.cli.test_table import print_identification
     from dcfp.inference.identification import identify
     from dcfp.system import FittedFriction
 

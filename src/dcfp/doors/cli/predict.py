@@ -5,15 +5,20 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from dcfp.doors.cli import design, inputs, options, prediction_inputs
+from dcfp.doors.cli import design, inputs, options
 from dcfp.doors.cli.outputs import Outputs
 from dcfp.doors.cli.parser import Numbers, Parser, positive
 from dcfp.errors import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.figure import Figure
+
     from dcfp.inference import Case, Setting
     from dcfp.inference.forecast import Forecast
     from dcfp.motion.ground_motion import GroundMotion
+
 
 _KILO = 1000.0
 #: Options that mean something for a record only.
@@ -42,7 +47,7 @@ def add_arguments(parser: Parser) -> None:
         help="with --pgv-only: which friction and radius hold y_max to this displacement [mm]; --plot draws the chart",
     )
     options.add_treatment(parser)
-    prediction_inputs.add_method(parser)
+    inputs.add_method(parser)
     options.add_bearing(parser)
     options.add_output(parser, "predictions as CSV (.csv)")
 
@@ -55,7 +60,7 @@ def run(chosen: argparse.Namespace) -> int:
     from dcfp.doors.cli.predict_table import print_forecasts
     from dcfp.present.tables.comparisons import forecast_objects
 
-    setting, nominal = prediction_inputs.setting(chosen, inputs.model(chosen))
+    setting, nominal = inputs.setting(chosen, inputs.model(chosen))
     if chosen.allow is not None:
         return design.run(chosen, setting, outputs)
     forecasts = _forecasts(chosen, setting)
@@ -124,9 +129,48 @@ def _write(forecasts: "list[Forecast]", setting: "Setting", outputs: Outputs) ->
         part.write_text(forecasts_csv(forecasts), encoding="utf-8")
 
     def figure(part: Path, form: str) -> None:
-        from dcfp.doors.cli.predict_figure import forecast_figure  # late: Matplotlib takes long to import
+
         from dcfp.present.figures import save_figure
 
         save_figure(forecast_figure(forecasts, setting), part, form)
 
     outputs.write_with(data, figure)
+
+
+# Which figure belongs to a prediction.
+
+
+def forecast_figure(forecasts: "Sequence[Forecast]", setting: "Setting") -> "Figure":
+    """Draw one record with its pulses and, beside them, the analysis; several records or PGVs beside each other."""
+    from dcfp.inference import compare
+    from dcfp.present.figures.forecasts import plot_forecasts
+
+    if forecasts[0].motion is None:
+        return _pgv_figure(forecasts)
+    if len(forecasts) == 1:
+        return pulse_figure(compare(forecasts[0].motion, setting, keep_response=True), setting)
+    return plot_forecasts(forecasts)
+
+
+def pulse_figure(case: "Case", setting: "Setting") -> "Figure":
+    """Draw a case that kept its analysis, with the march through the pulses."""
+    from dcfp.inference.case import march
+    from dcfp.present.figures import plot_pulses
+    from dcfp.present.figures.pulses import response_of
+
+    marched = march(response_of(case).motion, setting, with_path=True)
+    return plot_pulses(case, marched, constants=setting.constants)
+
+
+def _pgv_figure(forecasts: "Sequence[Forecast]") -> "Figure":
+    from dcfp.present.figures.forecasts import DRAWN, plot_pgv_prediction
+
+    said = [next(iter(one.predicted.values())) for one in forecasts]
+    if not all(None in one.intervals for one in forecasts):
+        return plot_pgv_prediction([one.pgv for one in forecasts], said)
+    known: dict[str, list[tuple[float, float, float]]] = {name: [] for name in DRAWN}
+    for one in forecasts:
+        for quantity, interval in one.intervals[None].items():
+            if quantity.name in known:
+                known[quantity.name].append((interval.low, interval.median, interval.high))
+    return plot_pgv_prediction([one.pgv for one in forecasts], said, known)

@@ -38,7 +38,7 @@ def run(chosen: argparse.Namespace) -> int:
     if chosen.json:
         print(json.dumps([entry.row() for entry in described], indent=2, allow_nan=False))
     else:
-        from dcfp.doors.cli.record_tables import print_described
+        from dcfp.doors.cli.response_table import print_described
 
         print_described(described)
     return 0
@@ -126,7 +126,7 @@ def _list_named(chosen: argparse.Namespace, outputs: Outputs) -> int:
     if chosen.json:
         print(json.dumps([asdict(row) for row in rows], indent=2, allow_nan=False))
     else:
-        from dcfp.doors.cli.record_tables import print_named
+        from dcfp.doors.cli.response_table import print_named
 
         print_named(rows)
     return 0

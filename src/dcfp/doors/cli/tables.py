@@ -1,4 +1,4 @@
-"""What the tables of every command look like."""
+"""What the tables of every command look like, and what a reader of the numbers must know beside them."""
 
 import sys
 from collections.abc import Generator, Iterable, Sequence
@@ -67,3 +67,14 @@ def print_remarks(out: Console, remarks: Sequence[str]) -> None:
 
 def _head(text: str) -> Text:
     return Text(text if "\n" in text else f"{text}\n")
+
+
+def grouped(remarks: "Iterable[tuple[str, str]]") -> list[str]:
+    """Return remarks, each given with the name that it may begin with; what is said of several names is said once."""
+    names: dict[str, list[str]] = {}
+    for name, remark in remarks:
+        told = remark.removeprefix(f"{name}: ")
+        names.setdefault(told, []).extend([name] if told != remark else [])
+    return [
+        f"{', '.join(dict.fromkeys(members))}: {told}" if members else told for told, members in names.items()
+    ]

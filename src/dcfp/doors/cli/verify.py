@@ -34,9 +34,9 @@ def run(chosen: argparse.Namespace) -> int:
     if chosen.json:
         print(json.dumps([asdict(check) for check in checks], indent=2))
     else:
-        from dcfp.doors.cli.verify_table import print_checks
+        from dcfp.doors.cli.test_table import print_verification
 
-        print_checks(checks)
+        print_verification(checks)
     return 1 if any(check.passed is False for check in checks) else 0
 
 

@@ -6,9 +6,8 @@ import numpy as np
 
 from dcfp.analysis.rig import Loops
 from dcfp.analysis.rig.measures import Cycle
-from dcfp.doors.app.charts.look import BLUE, GREEN, GREY, OCHRE, RED, axis, legend, line, simple
+from dcfp.doors.app.charts.look import BLUE, GREEN, GREY, OCHRE, RED, axis, kept, legend, line, points, simple
 from dcfp.doors.app.elements import Cell, Head, Options
-from dcfp.doors.app.thinning import kept, points
 from dcfp.doors.app.units import Units
 
 _COLOURS = (BLUE, OCHRE, RED, GREEN, GREY)

@@ -18,15 +18,16 @@ from dcfp.doors.app.charts.look import (
     OCHRE,
     RED,
     axis,
+    kept,
     legend,
     level,
     line,
     mark,
+    points,
     simple,
     tooltip,
 )
 from dcfp.doors.app.elements import Options
-from dcfp.doors.app.thinning import kept, points
 from dcfp.doors.app.units import Units
 from dcfp.inference import Case
 from dcfp.present.figures.histories import shown

@@ -77,7 +77,7 @@ def _check(chosen: argparse.Namespace) -> None:
 
 
 def _run(study: "Study", place: Path, chosen: argparse.Namespace, done: list[int]) -> "xarray.Dataset":
-    from dcfp.doors.cli.study.bar import study_bar
+    from dcfp.doors.cli.progress import study_bar
     from dcfp.study.cluster import run_on_cluster
     from dcfp.study.run import run_study
 
