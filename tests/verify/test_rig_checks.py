@@ -6,7 +6,7 @@ from beyond_limits import unchecked
 
 from dcfp.analysis.rig import Sine
 from dcfp.system import LI_2020, PreciseHeating, SimplifiedHeating
-from dcfp.verify import rig_opensees
+from dcfp.verify import opensees, rig_opensees
 from dcfp.verify.check import Task
 from dcfp.verify.opensees import REQUIRED
 from dcfp.verify.rig import FinerSine, refined
@@ -17,7 +17,7 @@ CONSTANT = np.array([0.043, 0.0, 0.0, 0.0, 0.0, 1.0])
 
 @pytest.fixture
 def without_opensees(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(rig_opensees, "find_spec", lambda name: None)
+    monkeypatch.setattr(opensees, "find_spec", lambda name: None)
     monkeypatch.delenv(REQUIRED, raising=False)
 
 

@@ -15,6 +15,7 @@ import os
 import subprocess
 import sys
 import tempfile
+from collections.abc import Callable
 from functools import cache, partial
 from importlib.util import find_spec
 from pathlib import Path
@@ -47,20 +48,22 @@ def _missing(why: str = "it is not installed") -> OpenSeesMissingError:
     return OpenSeesMissingError(f"{_GET_IT} ({why}).")
 
 
-@cache
-def analyse(model: str, record: str, velocity: float, step: float) -> dict[str, Any]:
-    """Analyse a record at a PGV [mm/s] with OpenSees, in a process of its own; `step` [s].
+def run_job(job_of: dict[str, Any]) -> dict[str, Any]:
+    """Run OpenSees in a process of its own.
+
+    Parameters
+    ----------
+    job_of
+        What the driver takes besides the bearing.
 
     Raises
     ------
     OpenSeesMissingError
         If OpenSees cannot be imported or does not finish.
     """
-    if find_spec("openseespy") is None:
-        raise _missing()
     with tempfile.TemporaryDirectory() as folder:
         job, result = Path(folder, "job.json"), Path(folder, "result.json")
-        job.write_text(json.dumps(_job(model, record, velocity, step)), encoding="utf-8")
+        job.write_text(json.dumps({**_bearing(), **job_of}), encoding="utf-8")
         command = [sys.executable, str(_PROGRAM), str(job), str(result)]
         try:
             done = subprocess.run(command, capture_output=True, text=True, timeout=_PATIENCE, check=False)
@@ -72,15 +75,12 @@ def analyse(model: str, record: str, velocity: float, step: float) -> dict[str, 
         return dict(json.loads(result.read_text(encoding="utf-8")))
 
 
-def _job(model: str, record: str, velocity: float, step: float) -> dict[str, Any]:
-    motion = scaled_record(record, velocity)
+def _bearing() -> dict[str, Any]:
+    """Return the bearing and its law as the driver takes them."""
     bearing = SINGLE_CONCAVE
     steel = SimplifiedHeating()
     return {
-        "model": model,
-        "acceleration": motion.acceleration.tolist(),
-        "interval": motion.time_step,
-        "step": step,
+        "model": "heated",
         "mass": bearing.mass,
         "vertical_force": bearing.vertical_force,
         "pressure": bearing.pressure,
@@ -88,16 +88,36 @@ def _job(model: str, record: str, velocity: float, step: float) -> dict[str, Any
         "contact_radius": 0.5 * bearing.slider_diameter,
         # what OpenSees calls the initial stiffness is that of both springs
         "initial_stiffness": bearing.elastic_stiffness + bearing.restoring_stiffness,
-        "friction": ConstantFriction().mu if model == "coulomb" else KUMAR.mu_reference,
+        "friction": KUMAR.mu_reference,
         "velocity_rate": VELOCITY_RATE,
         "diffusivity": steel.diffusivity,
         "conductivity": steel.conductivity,
     }
 
 
-def _or_skipped(name: str, measure: partial[Finding]) -> Task:
+@cache
+def analyse(model: str, record: str, velocity: float, step: float) -> dict[str, Any]:
+    """Analyse a record at a PGV [mm/s] with OpenSees; `step` [s], errors as of `run_job`."""
+    motion = scaled_record(record, velocity)
+    of_model = {"friction": ConstantFriction().mu} if model == "coulomb" else {}
+    return run_job(
+        {
+            "model": model,
+            "acceleration": motion.acceleration.tolist(),
+            "interval": motion.time_step,
+            "step": step,
+            **of_model,
+        }
+    )
+
+
+def or_skipped(name: str, measure: Callable[[], Finding]) -> Task:
+    """Return a check that is skipped where OpenSees is not there."""
+
     def guarded() -> Finding | Skipped:
         try:
+            if find_spec("openseespy") is None:  # also where its results are at hand
+                raise _missing()
             return measure()
         except OpenSeesMissingError as error:
             if os.environ.get(REQUIRED) == "1":
@@ -169,9 +189,9 @@ def _heated_displacement() -> Finding:
 
 TASKS = (
     *(
-        _or_skipped(f"peak displacement, constant friction, {record}", partial(_coulomb, record))
+        or_skipped(f"peak displacement, constant friction, {record}", partial(_coulomb, record))
         for record in ("NCC", "KNA", "LPG", "IVD")
     ),
-    _or_skipped("peak temperature, heated", partial(_heated_temperature)),
-    _or_skipped("peak displacement, heated", partial(_heated_displacement)),
+    or_skipped("peak temperature, heated", partial(_heated_temperature)),
+    or_skipped("peak displacement, heated", partial(_heated_displacement)),
 )

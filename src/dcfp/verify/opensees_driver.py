@@ -1,5 +1,7 @@
-"""Runs one analysis with OpenSeesPy: ``python opensees_driver.py job.json result.json``.
+"""Shakes a bearing, or moves it to and fro, with OpenSeesPy: ``python opensees_driver.py job.json result.json``.
 
+Where it is moved, the node carries a mass so large that the bearing does not alter its motion, starts at full velocity and is driven by the
+acceleration of the sine: an imposed displacement would leave the element without the velocity that it needs.
 It is run as a program of its own, because OpenSeesPy prints when it ends and takes the whole process with it when it fails.
 Nothing of this package is imported. Units: N, mm, s, t, degC.
 """
@@ -13,25 +15,28 @@ from typing import Any
 
 #: Stiffness of the directions that do not matter [N/mm, N mm].
 _STIFF = 1e10
+#: Mass on a node that is moved, over that under the vertical force [-].
+_HEAVY = 1e7
 _ITERATIONS = 50
 
 
 def run(job: dict[str, Any]) -> dict[str, Any]:
-    """Analyse a rigid mass on one bearing under a ground acceleration; return its peaks."""
+    """Analyse a rigid mass on one bearing: under a ground acceleration the peaks, through cycles of a sine the histories."""
+    is_moved = "cycles" in job
     ops: Any = import_module("openseespy.opensees")
     ops.wipe()
     ops.model("basic", "-ndm", 3, "-ndf", 6)
     ops.node(1, 0.0, 0.0, 0.0)
     ops.node(2, 0.0, 0.0, 0.0)
     mass = job["mass"]
-    ops.mass(2, mass, mass, mass, 1e-6, 1e-6, 1e-6)
+    ops.mass(2, _HEAVY * mass if is_moved else mass, mass, mass, 1e-6, 1e-6, 1e-6)
     ops.fix(1, 1, 1, 1, 1, 1, 1)
     ops.fix(2, 0, 1, 0, 1, 1, 1)
     ops.uniaxialMaterial("Elastic", 1, 1e8)
     ops.uniaxialMaterial("Elastic", 2, _STIFF)
     _add_bearing(ops, job)
-    _press(ops, job["vertical_force"])
-    return _shake(ops, job)
+    _press(ops, job["vertical_force"], 1e-9 if is_moved else 1e-8)
+    return _move(ops, job) if is_moved else _shake(ops, job)
 
 
 def _add_bearing(ops: Any, job: dict[str, Any]) -> None:
@@ -54,12 +59,12 @@ def _add_bearing(ops: Any, job: dict[str, Any]) -> None:
     )  # fmt: skip
 
 
-def _press(ops: Any, force: float) -> None:
+def _press(ops: Any, force: float, tolerance: float) -> None:
     """Apply the vertical force [N] and hold it."""
     ops.timeSeries("Linear", 1)
     ops.pattern("Plain", 1, 1)
     ops.load(2, 0.0, 0.0, -force, 0.0, 0.0, 0.0)
-    _choose_solver(ops, 1e-8)
+    _choose_solver(ops, tolerance)
     ops.integrator("LoadControl", 1.0)
     ops.analysis("Static")
     if ops.analyze(1) != 0:
@@ -94,6 +99,31 @@ def _shake(ops: Any, job: dict[str, Any]) -> dict[str, Any]:
             hottest = max(hottest, ops.eleResponse(1, "temperature")[0])
             fluxes.append(ops.eleResponse(1, "HeatFlux")[0])
     return {"peak_displacement": peak, "peak_temperature": hottest, "fluxes": fluxes, "failed_steps": failed}
+
+
+def _move(ops: Any, job: dict[str, Any]) -> dict[str, Any]:
+    amplitude, peak_velocity, per_cycle = job["amplitude"], job["peak_velocity"], job["steps_per_cycle"]
+    frequency = peak_velocity / amplitude
+    step = 2.0 * math.pi / frequency / per_cycle
+    count = job["cycles"] * per_cycle
+    # the trapezoidal rule swings as the sine does if it is driven at its own frequency
+    shrink = (math.tan(math.pi / per_cycle) / (math.pi / per_cycle)) ** 2
+    drive = [
+        amplitude * frequency**2 * shrink * math.sin(2.0 * math.pi * n / per_cycle) for n in range(count + 1)
+    ]
+    ops.timeSeries("Path", 2, "-dt", step, "-values", *drive)
+    ops.pattern("UniformExcitation", 2, 1, "-accel", 2)
+    ops.setNodeVel(2, 1, peak_velocity * math.sqrt(shrink), "-commit")
+    _choose_solver(ops, 1e-9)
+    ops.integrator("Newmark", 0.5, 0.25)
+    ops.analysis("Transient")
+    result: dict[str, Any] = {"displacement": [], "force": [], "temperature": [], "failed_steps": 0}
+    for _ in range(count):
+        result["failed_steps"] += ops.analyze(1, step) != 0
+        result["displacement"].append(ops.nodeDisp(2, 1))
+        result["force"].append(-ops.eleResponse(1, "force")[0])
+        result["temperature"].append(ops.eleResponse(1, "temperature")[0])
+    return result
 
 
 if __name__ == "__main__":

@@ -6,15 +6,8 @@ point its error also has a part of the order of a step that is not smooth, and a
 they are compared with also heats while spring (b) stretches; what the virtual machine gives stands beside them.
 """
 
-import json
 import math
-import os
-import subprocess
-import sys
-import tempfile
 from functools import cache, partial
-from importlib.util import find_spec
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -22,16 +15,12 @@ import numpy as np
 from dcfp.analysis.rig import Sine
 from dcfp.arrays import FloatArray
 from dcfp.system import SimplifiedHeating
-from dcfp.system.friction.kumar_2015 import VELOCITY_RATE
-from dcfp.verify import opensees
-from dcfp.verify.check import Finding, Skipped, Task
+from dcfp.verify.check import Finding
 from dcfp.verify.explicit import KUMAR, SINGLE_CONCAVE
-from dcfp.verify.opensees import REQUIRED, OpenSeesMissingError
+from dcfp.verify.opensees import or_skipped, run_job
 from dcfp.verify.rig import SINES, run_one
 from dcfp.verify.rig_explicit import Story, integrate, sine
 
-_PROGRAM = Path(__file__).with_name("rig_opensees_driver.py")
-_PATIENCE = 600.0  # [s]
 #: Steps of OpenSees in a cycle; its convolution takes time with the square of their number.
 _STEPS = (2000, 4000)
 #: Steps of the brute-force integration in a cycle.
@@ -42,45 +31,16 @@ _MODEL = "OpenSees, McKenna, Scott and Fenves (2010), J. Comput. Civ. Eng. 24; e
 
 @cache
 def analyse(name: str, steps_per_cycle: int) -> dict[str, Any]:
-    """Take the bearing through a test of `SINES` with OpenSees, in a process of its own.
-
-    Raises
-    ------
-    OpenSeesMissingError
-        If OpenSees cannot be imported or does not finish.
-    """
-    with tempfile.TemporaryDirectory() as folder:
-        job, result = Path(folder, "job.json"), Path(folder, "result.json")
-        job.write_text(json.dumps(_job(name, steps_per_cycle)), encoding="utf-8")
-        command = [sys.executable, str(_PROGRAM), str(job), str(result)]
-        try:
-            done = subprocess.run(command, capture_output=True, text=True, timeout=_PATIENCE, check=False)
-        except (OSError, subprocess.TimeoutExpired) as error:
-            raise OpenSeesMissingError(str(error)) from error
-        if not result.exists():
-            last = (done.stderr.strip() or done.stdout.strip() or "no message").splitlines()[-1]
-            raise OpenSeesMissingError(last)
-        return dict(json.loads(result.read_text(encoding="utf-8")))
-
-
-def _job(name: str, steps_per_cycle: int) -> dict[str, Any]:
+    """Take the bearing through a test of `SINES` with OpenSees; errors as of `run_job`."""
     _, amplitude, peak_velocity, cycles = SINES[name]
-    bearing = SINGLE_CONCAVE
-    return {
-        "amplitude": amplitude,
-        "peak_velocity": peak_velocity,
-        "cycles": cycles,
-        "steps_per_cycle": steps_per_cycle,
-        "vertical_force": bearing.vertical_force,
-        "pressure": bearing.pressure,
-        "radius": bearing.effective_radius,
-        "contact_radius": 0.5 * bearing.slider_diameter,
-        "initial_stiffness": bearing.elastic_stiffness + bearing.restoring_stiffness,
-        "friction": KUMAR.mu_reference,
-        "velocity_rate": VELOCITY_RATE,
-        "diffusivity": _STEEL.diffusivity,
-        "conductivity": _STEEL.conductivity,
-    }
+    return run_job(
+        {
+            "amplitude": amplitude,
+            "peak_velocity": peak_velocity,
+            "cycles": cycles,
+            "steps_per_cycle": steps_per_cycle,
+        }
+    )
 
 
 @cache
@@ -137,21 +97,8 @@ def _friction(name: str) -> Finding:
     return Finding(float(twin[worst]), float(theirs[worst]), "-", limit, note, source, relative=True)
 
 
-def _guarded(measure: partial[Finding]) -> Finding | Skipped:
-    try:
-        if find_spec("openseespy") is None:
-            msg = "it is not installed"
-            raise OpenSeesMissingError(msg)
-        return measure()
-    except OpenSeesMissingError as error:
-        why = f"OpenSees cannot be run ({error}): install the Python package openseespy, and on Linux libblas3 and liblapack3."
-        if os.environ.get(REQUIRED) == "1":
-            return Finding(math.nan, 0.0, "-", 0.0, f"{why} {REQUIRED} is 1, so this is a failure.")
-        return Skipped(why)
-
-
 TASKS = tuple(
-    Task(opensees.GROUP, f"test machine, {name}, {words}", partial(_guarded, partial(measure, name)))
+    or_skipped(f"test machine, {name}, {words}", partial(measure, name))
     for name in ("ASCE T03", "ASCE T04")
     for words, measure in (
         ("peak temperature", _temperature),
