@@ -8,7 +8,6 @@ from xml.etree import ElementTree
 import pytest
 
 import dcfp
-from dcfp.present.report.laws import State, friction_formulas, law_equations
 from dcfp.present.report.maths import (
     Fraction,
     Name,
@@ -136,8 +135,9 @@ def test_so_they_do_of_other_bearings_and_records(made) -> None:
 @pytest.mark.parametrize("name", [*(set(dcfp.system.FRICTION_LAWS) - {"fitted"}), "fitted"])
 def test_every_law_has_equations_and_its_own_coefficient(name: str) -> None:
     law: FrictionLaw = FittedFriction(pressure_floor=0.1) if name == "fitted" else friction_law(name)
-    assert all(mathml(equation) for equation in law_equations(law))
-    formulas = friction_formulas(law, State(50.0, 123.4, 67.8), "source")
+    assert law.equations()
+    assert all(mathml(equation) for equation in law.equations())
+    formulas = law.formulas(50.0, 123.4, 67.8, "source")
     if name == "lomiento2013":  # it wears off: no single state has a coefficient
         assert formulas == ()
         return

@@ -6,7 +6,8 @@ import pytest
 
 import dcfp
 from dcfp.present.report import Document
-from dcfp.present.report.document import DECIMALS, number, powered, written
+from dcfp.present.report.document import DECIMALS, powered, written
+from dcfp.schema.formulas import number
 from dcfp.study.scenario import Calculation
 
 PEAKS = (

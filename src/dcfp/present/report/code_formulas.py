@@ -10,7 +10,7 @@ from dcfp.methods.panel import constant_velocity, input_velocity
 from dcfp.methods.result import Answer
 from dcfp.methods.spectra import response_spectrum
 from dcfp.methods.spectra.elastic import displacement
-from dcfp.present.report.document import Formula, number
+from dcfp.schema.formulas import Formula, number
 from dcfp.study.scenario import Calculation, Result
 
 _MECHANICS = "mechanics"

@@ -6,6 +6,7 @@ from enum import Enum
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from dcfp.methods.result import Verdict
+from dcfp.schema.formulas import Formula, number
 from dcfp.study.scenario import Heading
 
 if TYPE_CHECKING:
@@ -91,68 +92,6 @@ class Table:
     aligned: str
     widths: tuple[float, ...]
     caption: str = ""
-
-
-@dataclass(frozen=True)
-class Formula:
-    """A formula with its numbers put in.
-
-    Attributes
-    ----------
-    name
-        What it gives, in words.
-    symbols, numbers
-        Mathematics: in symbols from the left side on, and the right side in numbers; `numbers` is empty for a value that is taken as it is.
-    value
-        Its result.
-    decimals
-        With which the result is written.
-    unit
-        Of the result; empty for none.
-    source
-        Paper and equation, code and clause.
-    confirmed
-        Whether that could be confirmed in its source.
-    """
-
-    name: str
-    symbols: str
-    numbers: str
-    value: float
-    decimals: int
-    unit: str
-    source: str
-    confirmed: bool = True
-
-    @property
-    def result(self) -> str:
-        """The result as mathematics, with its unit."""
-        return number(self.value, self.decimals) + (f' thin "{self.unit}"' if self.unit else "")
-
-    @property
-    def lines(self) -> tuple[str, ...]:
-        """Parts of the mathematics between which a line may be broken."""
-        return (
-            self.symbols,
-            *((f"= {self.numbers}",) if self.numbers else ()),
-            f"= {self.result}",
-        )
-
-    @property
-    def origin(self) -> str:
-        """Where it is from, as it is printed beside it."""
-        return self.source if self.confirmed else f"{self.source}, unconfirmed"
-
-    def as_numbers(self) -> dict[str, Any]:
-        """Return it as JSON has it."""
-        return {
-            "name": self.name,
-            "value": self.value,
-            "unit": self.unit,
-            "decimals": self.decimals,
-            "source": self.source,
-            "confirmed": self.confirmed,
-        }
 
 
 @dataclass(frozen=True)
@@ -294,12 +233,6 @@ DECIMALS = {
 _POWER = 1
 #: Where nothing is known.
 NONE = "–"
-
-
-def number(value: float, decimals: int) -> str:
-    """Return a number as mathematics has it: with a hyphen for minus, and none before a zero."""
-    text = f"{value:.{decimals}f}"
-    return text.removeprefix("-") if float(text) == 0.0 else text
 
 
 def written(key: str, value: float | None) -> str:

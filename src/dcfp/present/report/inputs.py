@@ -21,7 +21,6 @@ from dcfp.present.report.document import (
     words,
     written,
 )
-from dcfp.present.report.laws import law_equations
 from dcfp.present.report.references import source_of
 from dcfp.schema.citations import citation
 from dcfp.study.scenario import Calculation
@@ -72,7 +71,7 @@ def _bearing(calculation: Calculation) -> Table:
 
 def _friction(calculation: Calculation) -> tuple[Block, ...]:
     law = calculation.scenario.model.friction
-    equations = law_equations(law)
+    equations = law.equations()
     speed = (
         "of the slider on one plate"
         if law.speed_is_of_surface
@@ -88,7 +87,7 @@ def _friction(calculation: Calculation) -> tuple[Block, ...]:
         ("Caution", law.caution),
         ("Nominal coefficient", (Maths("mu_n"), f" = {nominal.value:.4f}: {nominal.source}")),
     ]
-    origin = source_of(law.citation) + (", Eqs (7)-(10)" if law.name == "li2020" else "")
+    origin = source_of(law.citation) + law.equation_numbers
     return (named_values(rows), Equations(equations, origin)) if equations else (named_values(rows),)
 
 
@@ -117,16 +116,11 @@ def _value(value: object) -> str:
 
 
 def _heating(heating: Heating) -> tuple[Block, ...]:
-    models = {
-        "simplified": "one point at the centre of each plate, Li et al. (2020), section 4.2, Figure 5b",
-        "precise": "points along the path of the slider, their mean in the contact, Li et al. (2020), section 4.2, Figure 5a",
-        "none": "the contact stays at the temperature of the start",
-    }
     thick = heating.thickness
     plates = "endlessly thick" if thick is None else f"{short(thick)} mm thick, back {heating.back}"
     table = named_values(
         [
-            ("System", f"{heating.name}: {models[heating.name]}"),
+            ("Model", f"{heating.name}: {heating.description}"),
             ("Conductivity", (Maths("k"), f" = {short(heating.conductivity)} N/(s °C), which is W/(m °C)")),
             ("Diffusivity", (Maths("D"), f" = {short(heating.diffusivity)} mm²/s")),
             ("Temperature at the start", f"{short(heating.ambient)} °C"),

@@ -9,9 +9,10 @@ from dcfp.analysis.response import remarks_on
 from dcfp.kernels._jit import source_digest
 from dcfp.methods import aij_2016, asce_2016, eurocode_8, iwan_1980
 from dcfp.present.report.checks import checks_of
-from dcfp.present.report.document import DECIMALS, Formula
+from dcfp.present.report.document import DECIMALS
 from dcfp.present.tables.comparisons import case_objects
 from dcfp.schema.citations import bibliography, citation
+from dcfp.schema.formulas import Formula
 from dcfp.study.scenario import Calculation, Result
 from dcfp.version import version
 

@@ -3,9 +3,10 @@
 from typing import Annotated, ClassVar
 
 from dcfp.kernels.friction import ExponentialLaw
+from dcfp.schema.formulas import Formula
 from dcfp.schema.parameters import Parameter, declared
 from dcfp.schema.units import FRACTION
-from dcfp.system.friction.law import FrictionLaw
+from dcfp.system.friction.law import FrictionLaw, coefficient_formula
 
 #: Nominal coefficient mu_n [-], Li et al. (2020), section 4.4: mean of the tests at zero displacement
 #: in the second cycle of dependency test T01.
@@ -41,3 +42,12 @@ class ConstantFriction(FrictionLaw):
         """Return the constants for the kernels."""
         del pressure
         return ExponentialLaw(self.mu, 0.0, 0.0, 1.0, 0.0, 0.0)
+
+    def equations(self) -> tuple[str, ...]:
+        """Return the equation."""
+        return ('mu = "constant"',)
+
+    def formulas(self, pressure: float, speed: float, temperature: float, source: str) -> tuple[Formula, ...]:
+        """Return the coefficient, whatever the state."""
+        del pressure, speed, temperature
+        return (coefficient_formula("", "", self.mu, source),)

@@ -9,10 +9,11 @@ from numpy.typing import ArrayLike
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.kernels.friction import ExponentialLaw
+from dcfp.schema.formulas import Expression, Formula, number
 from dcfp.schema.parameters import Parameter, declared
 from dcfp.schema.units import FRACTION, S_PER_MM
 from dcfp.system.friction import li_2020
-from dcfp.system.friction.law import FrictionLaw
+from dcfp.system.friction.law import FrictionLaw, coefficient_formula
 
 
 @declared
@@ -70,7 +71,7 @@ class Constantinou1990(FrictionLaw):
     rate: Annotated[
         float,
         Parameter("rate of the velocity factor", S_PER_MM, 0.0, 10.0, symbol="a", above=True, step=0.005),
-    ] = 2.0 * 0.019
+    ] = 2.0 * li_2020.ALPHA_RATE
 
     def check_relations(self) -> None:
         """Refuse a slow coefficient above the fast one."""
@@ -96,3 +97,23 @@ class Constantinou1990(FrictionLaw):
         """Return the constants for the kernels."""
         del pressure
         return ExponentialLaw(self.fast, 1.0 - self.slow / self.fast, self.rate, 0.0, 0.0, 1.0)
+
+    @property
+    def _expression(self) -> Expression:
+        constants = {
+            "fast": ('f_"max"', f"{self.fast:g}"),
+            "slow": ('f_"min"', f"{self.slow:g}"),
+            "rate": ("a", f"{self.rate:g}"),
+        }
+        return Expression("{fast} - ({fast} - {slow}) exp(-{rate}{dot}{x})", "v", constants)
+
+    def equations(self) -> tuple[str, ...]:
+        """Return the equation in symbols."""
+        return (f"mu = {self._expression.symbols}",)
+
+    def formulas(self, pressure: float, speed: float, temperature: float, source: str) -> tuple[Formula, ...]:
+        """Return the coefficient at a state, with numbers."""
+        coefficient = float(self.coefficient(pressure, speed, temperature))
+        expression = self._expression
+        numbers = expression.numbers(number(speed, 1))
+        return (coefficient_formula(expression.symbols, numbers, coefficient, source),)

@@ -9,13 +9,14 @@ from numpy.typing import ArrayLike
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.kernels.friction import ExponentialLaw
+from dcfp.schema.formulas import Expression, number
 from dcfp.schema.parameters import Parameter, declared
 from dcfp.schema.units import DEGC, FRACTION, MM_PER_S, N_PER_MM2, NONE, PER_DEGC, S_PER_MM
 from dcfp.system.friction import li_2020
-from dcfp.system.friction.law import FrictionLaw, Tested
+from dcfp.system.friction.law import Factor, FrictionLaw, Tested
 
-#: Temperature at which Eq. (9) of Li et al. (2020), 1.13 exp(-0.007 T), is one [degC].
-REFERENCE_TEMPERATURE = math.log(1.13) / 0.007
+#: Temperature at which Eq. (9) of Li et al. (2020) is one [degC].
+REFERENCE_TEMPERATURE = math.log(li_2020.BETA_SCALE) / li_2020.BETA_RATE
 
 
 @declared
@@ -74,13 +75,13 @@ class FittedFriction(FrictionLaw):
     ] = li_2020.MU_0
     pressure_exponent: Annotated[
         float, Parameter("exponent of the pressure", NONE, 0.0, 5.0, symbol="n", step=0.01)
-    ] = 0.19
+    ] = -li_2020.GAMMA_POWER
     pressure_floor: Annotated[
         float,
         Parameter(
             "part of the coefficient that no pressure takes away", NONE, 0.0, 1.0, symbol="c", step=0.01
         ),
-    ] = 0.068
+    ] = li_2020.GAMMA_FLOOR
     reference_pressure: Annotated[
         float, Parameter("reference pressure", N_PER_MM2, 0.1, 1000.0, symbol=r"p_{\mathrm{ref}}", step=1.0)
     ] = 60.0
@@ -89,14 +90,14 @@ class FittedFriction(FrictionLaw):
         Parameter(
             "part of the coefficient that is missing at zero speed", NONE, 0.0, 0.999, symbol="a", step=0.01
         ),
-    ] = 0.55
+    ] = li_2020.ALPHA_DROP
     speed_rate: Annotated[
         float,
         Parameter("rate of the velocity factor", S_PER_MM, 0.0, 10.0, symbol="b", above=True, step=0.001),
-    ] = 0.019
+    ] = li_2020.ALPHA_RATE
     temperature_rate: Annotated[
         float, Parameter("rate of the temperature factor", PER_DEGC, 0.0, 0.2, symbol="r", step=0.001)
-    ] = 0.007
+    ] = li_2020.BETA_RATE
     reference_temperature: Annotated[
         float, Parameter("reference temperature", DEGC, -60.0, 1000.0, symbol=r"T_{\mathrm{ref}}", step=1.0)
     ] = REFERENCE_TEMPERATURE
@@ -156,4 +157,22 @@ class FittedFriction(FrictionLaw):
             math.exp(self.temperature_rate * self.reference_temperature),
             self.temperature_rate,
             0.0,
+        )
+
+    def factors(self) -> tuple[Factor, ...]:
+        """Return the three factors."""
+        of_pressure = {
+            "c": ("c", f"{self.pressure_floor:g}"),
+            "n": ("n", f"{self.pressure_exponent:g}"),
+            "ref": ('p_"ref"', f"{self.reference_pressure:g}"),
+        }
+        of_speed = {"a": ("a", f"{self.speed_drop:g}"), "b": ("b", f"{self.speed_rate:g}")}
+        of_temperature = {
+            "r": ("r", f"{self.temperature_rate:g}"),
+            "ref": ('T_"ref"', number(self.reference_temperature, 2)),
+        }
+        return (
+            Factor("pressure", "gamma", Expression("(1 - {c}) ({x} / {ref})^(-{n}) + {c}", "p", of_pressure)),
+            Factor("speed", "alpha", Expression("1 - {a} exp(-{b}{dot}{x})", "v", of_speed)),
+            Factor("temperature", "beta", Expression("exp(-{r} ({x} - {ref}))", "T", of_temperature)),
         )

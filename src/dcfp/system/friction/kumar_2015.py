@@ -9,13 +9,16 @@ from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.kernels.friction import ExponentialLaw
+from dcfp.schema.formulas import Expression
 from dcfp.schema.parameters import Parameter, declared
 from dcfp.schema.units import FRACTION, N_PER_MM2
 from dcfp.system.friction import li_2020
-from dcfp.system.friction.law import FrictionLaw
+from dcfp.system.friction.law import Factor, FrictionLaw
 
-#: Rate of the velocity factor [s/mm]: 100 s/m.
-VELOCITY_RATE = 0.1
+#: Part of the coefficient that is missing at zero speed [-], and rate of the velocity factor [s/mm]: 100 s/m.
+VELOCITY_DROP, VELOCITY_RATE = 0.5, 0.1
+#: Base of the factors of pressure and temperature [-], and rate of the former [mm2/N].
+BASE, PRESSURE_RATE = 0.7, 0.02
 
 
 @dataclass(frozen=True)
@@ -41,12 +44,12 @@ class TemperatureLaw:
     @property
     def rate(self) -> float:
         """Rate of the same law written with an exponential [1/degC]."""
-        return -self.power * math.log(0.7)
+        return -self.power * math.log(BASE)
 
     def factor(self, temperature: ArrayLike) -> FloatArray:
         """Factor k_T [-] at a temperature of the contact [degC]."""
         exponent = self.power * np.asarray(temperature, dtype=np.float64)
-        return np.asarray(self.scale * np.power(0.7, exponent) + self.floor)
+        return np.asarray(self.scale * np.power(BASE, exponent) + self.floor)
 
 
 def pressure_factor(pressure: ArrayLike, reference_pressure: float) -> FloatArray:
@@ -54,7 +57,8 @@ def pressure_factor(pressure: ArrayLike, reference_pressure: float) -> FloatArra
 
     .. math:: k_p = 0.7^{0.02 (p - p_0)}
     """
-    return np.asarray(np.power(0.7, 0.02 * (np.asarray(pressure, dtype=np.float64) - reference_pressure)))
+    excess = np.asarray(pressure, dtype=np.float64) - reference_pressure
+    return np.asarray(np.power(BASE, PRESSURE_RATE * excess))
 
 
 def velocity_factor(speed: ArrayLike) -> FloatArray:
@@ -62,7 +66,7 @@ def velocity_factor(speed: ArrayLike) -> FloatArray:
 
     .. math:: k_v = 1 - 0.5\,e^{-a |v|}, \quad a = 100\ \mathrm{s/m}
     """
-    return np.asarray(1.0 - 0.5 * np.exp(-VELOCITY_RATE * np.abs(speed)))
+    return np.asarray(1.0 - VELOCITY_DROP * np.exp(-VELOCITY_RATE * np.abs(speed)))
 
 
 @declared
@@ -91,6 +95,7 @@ class Kumar2015(FrictionLaw):
     citation: ClassVar[str] = "kumar_2015"
     reference_parameter: ClassVar[str] = "mu_reference"
     speed_is_of_surface: ClassVar[bool] = True
+    reference_symbol: ClassVar[str] = 'mu_"ref"'
 
     mu_reference: Annotated[
         float,
@@ -143,9 +148,22 @@ class Kumar2015(FrictionLaw):
         law = self.temperature_law
         return ExponentialLaw(
             self.mu_reference * float(self.pressure_factor(pressure)),
-            0.5 if self.velocity_dependent else 0.0,
+            VELOCITY_DROP if self.velocity_dependent else 0.0,
             VELOCITY_RATE,
             law.scale if self.temperature_dependent else 0.0,
             law.rate,
             law.floor if self.temperature_dependent else 1.0,
+        )
+
+    def factors(self) -> tuple[Factor, ...]:
+        """Return the factors that are used."""
+        heat, ref = self.temperature_law, {"ref": ("p_0", f"{self.reference_pressure:g}")}
+        of_pressure = Expression(f"{BASE:g}^({PRESSURE_RATE:g} ({{x}} - {{ref}}))", "p", ref)
+        of_speed = Expression(f"1 - {VELOCITY_DROP:g} exp(-{VELOCITY_RATE:g}{{dot}}{{x}})", "v")
+        power = f"{BASE:g}^({heat.power:g}{{dot}}{{x}})"
+        of_temperature = Expression(f"{heat.scale:g} times {power} + {heat.floor:g}", "T")
+        return (
+            *((Factor("pressure", "k_p", of_pressure),) if self.pressure_dependent else ()),
+            *((Factor("speed", "k_v", of_speed),) if self.velocity_dependent else ()),
+            *((Factor("temperature", "k_T", of_temperature),) if self.temperature_dependent else ()),
         )

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.kernels.friction import Law
+from dcfp.schema.formulas import Expression, Formula, number
 from dcfp.schema.notebook import fields_card
 from dcfp.schema.parameters import Declared
 from dcfp.schema.registry import Registry
@@ -37,6 +38,34 @@ class Tested:
     ambient: float | None = None
 
 
+@dataclass(frozen=True)
+class Factor:
+    """A factor of a law, as a report works it out.
+
+    Attributes
+    ----------
+    of
+        What it depends on: pressure, speed, temperature, or dose.
+    symbol
+        Of the factor, in the mathematics of `dcfp.schema.formulas`.
+    expression
+        What it is.
+    equation
+        Number of the equation in the source, as it stands behind it.
+    """
+
+    of: str
+    symbol: str
+    expression: Expression
+    equation: str = ""
+
+
+#: Methods of a law that give its factors.
+_VALUES = {"pressure": "pressure_factor", "speed": "velocity_factor", "temperature": "temperature_factor"}
+#: Decimals of a factor or coefficient that is worked out.
+DECIMALS = 4
+
+
 #: Friction laws by name.
 FRICTION_LAWS: "Registry[type[FrictionLaw]]" = Registry("friction law")
 
@@ -61,6 +90,10 @@ class FrictionLaw(Declared, ABC):
         The tests that it rests on, where they are known.
     caution
         A sentence that must stand beside every result; empty for a law that needs none.
+    reference_symbol
+        Symbol of the reference coefficient, in the mathematics of `dcfp.schema.formulas`.
+    equation_numbers, product_number
+        Numbers in the source of all equations, and of the one with the factors, as they stand behind it.
     """
 
     noun = "the friction law"
@@ -71,6 +104,9 @@ class FrictionLaw(Declared, ABC):
     reference_parameter: ClassVar[str] = ""
     tested: ClassVar[Tested | None] = None
     caution: ClassVar[str] = ""
+    reference_symbol: ClassVar[str] = "mu_0"
+    equation_numbers: ClassVar[str] = ""
+    product_number: ClassVar[str] = ""
 
     def __init_subclass__(cls) -> None:
         super().__init_subclass__()
@@ -145,5 +181,53 @@ class FrictionLaw(Declared, ABC):
             * self.dose_factor(dose)
         )
 
+    def factors(self) -> tuple[Factor, ...]:
+        """Return the factors that are used, as a report works them out; none for a law that says no equations."""
+        return ()
+
+    def equations(self) -> tuple[str, ...]:
+        """Return the equations in symbols."""
+        factors = self.factors()
+        product = " ".join((self.reference_symbol, *(one.symbol for one in factors)))
+        each = (f"{one.symbol} = {one.expression.symbols}" for one in factors)
+        return (f"mu = {product}", *each) if factors else ()
+
+    def formulas(self, pressure: float, speed: float, temperature: float, source: str) -> tuple[Formula, ...]:
+        """Return the factors and the coefficient at a state, with numbers; none for a law that wears off or says no equations.
+
+        Parameters
+        ----------
+        pressure, speed, temperature
+            As for `coefficient` [N/mm2, mm/s, degC].
+        source
+            Of the law, as it stands beside a formula.
+        """
+        factors, state = self.factors(), {"pressure": pressure, "speed": speed, "temperature": temperature}
+        if not factors or any(one.of not in state for one in factors):
+            return ()
+        values = [float(getattr(self, _VALUES[one.of])(state[one.of])) for one in factors]
+        found = [
+            Formula(
+                f"Factor of {one.of}",
+                f"{one.symbol} = {one.expression.symbols}",
+                one.expression.numbers(number(state[one.of], 1)),
+                value,
+                DECIMALS,
+                "",
+                source + one.equation,
+            )
+            for one, value in zip(factors, values, strict=True)
+        ]
+        symbols = " ".join((self.reference_symbol, *(one.symbol for one in factors)))
+        numbers = " times ".join((f"{self.reference:g}", *(number(value, DECIMALS) for value in values)))
+        coefficient = float(self.coefficient(pressure, speed, temperature))
+        return (*found, coefficient_formula(symbols, numbers, coefficient, source + self.product_number))
+
     def _repr_html_(self) -> str:
         return fields_card(self, f"Friction law {self.name}", remarks=(self.caution,) if self.caution else ())
+
+
+def coefficient_formula(symbols: str, numbers: str, coefficient: float, source: str) -> Formula:
+    """Return the formula of a coefficient of friction [-]; `symbols` is its right side, empty where there is none."""
+    left = f"mu = {symbols}" if symbols else "mu"
+    return Formula("Coefficient of friction", left, numbers, coefficient, DECIMALS, "", source)

@@ -7,14 +7,17 @@ from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.kernels.friction import ExponentialLaw
+from dcfp.schema.formulas import Expression
 from dcfp.schema.parameters import Parameter, declared
 from dcfp.schema.units import FRACTION
-from dcfp.system.friction.law import FrictionLaw, Tested
+from dcfp.system.friction.law import Factor, FrictionLaw, Tested
 
 #: Coefficient at 60 N/mm2, 400 mm/s and about 20 degC [-], section 4.1.
 MU_0 = 0.075
-_ALPHA_DROP, _ALPHA_RATE = 0.55, 0.019
-_BETA_SCALE, _BETA_RATE = 1.13, 0.007
+#: Constants of Eqs (7), (8) [s/mm] and (9) [1/degC].
+GAMMA_SCALE, GAMMA_POWER, GAMMA_FLOOR = 2.03, -0.19, 0.068
+ALPHA_DROP, ALPHA_RATE = 0.55, 0.019
+BETA_SCALE, BETA_RATE = 1.13, 0.007
 
 
 def pressure_factor(pressure: ArrayLike) -> FloatArray:
@@ -24,7 +27,8 @@ def pressure_factor(pressure: ArrayLike) -> FloatArray:
 
     Li et al. (2020), Eq. (7).
     """
-    return np.asarray(2.03 * np.asarray(pressure, dtype=np.float64) ** -0.19 + 0.068)
+    power = np.asarray(pressure, dtype=np.float64) ** GAMMA_POWER
+    return np.asarray(GAMMA_SCALE * power + GAMMA_FLOOR)
 
 
 def velocity_factor(speed: ArrayLike) -> FloatArray:
@@ -34,7 +38,7 @@ def velocity_factor(speed: ArrayLike) -> FloatArray:
 
     Li et al. (2020), Eq. (8).
     """
-    return np.asarray(1.0 - _ALPHA_DROP * np.exp(-_ALPHA_RATE * np.abs(speed)))
+    return np.asarray(1.0 - ALPHA_DROP * np.exp(-ALPHA_RATE * np.abs(speed)))
 
 
 def temperature_factor(temperature: ArrayLike) -> FloatArray:
@@ -44,7 +48,7 @@ def temperature_factor(temperature: ArrayLike) -> FloatArray:
 
     Li et al. (2020), Eq. (9).
     """
-    return np.asarray(_BETA_SCALE * np.exp(-_BETA_RATE * np.asarray(temperature, dtype=np.float64)))
+    return np.asarray(BETA_SCALE * np.exp(-BETA_RATE * np.asarray(temperature, dtype=np.float64)))
 
 
 @declared
@@ -71,6 +75,9 @@ class Li2020(FrictionLaw):
     tested: ClassVar[Tested | None] = Tested(
         (30.0, 90.0), (0.0, 644.0), "Li et al. 2020, Tables 1 and 2", 20.0
     )
+
+    equation_numbers: ClassVar[str] = ", Eqs (7)-(10)"
+    product_number: ClassVar[str] = ", Eq. (10)"
 
     mu_0: Annotated[
         float,
@@ -117,9 +124,20 @@ class Li2020(FrictionLaw):
         """Return the constants for the kernels at a pressure [N/mm2]."""
         return ExponentialLaw(
             self.mu_0 * float(self.pressure_factor(pressure)),
-            _ALPHA_DROP if self.velocity_dependent else 0.0,
-            _ALPHA_RATE,
-            _BETA_SCALE if self.temperature_dependent else 0.0,
-            _BETA_RATE,
+            ALPHA_DROP if self.velocity_dependent else 0.0,
+            ALPHA_RATE,
+            BETA_SCALE if self.temperature_dependent else 0.0,
+            BETA_RATE,
             0.0 if self.temperature_dependent else 1.0,
+        )
+
+    def factors(self) -> tuple[Factor, ...]:
+        """Return the factors that are used."""
+        gamma = Expression(f"{GAMMA_SCALE:g}{{dot}}{{x}}^({GAMMA_POWER:g}) + {GAMMA_FLOOR:g}", "sigma")
+        alpha = Expression(f"1 - {ALPHA_DROP:g} exp(-{ALPHA_RATE:g}{{dot}}{{x}})", "v")
+        beta = Expression(f"{BETA_SCALE:g} exp(-{BETA_RATE:g}{{dot}}{{x}})", "T")
+        return (
+            *((Factor("pressure", "gamma", gamma, ", Eq. (7)"),) if self.pressure_dependent else ()),
+            *((Factor("speed", "alpha", alpha, ", Eq. (8)"),) if self.velocity_dependent else ()),
+            *((Factor("temperature", "beta", beta, ", Eq. (9)"),) if self.temperature_dependent else ()),
         )

@@ -12,10 +12,11 @@ from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.kernels.friction import CyclingLaw
+from dcfp.schema.formulas import Expression
 from dcfp.schema.parameters import Parameter, declared
 from dcfp.schema.units import FRACTION, MM_PER_S, N_PER_MM2, N_PER_S, NONE
 from dcfp.system.friction import li_2020
-from dcfp.system.friction.law import FrictionLaw, Tested
+from dcfp.system.friction.law import Factor, FrictionLaw, Tested
 
 
 def load_factor(pressure: ArrayLike, reference_pressure: float) -> FloatArray:
@@ -115,7 +116,7 @@ class Lomiento2013(FrictionLaw):
             symbol=r"v_{\mathrm{ref}}",
             step=1.0,
         ),
-    ] = 0.5 / 0.019
+    ] = 0.5 / li_2020.ALPHA_RATE
     reference_dose: Annotated[
         float,
         Parameter(
@@ -152,4 +153,23 @@ class Lomiento2013(FrictionLaw):
             1.0 / self.reference_speed,
             1.0 / self.reference_dose,
             self.dose_power,
+        )
+
+    def factors(self) -> tuple[Factor, ...]:
+        """Return the three factors."""
+        pressure, speed, dose = (
+            {"ref": (f'{symbol}_"ref"', f"{value:g}")}
+            for symbol, value in (
+                ("p", self.reference_pressure),
+                ("v", self.reference_speed),
+                ("c", self.reference_dose),
+            )
+        )
+        ratio = {"ratio": ("gamma", f"{self.velocity_ratio:g}")}
+        power = {"power": ("beta", f"{self.dose_power:g}")}
+        of_speed = Expression("{ratio} + (1 - {ratio}) exp(-{x} / {ref})", "v", speed | ratio)
+        return (
+            Factor("pressure", "f_N", Expression("exp(-{x} / {ref})", "p", pressure)),
+            Factor("speed", "f_v", of_speed),
+            Factor("dose", "f_c", Expression("exp(-({x} / {ref})^{power})", "c", dose | power)),
         )
