@@ -24,9 +24,10 @@ def checks() -> list[dict[str, Any]]:
     """Return the outcome of every check of ``dcfp verify``."""
 
     def make() -> list[dict[str, Any]]:
-        from dcfp.verify import run_checks
+        from dcfp.schema.table import Table
+        from dcfp.verify import CHECKS, run_checks
 
-        return [asdict(check) for check in run_checks()]
+        return Table(CHECKS, run_checks()).objects()
 
     return kept("verify", make)
 

@@ -16,8 +16,9 @@ from dcfp.methods.asce_2016 import (
     total_displacement,
 )
 from dcfp.methods.equivalent_linear import PendulumWithFriction, iterate
-from dcfp.methods.result import Structure, Verdict
+from dcfp.methods.result import Structure
 from dcfp.methods.spectra import Asce2016Spectrum
+from dcfp.schema.check import Verdict
 
 #: The examples have g = 386.4 in/s2; with an inch of that many mm the ratio of g to lengths is theirs.
 INCH = STANDARD_GRAVITY / 386.4

@@ -11,9 +11,10 @@ from scipy import optimize
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import AnalysisError, InputError
 from dcfp.methods.equivalent_linear import PendulumWithFriction, iterate
-from dcfp.methods.result import Answer, Condition, Verdict, at_least, at_most
+from dcfp.methods.result import Answer
 from dcfp.methods.spectra import Asce2016Spectrum, TabulatedSpectrum
 from dcfp.methods.spectra.elastic import displacement
+from dcfp.schema.check import Check, Verdict, at_least, at_most
 
 radii, frictions, displacements = st.floats(500.0, 2e4), st.floats(0.005, 0.2), st.floats(5.0, 2e3)
 
@@ -92,7 +93,7 @@ def test_no_solution():
 def test_verdicts():
     assert at_most(1.0, 1.0) is at_least(1.0, 1.0) is Verdict.MET
     assert at_most(1.1, 1.0) is at_least(0.9, 1.0) is Verdict.NOT_MET
-    conditions = [Condition("", verdict, "", "", "") for verdict in Verdict]
+    conditions = [Check("", verdict, "", "", "") for verdict in Verdict]
     answers = {
         1: Answer("", 1.0, 0.1, conditions=(conditions[0],)),
         2: Answer("", 1.0, 0.1, conditions=tuple(conditions)),

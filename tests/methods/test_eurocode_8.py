@@ -12,8 +12,9 @@ from dcfp.methods.eurocode_8 import (
     simplified_linear_analysis,
     torsion_factors,
 )
-from dcfp.methods.result import Structure, Verdict
+from dcfp.methods.result import Structure
 from dcfp.methods.spectra import Eurocode8Spectrum
+from dcfp.schema.check import Verdict
 
 
 def test_by_hand():

@@ -8,10 +8,10 @@ from dcfp import LI_2020
 from dcfp.errors import AnalysisError
 from dcfp.methods.hadjian_1982 import harmonic_condition, harmonic_share, inelastic_over_estimate
 from dcfp.methods.iwan_1980 import Bilinear, equivalent_linear
-from dcfp.methods.result import Verdict
 from dcfp.motion import GroundMotion
 from dcfp.motion.synthetic import harmonic, ricker
 from dcfp.motion.treatment import resample
+from dcfp.schema.check import Verdict
 
 MU = 0.043
 #: A bearing so soft before it slides, r_f = 20 mm, that its ductility is within Iwan's fit, and what fails is not that.

@@ -18,11 +18,12 @@ from dcfp.methods.iwan_1980 import (
     lengthening,
     secant_linear,
 )
-from dcfp.methods.result import Answer, Verdict
+from dcfp.methods.result import Answer
 from dcfp.methods.spectra import input_energy_spectrum, response_spectrum
 from dcfp.methods.spectra.of_record import LONGEST
 from dcfp.motion import GroundMotion
 from dcfp.motion.synthetic import harmonic
+from dcfp.schema.check import Verdict
 
 PERIODS = np.array([0.5, 1.0, 2.0])
 

@@ -15,11 +15,11 @@ from dcfp.methods import li_2020
 from dcfp.methods.panel import panel_of_motion
 from dcfp.methods.spectra import TabulatedSpectrum, input_energy_spectrum, response_spectrum
 from dcfp.motion import measure, named_records
+from dcfp.schema.check import Check, Verdict
 from dcfp.schema.notebook import MOST_ROWS, card, fields_card, shown, units_of, with_units
 from dcfp.study import Study
 from dcfp.study.scenario import Scenario, calculate
 from dcfp.system import LI_2020, System
-from dcfp.verify import Check
 
 EVIL = "<script>alert('x')</script> & \"more\""
 
@@ -106,7 +106,7 @@ def results() -> dict[str, tuple[object, tuple[str, ...]]]:
         "scenario": (calculation.scenario, ("Li2020(",)),
         "result": (calculation.results[1], ("y_max [mm]", peak)),
         "calculation": (calculation, ("y_max [mm]", peak, "exceeds the capacity")),
-        "check": (Check("g", EVIL, 1.0, 1.0, "mm", "", "", True, "", ""), ("computed",)),
+        "check": (Check(EVIL, Verdict.MET, 1.0, "1 mm", unit="mm"), ("found",)),
     }  # fmt: skip
 
 

@@ -5,7 +5,8 @@ from functools import partial
 
 import pytest
 
-from dcfp.verify import Check, analytic, check, opensees, run, run_checks
+from dcfp.schema.check import Check, Verdict
+from dcfp.verify import analytic, check, opensees, run, run_checks
 from dcfp.verify.check import Finding, Skipped, Task, judge
 
 SHORT = run.tasks()
@@ -19,8 +20,8 @@ def identifier(task: Task) -> str:
 def must_pass(task: Task) -> None:
     outcome = task.run()
     if outcome.passed is None:
-        pytest.skip(outcome.note)
-    assert outcome.passed, f"{outcome.difference} is more than {outcome.tolerance}; {outcome.note}"
+        pytest.skip(outcome.remark)
+    assert outcome.passed, f"{outcome.difference} is more than {outcome.limit}; {outcome.remark}"
 
 
 @pytest.mark.parametrize("task", SHORT, ids=identifier)
@@ -123,10 +124,20 @@ def test_each_check_is_reported_as_it_is_made(monkeypatch: pytest.MonkeyPatch) -
     assert reported == checks
     assert [outcome.passed for outcome in checks] == [True, False, None]
     assert checks[0] == Check(
-        "one", "right", 1.0, 1.0, "mm", "0.5 mm", "0 mm", True, "a note", "a source", 0.0
+        "right",
+        Verdict.MET,
+        1.0,
+        "0.5 mm",
+        "a source",
+        of="one",
+        unit="mm",
+        expected=1.0,
+        difference="0 mm",
+        ratio=0.0,
+        remark="a note",
     )
-    assert checks[2].note == "not here"
-    assert checks[2].computed is None
+    assert checks[2].remark == "not here"
+    assert checks[2].found is None
 
 
 # ----- OpenSees that is not there -----
@@ -144,7 +155,7 @@ def without_opensees(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_without_opensees_its_checks_are_skipped_with_a_way_to_get_it(task: Task) -> None:
     outcome = task.run()
     assert outcome.passed is None
-    assert "openseespy" in outcome.note
+    assert "openseespy" in outcome.remark
 
 
 @pytest.mark.usefixtures("without_opensees")
@@ -152,7 +163,7 @@ def test_without_opensees_its_checks_fail_where_it_is_required(monkeypatch: pyte
     monkeypatch.setenv(opensees.REQUIRED, "1")
     outcome = opensees.TASKS[0].run()
     assert outcome.passed is False
-    assert opensees.REQUIRED in outcome.note
+    assert opensees.REQUIRED in outcome.remark
 
 
 def test_a_failure_of_the_other_process_is_told(monkeypatch: pytest.MonkeyPatch, tmp_path) -> None:
@@ -165,7 +176,7 @@ def test_a_failure_of_the_other_process_is_told(monkeypatch: pytest.MonkeyPatch,
     outcome = opensees.TASKS[0].run()
     opensees.analyse.cache_clear()
     assert outcome.passed is None
-    assert "libblas" in outcome.note
+    assert "libblas" in outcome.remark
 
 
 def test_values_with_both_errors_are_extrapolated_exactly() -> None:

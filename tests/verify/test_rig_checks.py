@@ -26,7 +26,7 @@ def without_opensees(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_without_opensees_its_checks_are_skipped_with_a_way_to_get_it(task: Task) -> None:
     outcome = task.run()
     assert outcome.passed is None
-    assert "openseespy" in outcome.note
+    assert "openseespy" in outcome.remark
 
 
 @pytest.mark.usefixtures("without_opensees")
@@ -34,7 +34,7 @@ def test_without_opensees_its_checks_fail_where_it_is_required(monkeypatch: pyte
     monkeypatch.setenv(REQUIRED, "1")
     outcome = rig_opensees.TASKS[0].run()
     assert outcome.passed is False
-    assert REQUIRED in outcome.note
+    assert REQUIRED in outcome.remark
 
 
 def test_a_finer_sine_is_the_same_sine() -> None:

@@ -13,8 +13,9 @@ import numpy as np
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
 from dcfp.methods.equivalent_linear import PendulumWithFriction, agreements, iterate, several
-from dcfp.methods.result import Answer, Condition, Structure, Verdict, at_least, at_most
+from dcfp.methods.result import Answer, Structure
 from dcfp.methods.spectra.elastic import ElasticSpectrum
+from dcfp.schema.check import Check, Verdict, at_least, at_most
 from dcfp.schema.checks import positive
 
 NAME = "ASCE 7-16 ELF"
@@ -219,12 +220,12 @@ _SECTION = "17.4.1"
 
 def conditions(
     pendulum: PendulumWithFriction, structure: Structure, D_M: float, T_M: float, beta_M: float
-) -> tuple[Condition, ...]:
+) -> tuple[Check, ...]:
     """Return the conditions at D_M [mm], T_M [s] and beta_M [-]."""
     softening = pendulum.effective_stiffness(D_M) / pendulum.effective_stiffness(0.2 * D_M)
     restoring = pendulum.force(D_M) - pendulum.force(0.5 * D_M)
     return (
-        Condition(
+        Check(
             "effective period T_M",
             at_most(T_M, _LONGEST),
             f"{T_M:.2f} s",
@@ -232,7 +233,7 @@ def conditions(
             _SECTION,
             confirmed=False,
         ),
-        Condition(
+        Check(
             "effective damping",
             at_most(beta_M, _MOST_DAMPING),
             f"{100 * beta_M:.1f} %",
@@ -240,14 +241,14 @@ def conditions(
             _SECTION,
             confirmed=False,
         ),
-        Condition(
+        Check(
             "T_M over the period of the fixed base",
             *structure.over_fixed_base(T_M, _STIFFER),
             "at least 3",
             _SECTION,
             confirmed=False,
         ),
-        Condition(
+        Check(
             "k_eff(D_M) over k_eff(0.2 D_M)",
             at_least(softening, _SOFTENING),
             f"{softening:.2f}",
@@ -255,7 +256,7 @@ def conditions(
             _SECTION,
             confirmed=False,
         ),
-        Condition(
+        Check(
             "restoring force, F(D_M) - F(D_M/2) over W",
             at_least(restoring, _RESTORING),
             f"{restoring:.3f}",
@@ -263,7 +264,7 @@ def conditions(
             "17.2.4.4",
             confirmed=False,
         ),
-        Condition(
+        Check(
             "height of the structure above",
             Verdict.NOT_KNOWN if structure.height is None else at_most(structure.height, _HEIGHT),
             "not given" if structure.height is None else f"{structure.height / 1e3:.1f} m",
@@ -271,7 +272,7 @@ def conditions(
             _SECTION,
             confirmed=False,
         ),
-        Condition(
+        Check(
             "site class",
             Verdict.NOT_KNOWN
             if structure.site_class is None

@@ -11,8 +11,9 @@ import numpy as np
 
 from dcfp.arrays import FloatArray
 from dcfp.methods.equivalent_linear import PendulumWithFriction, agreements, iterate, several
-from dcfp.methods.result import Answer, Condition, Structure, Verdict, at_least, at_most
+from dcfp.methods.result import Answer, Structure
 from dcfp.methods.spectra.elastic import ElasticSpectrum
+from dcfp.schema.check import Check, Verdict, at_least, at_most
 
 NAME = "Eurocode 8 simplified"
 #: Least damping correction [-]: section 3.2.2.2(3).
@@ -123,11 +124,11 @@ def simplified_linear_analysis(
 
 def _conditions(
     pendulum: PendulumWithFriction, structure: Structure, d_dc: float, T_eff: float, xi: float
-) -> tuple[Condition, ...]:
+) -> tuple[Check, ...]:
     ratio = pendulum.effective_stiffness(d_dc) / pendulum.effective_stiffness(0.2 * d_dc)
     rise = pendulum.force(d_dc) - pendulum.force(0.5 * d_dc)
     return (
-        Condition(
+        Check(
             "K_eff(d_dc) over K_eff(0.2 d_dc)",
             at_least(ratio, _STIFFNESS_RATIO),
             f"{ratio:.2f}",
@@ -135,7 +136,7 @@ def _conditions(
             "10.9.2(5)a",
             confirmed=False,
         ),
-        Condition(
+        Check(
             "effective damping",
             at_most(xi, _MOST_DAMPING),
             f"{100 * xi:.1f} %",
@@ -143,7 +144,7 @@ def _conditions(
             "10.9.2(5)b",
             confirmed=False,
         ),
-        Condition(
+        Check(
             "change of the force with rate and vertical load",
             Verdict.NOT_KNOWN,
             "not looked at; friction that depends on speed, load and heat seldom meets it",
@@ -151,7 +152,7 @@ def _conditions(
             "10.9.2(5)c",
             confirmed=False,
         ),
-        Condition(
+        Check(
             "rise of the force from d_dc/2 to d_dc over the weight",
             at_least(rise, _RESTORING),
             f"{rise:.3f}",
@@ -159,7 +160,7 @@ def _conditions(
             "10.9.2(5)d",
             confirmed=False,
         ),
-        Condition(
+        Check(
             "effective period",
             at_most(T_eff, _LONGEST),
             f"{T_eff:.2f} s",
@@ -167,14 +168,14 @@ def _conditions(
             "10.9.3(2)c",
             confirmed=False,
         ),
-        Condition(
+        Check(
             "effective period over that of the fixed base",
             *structure.over_fixed_base(T_eff, _STIFFER),
             "at least 3",
             "10.9.3(2)c",
             confirmed=False,
         ),
-        Condition(
+        Check(
             "larger dimension of the plan",
             Verdict.NOT_KNOWN if structure.plan is None else at_most(structure.plan, _PLAN),
             "not given" if structure.plan is None else f"{structure.plan / 1e3:.0f} m",
@@ -182,7 +183,7 @@ def _conditions(
             "10.9.3(2)b",
             confirmed=False,
         ),
-        Condition(
+        Check(
             "distance to a fault of magnitude 6.5 or more",
             Verdict.NOT_KNOWN
             if structure.fault_distance is None
@@ -192,7 +193,7 @@ def _conditions(
             "10.9.3(2)a",
             confirmed=False,
         ),
-        Condition(
+        Check(
             "re-centring, d_dc over mu R",
             at_least(d_dc / pendulum.rest, _RECENTRING),
             f"{d_dc / pendulum.rest:.2f}",

@@ -11,8 +11,9 @@ import numpy as np
 
 from dcfp.analysis import respond
 from dcfp.errors import AnalysisError
-from dcfp.methods.result import Answer, Condition, at_most
+from dcfp.methods.result import Answer
 from dcfp.motion.ground_motion import GroundMotion
+from dcfp.schema.check import Check, at_most
 from dcfp.system import LI_2020, Bearing, ConstantFriction, NoHeating
 from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
 
@@ -53,7 +54,7 @@ def harmonic_share(motion: GroundMotion) -> tuple[float, float]:
     return float(within[place]) / total, 1.0 / float(frequency[place])
 
 
-def harmonic_condition(motion: GroundMotion) -> Condition:
+def harmonic_condition(motion: GroundMotion) -> Check:
     """Return whether a motion is far enough from harmonic for an equivalent system that was fitted to earthquakes.
 
     Raises
@@ -62,7 +63,7 @@ def harmonic_condition(motion: GroundMotion) -> Condition:
         If the ground does not move.
     """
     share, period = harmonic_share(motion)
-    return Condition(
+    return Check(
         "share of the motion's energy within 10 % of its dominant frequency",
         at_most(share, STRONGLY_HARMONIC),
         f"{100.0 * share:.0f} % at {period:.2f} s",

@@ -16,10 +16,11 @@ from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.methods.bilinear import MOST_DAMPING, Bilinear, equivalent_oscillator, secant
 from dcfp.methods.hadjian_1982 import harmonic_condition
-from dcfp.methods.result import Answer, Condition, Step, Verdict, at_most
+from dcfp.methods.result import Answer, Step
 from dcfp.methods.spectra import EnergySpectrum, input_energy_spectrum
 from dcfp.methods.spectra.of_record import DAMPING, LONGEST
 from dcfp.motion.ground_motion import GroundMotion
+from dcfp.schema.check import Check, Verdict, at_most
 from dcfp.schema.checks import finite
 from dcfp.system import LI_2020, Bearing
 from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
@@ -121,7 +122,7 @@ def equivalent_linear(
     steps = equivalent_oscillator(motion, system, lambda _, mu: (lengthening(mu), added_damping(mu)))
     T_eq, ductility = steps[-1].period, steps[-1].displacement / system.yield_displacement
     conditions = (
-        Condition(
+        Check(
             "ductility, displacement over yield displacement",
             Verdict.NOT_KNOWN if ductility < LEAST_DUCTILITY else at_most(ductility, LARGEST_DUCTILITY),
             f"{ductility:.0f}" if ductility >= 100.0 else f"{ductility:.3g}",
@@ -129,7 +130,7 @@ def equivalent_linear(
             NAME,
             confirmed=False,
         ),
-        Condition(
+        Check(
             "equivalent period",
             at_most(T_eq, bearing.period),
             f"{T_eq:.2f} s",

@@ -1,47 +1,10 @@
 """What a method of a code gives: its answer, how it came to it, and whether it may be used; and what its conditions ask of the building and its site."""
 
 from dataclasses import dataclass
-from enum import StrEnum
 
 from dcfp.errors import InputError
-from dcfp.schema.notebook import card, fields_card
-
-
-class Verdict(StrEnum):
-    """Whether a condition holds."""
-
-    MET = "met"
-    NOT_MET = "not met"
-    NOT_KNOWN = "not known"
-
-
-@dataclass(frozen=True)
-class Condition:
-    """A condition under which a method may be used.
-
-    Attributes
-    ----------
-    name
-        What is asked, in words.
-    verdict
-        Whether it holds; not known where the software is not told what it would have to know.
-    found, limit
-        In words, with units.
-    source
-        Where the code asks it.
-    confirmed
-        Whether the condition could be confirmed in its source; else it stands as remembered.
-    """
-
-    name: str
-    verdict: Verdict
-    found: str
-    limit: str
-    source: str
-    confirmed: bool = True
-
-    def _repr_html_(self) -> str:
-        return fields_card(self, "Condition")
+from dcfp.schema.check import Check, Verdict, at_least
+from dcfp.schema.notebook import card
 
 
 @dataclass(frozen=True)
@@ -96,7 +59,7 @@ class Answer:
     period: float | None = None
     damping: float | None = None
     steps: tuple[Step, ...] = ()
-    conditions: tuple[Condition, ...] = ()
+    conditions: tuple[Check, ...] = ()
     unconfirmed: tuple[str, ...] = ()
     remarks: tuple[str, ...] = ()
 
@@ -132,16 +95,6 @@ class Answer:
             for one in self.conditions
         ]
         return card(self.method, facts, rows=rows, remarks=self.remarks)
-
-
-def at_most(value: float, limit: float) -> Verdict:
-    """Return whether a value is at most a limit."""
-    return Verdict.MET if value <= limit * (1.0 + 1e-12) else Verdict.NOT_MET
-
-
-def at_least(value: float, limit: float) -> Verdict:
-    """Return whether a value is at least a limit."""
-    return Verdict.MET if value >= limit * (1.0 - 1e-12) else Verdict.NOT_MET
 
 
 #: Site classes of ASCE/SEI 7.

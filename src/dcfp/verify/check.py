@@ -4,52 +4,29 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cache
+from operator import attrgetter
 
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.named import VELOCITIES, named_motion
 from dcfp.motion.p695 import all_keys, read_stored
-from dcfp.schema.notebook import fields_card
+from dcfp.schema.check import Check, Verdict
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.units import NONE
 
-
-@dataclass(frozen=True)
-class Check:
-    """Outcome of a check, ready to be printed.
-
-    Attributes
-    ----------
-    group, name
-        Which check this is.
-    computed, expected
-        What the package gives and what it ought to give, in `unit`; None where the check was skipped.
-    unit
-        Unit of both, or "-".
-    tolerance, difference
-        How far apart they may be, and are, in words.
-    passed
-        Whether the difference is within the tolerance; None where the check was skipped.
-    note
-        What a reader should know: where the tolerance comes from, the worst case, why it was skipped.
-    source
-        Where the expected value comes from.
-    ratio
-        Size of the difference over the largest that is allowed [-]: zero where the computed value is better by any
-        amount, None where the check was skipped or this is not a finite number.
-    """
-
-    group: str
-    name: str
-    computed: float | None
-    expected: float | None
-    unit: str
-    tolerance: str
-    difference: str
-    passed: bool | None
-    note: str
-    source: str
-    ratio: float | None = None
-
-    def _repr_html_(self) -> str:
-        return fields_card(self, f"{self.group}: {self.name}")
+#: A check as data have it.
+CHECKS = (
+    Quantity("group", "group of checks", get=attrgetter("of")),
+    Quantity("name", "what is checked", get=attrgetter("name")),
+    Quantity("computed", "what the package gives", get=attrgetter("found")),
+    Quantity("expected", "what it ought to give", get=attrgetter("expected")),
+    Quantity("unit", "unit of both", get=attrgetter("unit")),
+    Quantity("tolerance", "how far apart the two may be", get=attrgetter("limit")),
+    Quantity("difference", "how far apart the two are", get=attrgetter("difference")),
+    Quantity("passed", "whether the difference is within the tolerance", get=attrgetter("passed")),
+    Quantity("note", "where the tolerance comes from, the worst case, why it was skipped", get=attrgetter("remark")),
+    Quantity("source", "where the expected value comes from", get=attrgetter("source")),
+    Quantity("ratio", "difference over the largest that is allowed", NONE, get=attrgetter("ratio")),
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -64,8 +41,10 @@ class Finding:
         Unit of both, or "-".
     limit
         Largest difference that is allowed: a fraction of the expected value where `relative`, else in `unit`.
-    note, source
-        As in `Check`.
+    note
+        What a reader should know: where the limit comes from, the worst case.
+    source
+        Where the expected value comes from.
     relative
         Whether the limit is a fraction of the expected value.
     more_is_better
@@ -97,7 +76,7 @@ class Task:
     Parameters
     ----------
     group, name
-        As in `Check`.
+        Which check this is.
     measure
         Makes the check.
     long
@@ -113,7 +92,9 @@ class Task:
         """Make the check."""
         outcome = self.measure()
         if isinstance(outcome, Skipped):
-            return Check(self.group, self.name, None, None, "-", "", "", None, outcome.reason, outcome.source)
+            return Check(
+                self.name, Verdict.NOT_KNOWN, None, "", outcome.source, of=self.group, remark=outcome.reason
+            )
         return judge(self.group, self.name, outcome)
 
 
@@ -123,17 +104,17 @@ def judge(group: str, name: str, finding: Finding) -> Check:
     if finding.relative:
         difference /= abs(finding.expected)
     return Check(
-        group=group,
         name=name,
-        computed=finding.computed,
-        expected=finding.expected,
-        unit=finding.unit,
-        tolerance=_in_words(finding.limit, finding),
-        difference=_in_words(difference, finding),
-        passed=math.isfinite(difference) and _is_close(difference, finding),
-        note=finding.note,
+        verdict=Verdict.of(math.isfinite(difference) and _is_close(difference, finding)),
+        found=finding.computed,
+        limit=_in_words(finding.limit, finding),
         source=finding.source,
+        of=group,
+        unit=finding.unit,
+        expected=finding.expected,
+        difference=_in_words(difference, finding),
         ratio=_ratio(difference, finding),
+        remark=finding.note,
     )
 
 

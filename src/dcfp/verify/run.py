@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 
+from dcfp.schema.check import Check
 from dcfp.verify import (
     analytic,
     building,
@@ -17,7 +18,7 @@ from dcfp.verify import (
     rig_explicit,
     rig_opensees,
 )
-from dcfp.verify.check import Check, Task
+from dcfp.verify.check import Task
 
 #: In the order in which they are printed.
 GROUPS = (

@@ -7,7 +7,7 @@ import pytest
 
 from dcfp.analysis.rig import load_program, run_program
 from dcfp.analysis.rig.codes import PrototypeDesign, judge_tests, property_factors, prototype_program
-from dcfp.analysis.rig.codes.prototype import Criterion
+from dcfp.analysis.rig.codes.prototype import criterion
 from dcfp.errors import InputError
 from dcfp.system import LI_2020
 
@@ -222,7 +222,7 @@ def test_heat_makes_the_first_cycle_the_strongest():
     assert friction.lower == pytest.approx(values[2] / mean)
     assert friction.first_over_third == pytest.approx(values[0] / values[2])
     assert friction.enduring < friction.lower < 1.0 < friction.upper
-    failed = {(item.test, item.clause) for item in judge_tests(program, loops) if not item.passed}
+    failed = {(item.subject, item.source) for item in judge_tests(program, loops) if not item.passed}
     assert ("T12a + T12b + T12c", "17.8.4 (6)") in failed
 
 
@@ -230,7 +230,7 @@ def test_en_15129_has_a_sequence_and_its_checks():
     program = prototype_program("en15129", PrototypeDesign(380.0, 4.26))
     assert [test.name for test in program.tests] == ["P1", "D1", "D2", "D3", "E1", "E2", "P2"]
     criteria = judge_tests(program, run_program(program))
-    assert {item.code for item in criteria} == {"EN 15129"}
+    assert {item.of for item in criteria} == {"EN 15129"}
     assert not any(item.confirmed for item in criteria)
 
 
@@ -243,10 +243,10 @@ def test_a_program_of_no_code_is_not_judged():
 
 def test_what_is_not_a_number_never_passes():
     values = {"code": "c", "clause": "1", "test": "t", "statement": "s", "limit": 1.0}
-    assert not Criterion(**values, value=math.nan).passed
-    assert not Criterion(**values, value=math.nan, at_least=True).passed
-    assert Criterion(**values, value=1.0).passed
-    assert Criterion(**values, value=1.0, at_least=True).passed
+    assert not criterion(**values, value=math.nan).passed
+    assert not criterion(**values, value=math.nan, at_least=True).passed
+    assert criterion(**values, value=1.0).passed
+    assert criterion(**values, value=1.0, at_least=True).passed
 
 
 @pytest.mark.parametrize(

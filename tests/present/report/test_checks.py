@@ -5,8 +5,8 @@ from dataclasses import replace
 import pytest
 
 import dcfp
-from dcfp.methods.result import Verdict
 from dcfp.present.report.checks import analysis_checks
+from dcfp.schema.check import Verdict
 
 
 def verdicts(

@@ -104,7 +104,7 @@ def _conditions(said: "Answer") -> "Table":
     table = new_table(["Condition"], [], ["Found", "Limit", "Where", "Verdict"])
     for one in said.conditions:
         where = one.source if one.confirmed else f"{one.source}, unconfirmed"
-        add_row(table, [one.name, one.found, one.limit, where, one.verdict.value])
+        add_row(table, [one.name, one.found_words, one.limit_words, where, one.verdict.value])
     return table
 
 
@@ -128,7 +128,7 @@ def _rounds(said: "Answer") -> "Table":
 
 def _remarks(panels: "Sequence[Panel]", model: "System") -> list[str]:
     from dcfp.methods.panel import capacity_remarks
-    from dcfp.methods.result import Verdict
+    from dcfp.schema.check import Verdict
 
     remarks: list[str] = []
     every = [(panel, said) for panel in panels for said in panel.answers.values()]
@@ -139,7 +139,7 @@ def _remarks(panels: "Sequence[Panel]", model: "System") -> list[str]:
         for panel, said in every:
             who = f"{panel.name}, {said.method}" if len(panels) > 1 else said.method
             broken = [
-                f"{one.name} {one.found}, {one.limit}"
+                f"{one.name} {one.found_words}, {one.limit_words}"
                 for one in said.conditions
                 if one.verdict is Verdict.NOT_MET
             ]

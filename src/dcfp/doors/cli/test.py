@@ -2,7 +2,6 @@
 
 import argparse
 import json
-import math
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -227,18 +226,16 @@ def _write(
 
 
 def _show_checks(program: "Program", runs: "dict[str, tuple[Loops, ...]]", *, as_json: bool) -> None:
-    from dcfp.analysis.rig.codes import judge_tests, property_factors
+    from dcfp.analysis.rig.codes import CRITERIA, judge_tests, property_factors
     from dcfp.doors.cli.test_table import print_checks
+    from dcfp.schema.table import Table
 
     name, loops = next(iter(runs.items()))
     criteria, factors = judge_tests(program, loops), property_factors(loops)
     if not as_json:
         print_checks(program, loops, criteria, factors)
         return
-    rows = [
-        {**asdict(item), "value": item.value if math.isfinite(item.value) else None, "passed": item.passed}
-        for item in criteria
-    ]
+    rows = Table(CRITERIA, criteria).objects()
     remarks = list(dict.fromkeys(remark for test in loops for remark in test.remarks))
     told = {"heating": name, "criteria": rows, "factors": [asdict(f) for f in factors], "remarks": remarks}
     print(json.dumps(told, indent=2, allow_nan=False))

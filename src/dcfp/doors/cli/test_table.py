@@ -15,9 +15,9 @@ if TYPE_CHECKING:
     from rich.table import Table
 
     from dcfp.analysis.rig import Cycle, Loops, Measurement, Program
-    from dcfp.analysis.rig.codes import Criterion, PropertyFactor
+    from dcfp.analysis.rig.codes import PropertyFactor
     from dcfp.inference.identification import Identification
-
+    from dcfp.schema.check import Check
 
 _KILO, _MEGA = 1e3, 1e6
 #: Of a test with more cycles than this the first few and the last are shown.
@@ -106,7 +106,7 @@ def print_models(
 def print_checks(
     program: "Program",
     loops: "Sequence[Loops]",
-    criteria: "Sequence[Criterion]",
+    criteria: "Sequence[Check]",
     factors: "Sequence[PropertyFactor]",
 ) -> None:
     """Print what a code wants and whether it is so, the property modification factors, and the remarks."""
@@ -130,13 +130,13 @@ def print_checks(
         print_remarks(out, [*notes, *_remarks(loops)])
 
 
-def _criteria_table(criteria: "Sequence[Criterion]") -> "Table":
+def _criteria_table(criteria: "Sequence[Check]") -> "Table":
     table = new_table(["Code", "Clause", "Test", "What must hold"], ["Found", "Limit"], ["Unit", "Result"])
     for item in criteria:
         limit = f"{'≥' if item.at_least else '≤'} {item.limit:g}"
         verdict = ("ok" if item.passed else "NOT MET") + ("" if item.confirmed else " (unconfirmed limit)")
-        words = [item.code, item.clause, item.test, item.statement]
-        add_row(table, [*words, f"{item.value:.3f}", limit, item.unit, verdict])
+        words = [item.of, item.source, item.subject, item.name]
+        add_row(table, [*words, f"{item.found:.3f}", limit, item.unit, verdict])
     return table
 
 
@@ -315,7 +315,7 @@ def print_verification(checks: Sequence[Any]) -> None:
     """Print a table for each group of checks, and how many passed, failed and were skipped."""
     verdicts = [check.passed for check in checks]
     with page() as out:
-        for group, members in groupby(checks, key=lambda check: check.group):
+        for group, members in groupby(checks, key=lambda check: check.of):
             _print_group(out, group, list(members))
         out.print(
             f"{verdicts.count(True)} passed, {verdicts.count(False)} failed, {verdicts.count(None)} skipped; "
@@ -326,14 +326,16 @@ def print_verification(checks: Sequence[Any]) -> None:
 def _print_group(out: Console, group: str, checks: list[Any]) -> None:
     table = new_table(["Check"], ["Computed", "Expected"], ["Unit", "Difference", "Allowed", "Result"])
     for check in checks:
-        cells = [check.name, _shown_of_check(check.computed), _shown_of_check(check.expected), check.unit]
-        add_row(table, [*cells, check.difference, check.tolerance, _VERDICTS[check.passed]])
+        cells = [check.name, _shown_of_check(check.found), _shown_of_check(check.expected), check.unit]
+        add_row(table, [*cells, check.difference, check.limit, _VERDICTS[check.passed]])
     out.print(group, style="bold")
     out.print(table)
     sources = dict.fromkeys(check.source for check in checks if check.source)
     if sources:
         print_labelled(out, [("Against", "; ".join(sources))])
-    print_remarks(out, [f"{check.name}: {check.note}" for check in checks if check.note and not check.passed])
+    print_remarks(
+        out, [f"{check.name}: {check.remark}" for check in checks if check.remark and not check.passed]
+    )
     out.print()
 
 

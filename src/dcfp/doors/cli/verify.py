@@ -2,7 +2,6 @@
 
 import argparse
 import json
-from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -32,7 +31,10 @@ def run(chosen: argparse.Namespace) -> int:
         lambda part, kind: _write_table(part, checks), lambda part, form: _write_figure(part, checks, form)
     )
     if chosen.json:
-        print(json.dumps([asdict(check) for check in checks], indent=2))
+        from dcfp.schema.table import Table
+        from dcfp.verify import CHECKS
+
+        print(json.dumps(Table(CHECKS, checks).objects(), indent=2))
     else:
         from dcfp.doors.cli.test_table import print_verification
 
@@ -41,13 +43,15 @@ def run(chosen: argparse.Namespace) -> int:
 
 
 def _write_table(path: Path, checks: list[Any]) -> None:
-    from dcfp.present.tables import Column, table_text
+    from dcfp.schema.table import Table
+    from dcfp.verify import CHECKS
 
+    columns = {one.key: one for one in CHECKS}
     names = (
         "group", "name", "computed", "expected", "unit", "difference", "tolerance", "ratio", "passed", "note", "source",
     )  # fmt: skip
-    columns = [Column(name, name, "1" if name == "ratio" else "") for name in names]
-    path.write_text(table_text(columns, [asdict(check) for check in checks]), encoding="utf-8")
+    text = Table(tuple(columns[name] for name in names), checks).csv()
+    path.write_text(text, encoding="utf-8")
 
 
 def _write_figure(path: Path, checks: list[Any], form: str) -> None:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from matplotlib.axes import Axes
 
-    from dcfp.verify import Check
+    from dcfp.schema.check import Check
 
 _LINE_HEIGHT = 0.135
 #: Lines that a group's name takes, with the space above it.
@@ -24,7 +24,7 @@ _LEAST, _LARGEST = 1e-6, 1e4
 
 def plot_checks(checks: "Sequence[Check]") -> Figure:
     """Draw the difference of each check over what is allowed as a bar, in groups, on a new figure."""
-    groups = [(name, list(members)) for name, members in groupby(checks, key=lambda check: check.group)]
+    groups = [(name, list(members)) for name, members in groupby(checks, key=lambda check: check.of)]
     lines = len(checks) + _HEAD * len(groups)
     with style():
         figure = Figure(figsize=(PAGE_WIDTH, 0.75 + _LINE_HEIGHT * lines), layout="constrained")
@@ -98,9 +98,9 @@ def _draw_check(axes: "Axes", check: "Check", line: float) -> None:
 def _numbers(check: "Check") -> str:
     if check.passed is None:
         return "skipped"
-    if check.ratio == 0.0 and check.computed != check.expected:
+    if check.ratio == 0.0 and check.found != check.expected:
         return f"{check.difference}, better".replace("-", "−")
-    return f"{check.difference} of {check.tolerance}".replace("-", "−")
+    return f"{check.difference} of {check.limit}".replace("-", "−")
 
 
 def _finish(axes: "Axes", checks: "Sequence[Check]") -> None:

@@ -1,13 +1,13 @@
 """What is checked of every analysis, each with what was found, what is allowed, and who says so."""
 
-from dataclasses import dataclass
+from dataclasses import replace
 
 import numpy as np
 
 from dcfp.analysis import Response
-from dcfp.methods.result import Condition, Verdict, at_most
 from dcfp.motion.measures import DRIFT_THRESHOLD, baseline_drift
 from dcfp.present.report.document import powered, short, written
+from dcfp.schema.check import Check, Verdict, at_most
 from dcfp.study.scenario import Result
 from dcfp.system.validity import (
     LARGEST_AMBIENT_CHANGE,
@@ -23,22 +23,6 @@ _SLACK = 1.01
 _MODEL = "assumption of the model"
 
 
-@dataclass(frozen=True)
-class Check:
-    """A check of one case.
-
-    Attributes
-    ----------
-    of
-        The analysis, or the name of a code.
-    condition
-        The check itself.
-    """
-
-    of: str
-    condition: Condition
-
-
 ANALYSIS = "analysis"
 
 
@@ -49,17 +33,19 @@ def label_of(result: Result) -> str:
 
 def checks_of(result: Result) -> tuple[Check, ...]:
     """Return every check of a case: those of the analysis, then the conditions of each code."""
-    of_analysis = [Check(ANALYSIS, one) for one in analysis_checks(result.response)]
-    of_codes = [Check(name, one) for name, said in result.case.answers.items() for one in said.conditions]
+    of_analysis = [replace(one, of=ANALYSIS) for one in analysis_checks(result.response)]
+    of_codes = [
+        replace(one, of=name) for name, said in result.case.answers.items() for one in said.conditions
+    ]
     return (*of_analysis, *of_codes)
 
 
-def analysis_checks(response: Response) -> tuple[Condition, ...]:
+def analysis_checks(response: Response) -> tuple[Check, ...]:
     """Return the checks of an analysis."""
     return (
         _capacity(response),
         _angle(response),
-        Condition(
+        Check(
             "at rest at the end",
             Verdict.MET if response.rests else Verdict.NOT_MET,
             "at rest" if response.rests else "still moving",
@@ -75,9 +61,9 @@ def analysis_checks(response: Response) -> tuple[Condition, ...]:
     )
 
 
-def _capacity(response: Response) -> Condition:
+def _capacity(response: Response) -> Check:
     capacity, found = response.bearing.displacement_capacity, response.peak_displacement
-    return Condition(
+    return Check(
         "largest displacement within the capacity",
         # as the status of the analysis has it, to the last digit
         Verdict.NOT_KNOWN if capacity is None else (Verdict.MET if found <= capacity else Verdict.NOT_MET),
@@ -87,9 +73,9 @@ def _capacity(response: Response) -> Condition:
     )
 
 
-def _angle(response: Response) -> Condition:
+def _angle(response: Response) -> Check:
     far = LARGEST_ANGLE * response.bearing.effective_radius
-    return Condition(
+    return Check(
         "largest displacement in the linear range of the pendulum",
         at_most(response.peak_displacement, far),
         f"{written('y_max_mm', response.peak_displacement)} mm",
@@ -98,9 +84,9 @@ def _angle(response: Response) -> Condition:
     )
 
 
-def _residual(response: Response) -> Condition:
+def _residual(response: Response) -> Check:
     most = float(response.friction[-1]) * response.bearing.effective_radius
-    return Condition(
+    return Check(
         "residual displacement one that friction can hold",
         at_most(abs(response.residual_displacement), most),
         f"{written('residual_mm', response.residual_displacement)} mm of {written('residual_mm', most)} mm",
@@ -109,9 +95,9 @@ def _residual(response: Response) -> Condition:
     )
 
 
-def _energy(response: Response) -> Condition:
+def _energy(response: Response) -> Check:
     found = response.energy.relative_residual
-    return Condition(
+    return Check(
         "energy balance, residual over the largest input",
         at_most(found, LARGEST_RESIDUAL),
         powered(found),
@@ -120,7 +106,7 @@ def _energy(response: Response) -> Condition:
     )
 
 
-def _tests(response: Response) -> tuple[Condition, ...]:
+def _tests(response: Response) -> tuple[Check, ...]:
     tested = response.friction_law.tests()
     pressure, ambient = response.bearing.pressure, response.heating.ambient
     speed, highest = response.peak_velocity, response.peak_temperature
@@ -146,10 +132,10 @@ def _tests(response: Response) -> tuple[Condition, ...]:
             verdicts[2] = at_most(abs(ambient - tested.ambient), LARGEST_AMBIENT_CHANGE)
     return (
         *(
-            Condition(name, verdict, value, limit, source)
+            Check(name, verdict, value, limit, source)
             for name, verdict, value, limit in zip(names, verdicts, found, limits, strict=True)
         ),
-        Condition(
+        Check(
             "temperature of the contact within the tests",
             Verdict.NOT_KNOWN,
             f"{written('temperature_max_degC', highest)} °C",
@@ -159,10 +145,10 @@ def _tests(response: Response) -> tuple[Condition, ...]:
     )
 
 
-def _yield_radius(response: Response) -> Condition:
+def _yield_radius(response: Response) -> Check:
     bearing = response.bearing
     radius = float(np.max(response.friction)) * bearing.vertical_force / bearing.elastic_stiffness
-    return Condition(
+    return Check(
         "spring (b) stiff: its stretch before sliding",
         at_most(radius, LARGEST_YIELD_RADIUS),
         f"{radius:.2f} mm",
@@ -171,21 +157,21 @@ def _yield_radius(response: Response) -> Condition:
     )
 
 
-def _half_space(response: Response) -> Condition:
+def _half_space(response: Response) -> Check:
     duration = float(response.time[-1])
     heating = response.heating
     name, found = "plates as endlessly thick: duration", f"{duration:.1f} s"
     if heating.name == "none" or heating.thickness is not None:
         limit = "no heating" if heating.name == "none" else "thickness is taken into account"
-        return Condition(name, Verdict.MET, found, limit, _MODEL)
-    return Condition(
+        return Check(name, Verdict.MET, found, limit, _MODEL)
+    return Check(
         name, at_most(duration, LONGEST_HALF_SPACE), found, f"at most {short(LONGEST_HALF_SPACE)} s", _MODEL
     )
 
 
-def _baseline(response: Response) -> Condition:
+def _baseline(response: Response) -> Check:
     drift = baseline_drift(response.motion)
-    return Condition(
+    return Check(
         "baseline of the record: velocity at its end over PGV",
         at_most(drift, DRIFT_THRESHOLD),
         f"{100.0 * drift:.1f} %",

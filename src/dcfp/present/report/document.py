@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from dcfp.methods.result import Verdict
+from dcfp.schema.check import Verdict
 from dcfp.schema.formulas import Formula, number
 from dcfp.study.scenario import Heading
 

@@ -6,7 +6,6 @@ from html import escape as escape_html
 from importlib.resources import files
 from io import BytesIO
 
-from dcfp.methods.result import Verdict
 from dcfp.present.report.document import (
     Block,
     Bullets,
@@ -28,6 +27,7 @@ from dcfp.present.report.document import (
     signatories,
 )
 from dcfp.present.report.maths import mathml
+from dcfp.schema.check import Verdict
 
 _CLASSES = {Verdict.MET: "met", Verdict.NOT_MET: "broken", Verdict.NOT_KNOWN: "open"}
 _TONES = {

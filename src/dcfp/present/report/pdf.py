@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 from dcfp.errors import AnalysisError, InputError
-from dcfp.methods.result import Verdict
 from dcfp.present.report.document import (
     Block,
     Bullets,
@@ -31,6 +30,7 @@ from dcfp.present.report.document import (
     short_title,
     signatories,
 )
+from dcfp.schema.check import Verdict
 
 #: Last character up to which the fonts that come with Typst have all scripts of Europe.
 _LAST_EUROPEAN = 0x052F

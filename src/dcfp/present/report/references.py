@@ -11,6 +11,7 @@ from dcfp.methods import aij_2016, asce_2016, eurocode_8, iwan_1980
 from dcfp.present.report.checks import checks_of
 from dcfp.present.report.document import DECIMALS
 from dcfp.present.tables.comparisons import case_objects
+from dcfp.schema.check import COLUMNS
 from dcfp.schema.citations import bibliography, citation
 from dcfp.schema.formulas import Formula
 from dcfp.study.scenario import Calculation, Result
@@ -162,7 +163,6 @@ def _case(one: Result, row: dict[str, Any], compared: dict[str, Any]) -> dict[st
         "record_treatment": list(motion.treatment),
         "energies": energies_of(one),
         "checks": [
-            {"of": check.of, **asdict(check.condition), "verdict": check.condition.verdict.value}
-            for check in checks_of(one)
+            {"of": check.of, **{one.key: one.datum(check) for one in COLUMNS}} for check in checks_of(one)
         ],
     }

@@ -9,7 +9,7 @@ from dcfp.inference.case import CHANGE, Basis, View
 from dcfp.inference.statistics import ratios
 from dcfp.methods import Prediction, iwan_1980
 from dcfp.methods.panel import NAMES
-from dcfp.methods.result import Answer, Verdict
+from dcfp.methods.result import Answer
 from dcfp.present.report.checks import label_of
 from dcfp.present.report.document import (
     Block,
@@ -28,6 +28,7 @@ from dcfp.present.report.document import (
 )
 from dcfp.present.report.references import energies_of
 from dcfp.present.tables.comparisons import answer_object
+from dcfp.schema.check import Verdict
 from dcfp.study.scenario import Calculation, Result
 
 if TYPE_CHECKING:

@@ -2,8 +2,7 @@
 
 from collections.abc import Sequence
 
-from dcfp.methods.result import Condition, Verdict
-from dcfp.present.report.checks import ANALYSIS, Check, checks_of, label_of
+from dcfp.present.report.checks import ANALYSIS, checks_of, label_of
 from dcfp.present.report.document import (
     Block,
     Cell,
@@ -19,6 +18,7 @@ from dcfp.present.report.document import (
 )
 from dcfp.present.report.results import peaks_table
 from dcfp.present.report.worked import governing
+from dcfp.schema.check import Check, Verdict
 from dcfp.study.scenario import Calculation
 
 #: Cases beside each other in a table.
@@ -53,14 +53,14 @@ def _batches(count: int) -> list[tuple[int, ...]]:
     return [tuple(range(first, min(first + _BESIDE, count))) for first in range(0, count, _BESIDE)]
 
 
-def _rows(every: Sequence[Sequence[Check]], group: str) -> dict[str, list[Condition | None]]:
+def _rows(every: Sequence[Sequence[Check]], group: str) -> dict[str, list[Check | None]]:
     """Return the conditions of a group by their names, one for each case."""
-    of_case = [{one.condition.name: one.condition for one in checks if one.of == group} for checks in every]
+    of_case = [{one.name: one for one in checks if one.of == group} for checks in every]
     names = list(dict.fromkeys(name for known in of_case for name in known))
     return {name: [known.get(name) for known in of_case] for name in names}
 
 
-def _table(rows: dict[str, list[Condition | None]], labels: list[str], places: list[int]) -> Table:
+def _table(rows: dict[str, list[Check | None]], labels: list[str], places: list[int]) -> Table:
     made: list[tuple[Cell, ...]] = []
     for name, of_case in rows.items():
         here = [of_case[place] for place in places]
@@ -73,7 +73,7 @@ def _table(rows: dict[str, list[Condition | None]], labels: list[str], places: l
         source = first.source if first.confirmed else f"{first.source} (unconfirmed)"
         same = len({(one.found, one.verdict) if one else None for one in here}) == 1
         found = (_found(first, len(here)),) if same else tuple(_found(one) for one in here)
-        made.append((*cells(name, first.limit, source), *found))
+        made.append((*cells(name, first.limit_words, source), *found))
     head = heads("Check", "Limit", "Source or clause", *labels)
     count = len(places)
     return Table(
@@ -81,10 +81,10 @@ def _table(rows: dict[str, list[Condition | None]], labels: list[str], places: l
     )
 
 
-def _found(one: Condition | None, span: int = 1) -> Cell:
+def _found(one: Check | None, span: int = 1) -> Cell:
     if one is None:
         return Cell(("no answer",), Verdict.NOT_KNOWN, span)
-    return Cell((f"{one.found}: {_WORDS[one.verdict]}",), one.verdict, span)
+    return Cell((f"{one.found_words}: {_WORDS[one.verdict]}",), one.verdict, span)
 
 
 def front_blocks(calculation: Calculation) -> tuple[Block, ...]:
@@ -121,22 +121,22 @@ def _summary(calculation: Calculation) -> Table:
     return Table(heads("Check of the analyses", "Verdict", "Where, and what is allowed"), tuple(rows), "lll", (2.2, 1.3, 2.8), "Verdicts")  # fmt: skip
 
 
-def _worst(conditions: Sequence[Condition]) -> Verdict:
+def _worst(conditions: Sequence[Check]) -> Verdict:
     verdicts = {one.verdict for one in conditions}
     return next(one for one in (Verdict.NOT_MET, Verdict.NOT_KNOWN, Verdict.MET) if one in verdicts)
 
 
-def _count(known: list[tuple[str, Condition]], verdict: Verdict) -> str:
+def _count(known: list[tuple[str, Check]], verdict: Verdict) -> str:
     count = sum(one.verdict is verdict for _, one in known)
     return _WORDS[verdict] if count == len(known) else f"{_WORDS[verdict]} in {count} of {len(known)}"
 
 
-def _where(known: list[tuple[str, Condition]], verdict: Verdict) -> str:
+def _where(known: list[tuple[str, Check]], verdict: Verdict) -> str:
     concerned = [(label, one) for label, one in known if one.verdict is verdict]
-    limit = concerned[0][1].limit
+    limit = concerned[0][1].limit_words
     if verdict is not Verdict.NOT_MET:
         return limit
-    named = "; ".join(f"{label}: {one.found}" for label, one in concerned[:_NAMED])
+    named = "; ".join(f"{label}: {one.found_words}" for label, one in concerned[:_NAMED])
     more = len(concerned) - _NAMED
     return f"{named}{f'; and {more} more' if more > 0 else ''} ({limit})"
 

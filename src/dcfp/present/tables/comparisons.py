@@ -5,6 +5,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dcfp.present.tables.columns import Column, table_text
+from dcfp.schema.check import COLUMNS
+from dcfp.schema.table import Table
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -182,17 +184,7 @@ def answer_object(said: "Answer") -> dict[str, Any]:
         "effective_damping": said.damping,
         "within_limits": said.valid if said.conditions else None,
         "verdict": said.verdict,
-        "conditions": [
-            {
-                "name": one.name,
-                "verdict": one.verdict.value,
-                "found": one.found,
-                "limit": one.limit,
-                "source": one.source,
-                "confirmed": one.confirmed,
-            }
-            for one in said.conditions
-        ],
+        "conditions": Table(COLUMNS, said.conditions).objects(),
         "iteration": [
             {
                 "displacement_mm": one.displacement,

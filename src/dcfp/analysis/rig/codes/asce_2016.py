@@ -9,11 +9,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from dcfp.analysis.rig.codes.prototype import Criterion, PrototypeDesign
+from dcfp.analysis.rig.codes.prototype import PrototypeDesign, criterion
 from dcfp.analysis.rig.loops import Loops
 from dcfp.analysis.rig.measures import Cycle
 from dcfp.analysis.rig.program import Program, RigTest
 from dcfp.analysis.rig.waveform import Sine
+from dcfp.schema.check import Check
 
 CODE = "ASCE/SEI 7-16"
 #: Displacements over D_M of item 2 (a).
@@ -79,9 +80,9 @@ def prototype_program(design: PrototypeDesign) -> Program:
     return Program("ASCE/SEI 7-16 prototype tests", tuple(tests), source, code="asce7-16")
 
 
-def judge(loops: Sequence[Loops]) -> list[Criterion]:
+def judge(loops: Sequence[Loops]) -> list[Check]:
     """Return what 17.8.4 wants of the tests that have a role; endurance tests in a row are one, as in Li et al. (2020), Table 2."""
-    found: list[Criterion] = []
+    found: list[Check] = []
     for test in loops:
         if test.test.role:
             found.append(_grows(test.test.name, test.cycles))
@@ -94,20 +95,20 @@ def judge(loops: Sequence[Loops]) -> list[Criterion]:
     return found
 
 
-def _grows(test: str, cycles: Sequence[Cycle]) -> Criterion:
+def _grows(test: str, cycles: Sequence[Cycle]) -> Check:
     slope = float(np.min([c.post_yield_stiffness for c in cycles])) / 1e3
     words = "force grows with displacement: least post-yield stiffness"
-    return Criterion(CODE, "17.8.4 (1)", test, words, slope, 0.0, "kN/mm", at_least=True)
+    return criterion(CODE, "17.8.4 (1)", test, words, slope, 0.0, "kN/mm", at_least=True)
 
 
-def _scatters(test: str, cycles: Sequence[Cycle]) -> Criterion:
+def _scatters(test: str, cycles: Sequence[Cycle]) -> Check:
     stiffness = np.array([c.effective_stiffness for c in cycles])
     scatter = float(np.max(np.abs(stiffness / stiffness.mean() - 1.0)))
     words = f"k_eff of each cycle within {100.0 * LARGEST_SCATTER:.0f} % of the mean of the cycles (as in the edition of 2010)"
-    return Criterion(CODE, "17.8.4 (3)", test, words, scatter, LARGEST_SCATTER)
+    return criterion(CODE, "17.8.4 (3)", test, words, scatter, LARGEST_SCATTER)
 
 
-def _endures(test: str, cycles: Sequence[Cycle]) -> list[Criterion]:
+def _endures(test: str, cycles: Sequence[Cycle]) -> list[Check]:
     stiffness = np.array([c.effective_stiffness for c in cycles])
     damping = np.array([c.effective_damping for c in cycles])
     change = float(np.max(np.abs(stiffness / stiffness[0] - 1.0)))
@@ -117,6 +118,6 @@ def _endures(test: str, cycles: Sequence[Cycle]) -> list[Criterion]:
     )
     damping_words = f"beta_eff falls by at most {100.0 * LARGEST_DAMPING_FALL:.0f} % of the first cycle's"
     return [
-        Criterion(CODE, "17.8.4 (4)", test, stiffness_words, change, LARGEST_STIFFNESS_CHANGE),
-        Criterion(CODE, "17.8.4 (6)", test, damping_words, fall, LARGEST_DAMPING_FALL),
+        criterion(CODE, "17.8.4 (4)", test, stiffness_words, change, LARGEST_STIFFNESS_CHANGE),
+        criterion(CODE, "17.8.4 (6)", test, damping_words, fall, LARGEST_DAMPING_FALL),
     ]

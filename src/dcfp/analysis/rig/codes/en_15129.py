@@ -8,10 +8,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from dcfp.analysis.rig.codes.prototype import Criterion, PrototypeDesign
+from dcfp.analysis.rig.codes.prototype import PrototypeDesign, criterion
 from dcfp.analysis.rig.loops import Loops
 from dcfp.analysis.rig.program import Program, RigTest
 from dcfp.analysis.rig.waveform import Sine
+from dcfp.schema.check import Check
 
 CODE = "EN 15129"
 #: Peak velocity of the benchmark tests [mm/s], unconfirmed.
@@ -63,7 +64,7 @@ def prototype_program(design: PrototypeDesign) -> Program:
     return Program("EN 15129 type tests", tuple(tests), source, code="en15129")
 
 
-def judge(loops: Sequence[Loops]) -> list[Criterion]:
+def judge(loops: Sequence[Loops]) -> list[Check]:
     """Return how far restoring stiffness and energy are from the design values.
 
     The design stiffness is N / R. The design friction is the mean over the cycles of the test at the full displacement and speed; with it the energy of
@@ -71,12 +72,12 @@ def judge(loops: Sequence[Loops]) -> list[Criterion]:
     """
     full = [test for test in loops if test.test.role == "maximum"]
     friction = sum(c.loop_friction for c in full[0].cycles) / len(full[0].cycles) if full else math.nan
-    found: list[Criterion] = []
+    found: list[Check] = []
     for test in loops:
         radius = test.bearing.effective_radius
         stiffness = [abs(c.post_yield_stiffness * radius / c.load - 1.0) for c in test.cycles]
         found.append(
-            Criterion(
+            criterion(
                 CODE,
                 "8.3.4",
                 test.test.name,
@@ -88,7 +89,7 @@ def judge(loops: Sequence[Loops]) -> list[Criterion]:
         if full and test.test.name in DYNAMIC:
             energy = [abs(c.loop_friction / friction - 1.0) for c in test.cycles]
             found.append(
-                Criterion(
+                criterion(
                     CODE,
                     "8.3.4",
                     test.test.name,

@@ -3,12 +3,16 @@
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from operator import attrgetter
 
 from dcfp.analysis.rig.loops import Loops
 from dcfp.analysis.rig.measures import Cycle
 from dcfp.analysis.rig.program import VerticalLoad
 from dcfp.errors import InputError
+from dcfp.schema.check import Check, Verdict
 from dcfp.schema.checks import positive
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.units import NONE
 
 #: Minimum of the total maximum displacement over the maximum displacement [-]: ASCE/SEI 7, section 17.5.3.5.
 LEAST_TOTAL = 1.15
@@ -71,44 +75,50 @@ class PrototypeDesign:
         return VerticalLoad((factor * self.pressure,))
 
 
-@dataclass(frozen=True)
-class Criterion:
-    """One requirement on one test.
+def criterion(
+    code: str,
+    clause: str,
+    test: str,
+    statement: str,
+    value: float,
+    limit: float,
+    unit: str = "-",
+    *,
+    at_least: bool = False,
+    confirmed: bool = False,
+) -> Check:
+    """Return whether a requirement of a code on a test holds: `value` must not exceed the limit, or where `at_least` not fall below it.
 
-    Attributes
-    ----------
-    code, clause
-        Where it stands.
-    test
-        Name of the test.
-    statement
-        What must hold, in words.
-    value, limit
-        What was found and what is allowed, in `unit`; the value must not exceed the limit, or where `at_least` not fall below it.
-    unit
-        Unit of both, or "-".
-    at_least
-        Whether the limit is a lower one.
-    confirmed
-        Whether the requirement was read in the code or in two independent sources; if not, it is from memory of the code.
+    What is not a finite number never does. A requirement that is not confirmed is from memory of the code.
     """
+    met = math.isfinite(value) and (value >= limit if at_least else value <= limit)
+    return Check(
+        name=statement,
+        verdict=Verdict.of(met),
+        found=value,
+        limit=limit,
+        source=clause,
+        confirmed=confirmed,
+        of=code,
+        subject=test,
+        unit=unit,
+        at_least=at_least,
+    )
 
-    code: str
-    clause: str
-    test: str
-    statement: str
-    value: float
-    limit: float
-    unit: str = "-"
-    at_least: bool = False
-    confirmed: bool = False
 
-    @property
-    def passed(self) -> bool:
-        """Whether it holds; what is not a finite number never does."""
-        return math.isfinite(self.value) and (
-            self.value >= self.limit if self.at_least else self.value <= self.limit
-        )
+#: A requirement as data have it.
+CRITERIA = (
+    Quantity("code", "code that requires it", get=attrgetter("of")),
+    Quantity("clause", "where it stands", get=attrgetter("source")),
+    Quantity("test", "name of the test", get=attrgetter("subject")),
+    Quantity("statement", "what must hold", get=attrgetter("name")),
+    Quantity("value", "what was found", NONE, get=attrgetter("found")),
+    Quantity("limit", "what is allowed", NONE, get=attrgetter("limit")),
+    Quantity("unit", "unit of both", get=attrgetter("unit")),
+    Quantity("at_least", "whether the limit is a lower one", get=attrgetter("at_least")),
+    Quantity("confirmed", "whether it was read in the code", get=attrgetter("confirmed")),
+    Quantity("passed", "whether it holds", get=attrgetter("passed")),
+)
 
 
 # Property modification factors that tests show: lambda_test of ASCE/SEI 7-16, section 17.2.8.4.

@@ -102,7 +102,7 @@ def code_remarks(case: Case) -> list[str]:
     remarks: list[str] = []
     for name, answer in case.answers.items():
         broken = [
-            f"{one.name} {one.found}, {one.limit}"
+            f"{one.name} {one.found_words}, {one.limit_words}"
             for one in answer.conditions
             if one.verdict.value == "not met"
         ]

@@ -1,0 +1,119 @@
+"""A check: what was found beside what is allowed, and whether it holds; of analyses, tests, codes and the package itself."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+from operator import attrgetter
+
+from dcfp.schema.notebook import fields_card
+from dcfp.schema.quantities import Quantity
+
+#: Relative difference up to which two numbers are the same but for rounding [-].
+_ROUNDING = 1e-12
+
+
+class Verdict(StrEnum):
+    """Whether a check is met."""
+
+    MET = "met"
+    NOT_MET = "not met"
+    NOT_KNOWN = "not known"
+
+    @classmethod
+    def of(cls, met: bool | None) -> "Verdict":
+        """Return the verdict on what is met or not, or on what is not known where it is None."""
+        return cls.NOT_KNOWN if met is None else cls.MET if met else cls.NOT_MET
+
+
+@dataclass(frozen=True)
+class Check:
+    """What was found beside what is allowed.
+
+    Attributes
+    ----------
+    name
+        What is asked, in words.
+    verdict
+        Whether it is met; not known where what it would need is not given, or where it was skipped.
+    found, limit
+        A number in `unit`, or words with their units; None where there is none.
+    source
+        Where it is asked: a clause, a paper.
+    confirmed
+        Whether this could be confirmed in its source; else it stands as remembered.
+    of
+        What asks it: a code, the analysis, a group of checks.
+    subject
+        What is looked at, where that is one of several: a test.
+    unit
+        Of numbers, or "-".
+    at_least
+        Whether the limit is a lower one.
+    expected, difference
+        For a number that ought to be another one, that number, and how far apart the two are, in words.
+    ratio
+        Size of the difference over the largest that is allowed [-]: zero where the number is better by any amount, None where this is not a finite number.
+    remark
+        What a reader should know.
+    """
+
+    name: str
+    verdict: Verdict
+    found: float | str | None
+    limit: float | str | None
+    source: str = ""
+    confirmed: bool = True
+    of: str = ""
+    subject: str = ""
+    unit: str = "-"
+    at_least: bool = False
+    expected: float | None = None
+    difference: str = ""
+    ratio: float | None = None
+    remark: str = ""
+
+    @property
+    def passed(self) -> bool | None:
+        """Whether it is met; None where that is not known."""
+        return None if self.verdict is Verdict.NOT_KNOWN else self.verdict is Verdict.MET
+
+    @property
+    def found_words(self) -> str:
+        """What was found, in words with its unit."""
+        return self._in_words(self.found)
+
+    @property
+    def limit_words(self) -> str:
+        """What is allowed, in words with its unit."""
+        return self._in_words(self.limit)
+
+    def _in_words(self, value: float | str | None) -> str:
+        if value is None or isinstance(value, str):
+            return value or ""
+        return f"{value:.6g}" if self.unit == "-" else f"{value:.6g} {self.unit}"
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, f"{self.of}: {self.name}" if self.of else "Check")
+
+
+#: A check as data have it.
+COLUMNS = tuple(
+    Quantity(name, words, get=attrgetter(name))
+    for name, words in (
+        ("name", "what is asked"),
+        ("verdict", "whether it is met"),
+        ("found", "what was found"),
+        ("limit", "what is allowed"),
+        ("source", "where it is asked"),
+        ("confirmed", "whether this could be confirmed in its source"),
+    )
+)
+
+
+def at_most(value: float, limit: float) -> Verdict:
+    """Return whether a value is at most a limit, but for rounding; what is not a number never is."""
+    return Verdict.of(value <= limit * (1.0 + _ROUNDING))
+
+
+def at_least(value: float, limit: float) -> Verdict:
+    """Return whether a value is at least a limit, but for rounding; what is not a number never is."""
+    return Verdict.of(value >= limit * (1.0 - _ROUNDING))
