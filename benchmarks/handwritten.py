@@ -15,7 +15,7 @@ from stopwatch import in_turn, microseconds, once, ratio
 from analysis import SINGLE, Analysis, motion_at
 from dcfp.analysis.kernel_input import heat_of
 from dcfp.arrays import FloatArray
-from dcfp.kernels.friction import ExponentialLaw
+from dcfp.kernels.friction import Law
 from dcfp.kernels.heat_state import RATES, WEIGHTS
 from dcfp.kernels.memory import MODES
 from dcfp.kernels.motion import Structure as KernelStructure
@@ -32,7 +32,7 @@ Doubles = POINTER(c_double)
 
 
 class _Law(Structure):
-    _fields_ = [(name, c_double) for name in ExponentialLaw._fields]
+    _fields_ = [(name, c_double) for name in Law._fields[1:]]
 
 
 class _Structure(Structure):
@@ -108,7 +108,7 @@ class HandWritten:
         self.steel = _Steel(
             heat.ambient, heat.half_contact, heat.instant, row(*heat.bank[RATES]), row(*heat.bank[WEIGHTS])
         )
-        self.law = _Law(*analysis.law)
+        self.law = _Law(*analysis.law[1:])
         self.structure = _Structure(*analysis.structure)
         self.lines = np.zeros_like(analysis.lines)
         self.outcome = _Outcome()

@@ -3,6 +3,7 @@
 import math
 import time
 from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
 
@@ -11,9 +12,9 @@ from dcfp.analysis.response import Histories, Response, Settings
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import AnalysisError, InputError
 from dcfp.kernels import march as m
-from dcfp.kernels.friction import ExponentialLaw, Law, mean_coefficient
+from dcfp.kernels.friction import Law, mean_coefficient
 from dcfp.kernels.heat_state import FINEST_LEVEL, NO_HEATING, PRESENT
-from dcfp.kernels.march import AT_REST, NO_PROGRESS, OUT_OF_CELLS, TEMPERATURE, march
+from dcfp.kernels.march import AT_REST, NO_NUMBER, NO_PROGRESS, OUT_OF_CELLS, TEMPERATURE, march
 from dcfp.kernels.motion import Structure
 from dcfp.motion.ground_motion import GroundMotion, check_step_and_tail, parts_in, refined, with_tail
 from dcfp.system import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating
@@ -23,8 +24,6 @@ from dcfp.system.plates import Profiles, profile_now, structure_of
 TOLERANCE = 0.02
 #: Longest step of sliding [s], whatever the record's own: peaks are looked for at the ends of steps.
 LONGEST_STEP = 0.01
-#: Laws, or kinds of laws, for which the kernels are at hand.
-_compiled: set[object] = set()
 
 
 @dataclass
@@ -99,7 +98,7 @@ def respond(
     acceleration = refined(with_tail(motion, settings.tail), parts)
     # from one sample of the record after its last, where the ground has stopped accelerating
     free_from = motion.acceleration.size * parts if tail is None else acceleration.size
-    _compile_for(law, structure)
+    _load_kernels()
     model = (bearing, friction, heating)
     first = state_at_rest(*model) if start is None else start
     if first.model != model:
@@ -107,15 +106,12 @@ def respond(
         raise InputError(msg)
     run = None
     while run is None:
-        run = _march(law, structure, first.copy(), acceleration, interval, free_from, settings)
+        run = _march(motion.name, law, structure, first.copy(), acceleration, interval, free_from, settings)
         if run is None:  # the slider left the line of cells
             first = first.with_room(first.plates.cells.shape[1])
     samples = run.done + 1
     ground = first.ground_velocity + _ground_velocity(acceleration[:samples], interval)
     lines = run.lines[:samples]
-    if not np.isfinite(lines).all():
-        msg = f"{motion.name}: the response is not a finite number; look at the friction law."
-        raise AnalysisError(msg)
     histories = Histories(
         time=freeze(np.arange(samples) * interval),
         ground_acceleration=freeze(acceleration[:samples]),
@@ -160,12 +156,10 @@ def _ground_velocity(acceleration: FloatArray, interval: float) -> FloatArray:
     return velocity
 
 
-def _compile_for(law: Law, structure: Structure) -> None:
+@cache
+def _load_kernels() -> None:
     """Have the kernels compiled or loaded, so that the time of an analysis is its own."""
-    kind = type(law) if isinstance(law, ExponentialLaw) else law
-    if kind in _compiled:
-        return
-    _compiled.add(kind)
+    law, structure = Li2020().at_pressure(LI_2020.pressure), structure_of(LI_2020, Li2020())
     state = state_at_rest(LI_2020, Li2020(), SimplifiedHeating())
     heat = heat_of(state)._replace(kind=NO_HEATING)
     lines = np.zeros((2, TEMPERATURE + structure.plates))
@@ -173,6 +167,7 @@ def _compile_for(law: Law, structure: Structure) -> None:
 
 
 def _march(
+    name: str,
     law: Law,
     structure: Structure,
     state: State,
@@ -206,9 +201,11 @@ def _march(
         done += samples
         if status == OUT_OF_CELLS:
             return None
+        if status == NO_NUMBER:
+            raise state.model[1].no_number(name, done * interval)
         if status == NO_PROGRESS:
             msg = (
-                f"The analysis makes no progress at {done * interval:.4g} s;"
+                f"{name}: the analysis makes no progress at {done * interval:.4g} s;"
                 " look at the friction law, or try a shorter step."
             )
             raise AnalysisError(msg)

@@ -157,7 +157,7 @@ def survey(
         models = [System(bearing, law, setting.heating) for law in laws]
         peaks = respond_in_batch(grounds, Lanes.grid(len(motions), scales, models))
         if (peaks.status == FAILED).any():
-            msg = f"An analysis with a radius of {radius:g} mm cannot be finished; look at the friction law."
+            msg = f"An analysis with a radius of {radius:g} mm cannot be finished; look at the friction law {setting.friction.title}."
             raise AnalysisError(msg)
         return peaks
 

@@ -46,7 +46,11 @@ class _KernelCache(FunctionCache):
         try:
             found = cast("Any", super()).load_overload(sig, target_context)
             # of two processes that save code for different types at once, one may overwrite the other's file
-            return found if found is not None and found.signature.args == tuple(sig) else None
+            return (
+                found
+                if found is not None and found.signature.args == tuple(getattr(sig, "args", sig))
+                else None
+            )
         except Exception:  # unpickling a damaged file can raise anything
             with contextlib.suppress(OSError):
                 self.flush()
@@ -54,9 +58,16 @@ class _KernelCache(FunctionCache):
 
     def save_overload(self, sig: Any, data: Any) -> None:
         """Keep the code `data`, compiled for the argument types `sig`."""
-        # it reads the index first, which may name a law of a user that this process does not have
+        # it reads the index first, which may be damaged
         with contextlib.suppress(Exception):
             super().save_overload(sig, data)
+
+
+class LawCache(_KernelCache):
+    """The store of one law, in a folder of its own whose name says all that the law does."""
+
+    def _index_key(self, sig: Any, codegen: Any) -> Any:
+        return sig, codegen.magic_tuple()
 
 
 def source_digest() -> str:
@@ -100,7 +111,8 @@ def cache_folder() -> str:
 
 
 @contextlib.contextmanager
-def _caching_in(folder: str) -> Generator[None]:
+def caching_in(folder: str) -> Generator[None]:
+    """Have stores that are made meanwhile keep their code in `folder`."""
     previous = numba_config.CACHE_DIR
     numba_config.CACHE_DIR = folder
     try:
@@ -111,7 +123,7 @@ def _caching_in(folder: str) -> Generator[None]:
 
 def _keep(compiled: Any, folder: str) -> None:
     """Let a compiled function be kept in `folder`."""
-    with _caching_in(folder):
+    with caching_in(folder):
         store: Any = _KernelCache(compiled.py_func)
     if store.cache_path.startswith(folder):  # else numba could not write there, and chose a place of its own
         compiled._cache = store

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.friction import CONSTANTS, Law, law_from, mean_coefficient
+from dcfp.kernels.friction import Law, mean_coefficient
 from dcfp.kernels.heat_state import DOSE, LEFT_CELL, PLATE_NOTE, PLATE_NOTES, PRESENT, RATES, WEIGHTS, Heat
 from dcfp.kernels.march import (
     LEAST_FRICTION,
@@ -25,8 +25,15 @@ from dcfp.kernels.march import (
 )
 from dcfp.kernels.motion import Structure
 
-# columns of the table of models; the constants of the law come first
+# columns of the table of models
 (
+    FORM,
+    REFERENCE,
+    SPEED_DROP,
+    SPEED_RATE,
+    HEAT_SCALE,
+    HEAT_RATE,
+    HEAT_FLOOR,
     RESTORING,
     ELASTIC,
     GRAVITY,
@@ -42,7 +49,7 @@ from dcfp.kernels.motion import Structure
     INSTANT,
     BANK,  # which of the banks of modes
     MODEL_SIZE,
-) = range(CONSTANTS, CONSTANTS + 15)
+) = range(22)
 
 # columns of the lanes
 LANE_RECORD, LANE_MODEL, LANE_SIZE = range(3)
@@ -88,7 +95,6 @@ class Workspace(NamedTuple):
 
 @kernel
 def march_lanes(
-    law: Law,
     heat: Heat,
     plates: int,
     middle: int,
@@ -121,7 +127,15 @@ def march_lanes(
         cool_to(warm, banks[int(model[BANK])], resting_notes, plates, middle)
         copy_into(work.state, resting_state)
         work.state[PEAK_TEMPERATURE] = warm.ambient
-        own = law_from(law, model)
+        own = Law(
+            int(model[FORM]),
+            model[REFERENCE],
+            model[SPEED_DROP],
+            model[SPEED_RATE],
+            model[HEAT_SCALE],
+            model[HEAT_RATE],
+            model[HEAT_FLOOR],
+        )
         first = mean_coefficient(own, structure, 0.0, warm.notes, PRESENT)
         status, _, rests = march(
             own,

@@ -5,6 +5,8 @@ and slides while the centre of that surface is dragged along. Here the motion is
 work have to follow it.
 """
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -18,7 +20,7 @@ from dcfp.kernels.motion import Structure
 from dcfp.kernels.path import Piece, displacement_at, load_at, velocity_at
 
 # how a drive can end
-DONE, OUT_OF_CELLS, NO_PROGRESS = range(3)
+DONE, OUT_OF_CELLS, NO_PROGRESS, NO_NUMBER = range(4)
 
 # columns of the histories; temperatures of the plates follow
 DISPLACEMENT, VELOCITY, ELONGATION, FRICTION, SIDE, LOAD, WORK, HYSTERETIC, TEMPERATURE = range(9)
@@ -97,6 +99,8 @@ def drive(
             steps += 1
             if not stroke.fits:
                 return OUT_OF_CELLS, i
+            if not math.isfinite(grip.friction):  # the law may answer so
+                return NO_NUMBER, i
             if steps > _MOST_STEPS_PER_PIECE:
                 return NO_PROGRESS, i
         clock += interval

@@ -1,30 +1,39 @@
 r"""The coefficient of friction as compiled code sees it.
 
-Every law of the package is a reference value times
+A law is a `Law`, whatever it is: numbers, among which is the form that they are the constants of. All but one of the package's
+laws are a reference value times
 
 .. math:: (1 - a\,e^{-b |v|})\,(A\,e^{-B T} + C)
 
-in which the reference holds the effect of pressure; but for one, which wears off with the dose of rubbing instead of the
-temperature. A user's own law is any compiled function of
-pressure, speed and temperature. Which of these is meant is known from the type of `law`, at compile time.
+in which the reference holds the effect of pressure; the other one falls with the cycling parameter instead of the temperature. Both forms
+are in line. The form of any other law is the address of a compiled function, which is called, so that one compiled kernel serves every law.
 """
 
-from collections.abc import Callable
-from typing import Any, NamedTuple, TypeAlias
+import ctypes
+from typing import Any, NamedTuple
 
 import numpy as np
-from numba.extending import overload
+from llvmlite import ir
+from numba.core import cgutils
+from numba.extending import intrinsic
 from numpy.typing import NDArray
 
-from dcfp.kernels._jit import kernel
+from dcfp.kernels._jit import kernel, numba_config
 from dcfp.kernels.exponential import fading
 from dcfp.kernels.heat_state import DOSE
 from dcfp.kernels.motion import Structure
 
+# numba gives these no types
+utilities: Any = cgutils
 
-class ExponentialLaw(NamedTuple):
-    """Constants of the built-in laws at a given pressure."""
+# forms in line; a larger number is an address
+EXPONENTIAL, CYCLING = 0, 1
 
+
+class Law(NamedTuple):
+    """A friction law at a given pressure: its form and six constants, which the form or the function gives a meaning."""
+
+    form: int
     reference: float
     speed_drop: float
     speed_rate: float
@@ -33,125 +42,80 @@ class ExponentialLaw(NamedTuple):
     heat_floor: float
 
 
-class CyclingLaw(NamedTuple):
-    """Constants of a law that wears off with the dose of rubbing, at a given pressure."""
-
-    reference: float
-    speed_drop: float
-    speed_rate: float
-    dose_rate: float
-    dose_power: float
+#: As a compiled function sees them: constants, pressure [N/mm2], speed [mm/s], temperature [degC], cycling parameter [N/s].
+LAW_ARGUMENTS = (ctypes.POINTER(ctypes.c_double), *(ctypes.c_double,) * 4)
 
 
-#: Most constants that a built-in law has.
-CONSTANTS = 6
-#: The constants of a built-in law, or a compiled function of pressure, speed and temperature.
-Law: TypeAlias = ExponentialLaw | CyclingLaw | Callable[[float, float, float], float]
+def exponential_law(
+    reference: float,
+    speed_drop: float,
+    speed_rate: float,
+    heat_scale: float,
+    heat_rate: float,
+    heat_floor: float,
+) -> Law:
+    """Return a law of the form above, with a = `speed_drop`, b = `speed_rate`, A, B, C = `heat_scale`, `heat_rate`, `heat_floor`."""
+    return Law(EXPONENTIAL, reference, speed_drop, speed_rate, heat_scale, heat_rate, heat_floor)
+
+
+def cycling_law(
+    reference: float, speed_drop: float, speed_rate: float, cycling_rate: float, cycling_power: float
+) -> Law:
+    """Return a law whose second factor is exp(-(`cycling_rate` c)^`cycling_power`), with the cycling parameter c [N/s]."""
+    return Law(CYCLING, reference, speed_drop, speed_rate, cycling_power, cycling_rate, 0.0)
+
+
+def law_by_address(address: int, constants: tuple[float, ...] = ()) -> Law:
+    """Return a law that is a compiled function, with up to six constants of its own."""
+    return Law(address, *constants, *(0.0,) * (6 - len(constants)))
+
+
+def _called_interpreted(law: Law, pressure: float, speed: float, temperature: float, cycling: float) -> float:
+    function = ctypes.CFUNCTYPE(ctypes.c_double, *LAW_ARGUMENTS)(law.form)
+    return function((ctypes.c_double * 6)(*law[1:]), pressure, speed, temperature, cycling)
+
+
+def _called_compiled(typing: Any, law: Any, pressure: Any, speed: Any, temperature: Any, cycling: Any) -> Any:
+    def build(context: Any, builder: Any, signature: Any, values: Any) -> Any:
+        address, *constants = utilities.unpack_tuple(builder, values[0])
+        double = ir.DoubleType()
+        place = utilities.alloca_once(builder, ir.ArrayType(double, len(constants)))
+        for i, constant in enumerate(constants):
+            builder.store(constant, utilities.gep_inbounds(builder, place, 0, i))
+        kind = ir.FunctionType(double, (double.as_pointer(), double, double, double, double))
+        function = builder.inttoptr(address, kind.as_pointer())
+        return builder.call(function, (builder.bitcast(place, double.as_pointer()), *values[1:]))
+
+    return pressure(law, pressure, speed, temperature, cycling), build
+
+
+call_by_address: Any = _called_interpreted if numba_config.DISABLE_JIT else intrinsic(_called_compiled)
 
 
 @kernel
-def exponential_coefficient(law: ExponentialLaw, speed: float, temperature: float) -> float:
-    """Coefficient of friction [-] of an `ExponentialLaw` at a speed [mm/s] and a temperature [degC]."""
+def coefficient(law: Law, pressure: float, speed: float, temperature: float, cycling: float) -> float:
+    """Coefficient of friction [-] at a pressure [N/mm2], speed [mm/s], temperature [degC] and cycling parameter [N/s]."""
+    if law.form > CYCLING:
+        return call_by_address(law, pressure, speed, temperature, cycling)
     speed_factor = 1.0 - law.speed_drop * fading(law.speed_rate * speed)
+    if law.form == CYCLING:
+        return law.reference * speed_factor * fading((law.heat_rate * cycling) ** law.heat_scale)
     heat_factor = law.heat_scale * fading(law.heat_rate * temperature) + law.heat_floor
     return law.reference * speed_factor * heat_factor
 
 
 @kernel
-def cycling_coefficient(law: CyclingLaw, speed: float, dose: float) -> float:
-    """Coefficient of friction [-] of a `CyclingLaw` at a speed [mm/s] and after a dose of rubbing [N/s]."""
-    speed_factor = 1.0 - law.speed_drop * fading(law.speed_rate * speed)
-    return law.reference * speed_factor * fading((law.dose_rate * dose) ** law.dose_power)
-
-
-def coefficient(law: Law, pressure: float, speed: float, temperature: float, dose: float) -> float:
-    """Coefficient of friction [-] at a pressure [N/mm2], a speed [mm/s], a temperature [degC] and a dose [N/s]."""
-    if isinstance(law, ExponentialLaw):
-        return exponential_coefficient(law, speed, temperature)
-    if isinstance(law, CyclingLaw):
-        return cycling_coefficient(law, speed, dose)
-    return law(pressure, speed, temperature)
-
-
-def _exponential(law: Any, pressure: Any, speed: Any, temperature: Any, dose: Any) -> Any:
-    return exponential_coefficient(law, speed, temperature)
-
-
-def _cycling(law: Any, pressure: Any, speed: Any, temperature: Any, dose: Any) -> Any:
-    return cycling_coefficient(law, speed, dose)
-
-
-def _of_user(law: Any, pressure: Any, speed: Any, temperature: Any, dose: Any) -> Any:
-    return law(pressure, speed, temperature)
-
-
-def _compiled_coefficient(law: Any, pressure: Any, speed: Any, temperature: Any, dose: Any) -> Any:
-    kind: Any = getattr(law, "instance_class", None)
-    return {ExponentialLaw: _exponential, CyclingLaw: _cycling}.get(kind, _of_user)
-
-
-register_coefficient: Any = overload(coefficient)
-register_coefficient(_compiled_coefficient)
-
-
 def with_reference(law: Law, reference: float) -> Law:
-    """Return a built-in law at another pressure, at which its reference is this one [-]; a user's law as it is."""
-    if isinstance(law, (ExponentialLaw, CyclingLaw)):
-        return law._replace(reference=reference)
-    return law
-
-
-def _exponential_with(law: Any, reference: Any) -> Any:
-    return ExponentialLaw(
-        reference, law.speed_drop, law.speed_rate, law.heat_scale, law.heat_rate, law.heat_floor
+    """Return a law in line at another pressure, at which its reference is this one [-]."""
+    return Law(
+        law.form,
+        reference,
+        law.speed_drop,
+        law.speed_rate,
+        law.heat_scale,
+        law.heat_rate,
+        law.heat_floor,
     )
-
-
-def _cycling_with(law: Any, reference: Any) -> Any:
-    return CyclingLaw(reference, law.speed_drop, law.speed_rate, law.dose_rate, law.dose_power)
-
-
-def _unchanged(law: Any, reference: Any) -> Any:
-    return law
-
-
-def _compiled_with_reference(law: Any, reference: Any) -> Any:
-    kind: Any = getattr(law, "instance_class", None)
-    return {ExponentialLaw: _exponential_with, CyclingLaw: _cycling_with}.get(kind, _unchanged)
-
-
-register_reference: Any = overload(with_reference)
-register_reference(_compiled_with_reference)
-
-
-def law_from(law: Law, constants: NDArray[np.float64]) -> Law:
-    """Return a built-in law of the same kind with these constants, in their order; a user's law as it is."""
-    if isinstance(law, ExponentialLaw):
-        return ExponentialLaw(*constants[:6].tolist())
-    if isinstance(law, CyclingLaw):
-        return CyclingLaw(*constants[:5].tolist())
-    return law
-
-
-def _exponential_from(law: Any, constants: Any) -> Any:
-    return ExponentialLaw(constants[0], constants[1], constants[2], constants[3], constants[4], constants[5])
-
-
-def _cycling_from(law: Any, constants: Any) -> Any:
-    return CyclingLaw(constants[0], constants[1], constants[2], constants[3], constants[4])
-
-
-def _unchanged_from(law: Any, constants: Any) -> Any:
-    return law
-
-
-def _compiled_law_from(law: Any, constants: Any) -> Any:
-    kind: Any = getattr(law, "instance_class", None)
-    return {ExponentialLaw: _exponential_from, CyclingLaw: _cycling_from}.get(kind, _unchanged_from)
-
-
-register_law_from: Any = overload(law_from)
-register_law_from(_compiled_law_from)
 
 
 @kernel

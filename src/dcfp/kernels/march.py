@@ -14,7 +14,7 @@ from dcfp.kernels.sliding import slide_step
 from dcfp.kernels.sticking import stick_step
 
 # how a march can end
-DONE, AT_REST, OUT_OF_CELLS, NO_PROGRESS = range(4)
+DONE, AT_REST, OUT_OF_CELLS, NO_PROGRESS, NO_NUMBER = range(5)
 
 # columns of the histories; temperatures of the plates follow
 DISPLACEMENT, VELOCITY, ELONGATION, FRICTION, SIDE, INPUT, HYSTERETIC, TEMPERATURE = range(8)
@@ -139,6 +139,8 @@ def march(
             steps += 1
             if not advance.fits:
                 status = OUT_OF_CELLS
+            elif not math.isfinite(friction + motion.velocity):  # the law may answer so
+                status = NO_NUMBER
             elif steps > _MOST_STEPS_PER_SAMPLE:
                 status = NO_PROGRESS
             if status != DONE:
@@ -240,6 +242,6 @@ def _rests(law: Law, structure: Structure, heat: Heat, motion: Motion) -> bool:
     swing = math.hypot(motion.displacement - centre, motion.velocity / math.sqrt(stiffness))
     for speed in (0.0, swing * math.sqrt(stiffness)):
         friction = mean_coefficient(law, structure, speed, heat.notes, PRESENT)
-        if abs(centre - stuck) + swing >= friction * structure.reach:
+        if not abs(centre - stuck) + swing < friction * structure.reach:
             return False
     return True

@@ -99,7 +99,7 @@ def march_pulses(
 def _slides(law: Law, structure: Structure, heat: Heat, displacement: float, ground: float) -> bool:
     """Whether a bearing at rest slides under a ground acceleration [mm/s2]."""
     held = structure.gravity * mean_coefficient(law, structure, 0.0, heat.notes, PRESENT)
-    return abs(ground + structure.restoring * displacement) > held
+    return not abs(ground + structure.restoring * displacement) <= held
 
 
 @kernel
@@ -209,7 +209,7 @@ def _friction_in_the_middle(
     """Coefficient of friction [-] at the speed and the temperature to expect in the middle of a step."""
     side, displacement, velocity = state[SIDE], state[DISPLACEMENT], state[VELOCITY]
     drive = -side * (ground + structure.restoring * (displacement + 0.5 * length * velocity))
-    friction = mean_coefficient(law, structure, abs(velocity), heat.notes, PRESENT)
+    first = friction = mean_coefficient(law, structure, abs(velocity), heat.notes, PRESENT)
     for round_ in range(_ROUNDS):
         speed = max(0.0, abs(velocity) + 0.5 * length * (drive - friction * structure.gravity))
         if round_ == 0:
@@ -228,7 +228,7 @@ def _friction_in_the_middle(
             )
             mix(heat, structure, 0.5, BETWEEN)
         friction = mean_coefficient(law, structure, speed, heat.notes, BETWEEN)
-    return friction
+    return first if math.isnan(first) else friction  # a law that has no number may have one at no number
 
 
 @kernel

@@ -14,7 +14,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
-from dcfp.errors import AnalysisError
 from dcfp.kernels import pulse_march as k
 from dcfp.methods.pulses import Prediction, Pulses, find_pulses
 from dcfp.motion.ground_motion import GroundMotion
@@ -98,8 +97,8 @@ def march_through_pulses(
     rows = _rows(pulses, parts) if with_path else 0
     state, path, elapsed = _marched(pulses, bearing, friction, heating, parts, rows)
     if not np.isfinite(state[: k.PEAK_LEG]).all():
-        msg = "The march through the pulses gives no finite displacement; look at the friction law."
-        raise AnalysisError(msg)
+        what = "the march through the pulses"
+        raise friction.no_number(what)
     return PulseMarch(
         prediction=Prediction(
             displacement_change=float(state[k.PEAK_CHANGE]),

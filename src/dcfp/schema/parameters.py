@@ -369,7 +369,8 @@ def unknown(given: object, known: Iterable[str], what: str) -> str:
 
 def parameters(kind: type) -> dict[str, Parameter]:
     """Return the parameters of a declared class by the names of their fields, in their order."""
-    return cast("dict[str, Parameter]", kind.__dict__.get("_parameters") or _bind(kind))
+    found = kind.__dict__.get("_parameters")
+    return cast("dict[str, Parameter]", _bind(kind) if found is None else found)
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))

@@ -8,7 +8,7 @@ It can also heat while spring (b) only stretches, as OpenSees does.
 import math
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any
 
 import numba
 import numpy as np
@@ -19,9 +19,6 @@ from dcfp.kernels.memory import fading_modes
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.system import LI_2020, Bearing, FrictionLaw, Kumar2015, Li2020, SimplifiedHeating
 from dcfp.verify.check import Finding, Task, scaled_record
-
-if TYPE_CHECKING:
-    from dcfp.kernels.friction import ExponentialLaw
 
 GROUP = "Plain explicit integration"
 #: Longest step [s].
@@ -50,7 +47,7 @@ def integrate(
     heats_while_sticking: bool = False,
 ) -> Peaks:
     """Integrate the motion of a bearing with one plate, or two equal ones, under a built-in law."""
-    law = cast("ExponentialLaw", friction.at_pressure(bearing.pressure))
+    law = friction.at_pressure(bearing.pressure)
     share = bearing.shares[0]
     rates, weights, instant = fading_modes()
     displacement, rise = _march(
@@ -59,7 +56,7 @@ def integrate(
         math.ceil(motion.time_step / STEP),
         np.array([bearing.restoring_stiffness, bearing.elastic_stiffness, bearing.vertical_force])
         / bearing.mass,
-        np.array(law),
+        np.array(law[1:]),
         share if friction.speed_is_of_surface else 1.0,
         np.array([heating.ambient, heating.rise_factor, share * bearing.pressure, instant]),
         bearing.contact_half_side / share,

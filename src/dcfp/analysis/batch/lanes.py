@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 
@@ -10,7 +10,7 @@ from dcfp.analysis.respond import halvings
 from dcfp.arrays import FloatArray, IntArray
 from dcfp.kernels import batch as k
 from dcfp.kernels.batch import Ground
-from dcfp.kernels.friction import CyclingLaw, ExponentialLaw, Law
+from dcfp.kernels.friction import Law
 from dcfp.kernels.heat_state import BANK_ROWS, Heat
 from dcfp.kernels.memory import MODES
 from dcfp.motion.ground_motion import LONGEST_TAIL, GroundMotion, check_step_and_tail, parts_in, refined
@@ -147,16 +147,16 @@ def _stepped(motion: GroundMotion, tail: float | None, step: float | None) -> _S
 # Models of a batch that one call of the kernel can take, as its tables.
 
 
-_Kind: TypeAlias = tuple[Any, int, int, int]
+_Kind: TypeAlias = tuple[int, int, int]
 
 
 @dataclass(frozen=True, eq=False)
 class Family:
-    """Models of one kind of law, of heating and of plates.
+    """Models of one kind of heating and of plates.
 
     Attributes
     ----------
-    law, heating
+    heating
         Of one of them.
     plates
         That differ.
@@ -170,7 +170,6 @@ class Family:
         Cells on each side of the contact that all of them need at first.
     """
 
-    law: Law
     heating: Heating
     plates: int
     members: list[int]
@@ -194,20 +193,17 @@ class Family:
 
 def families_of(models: Sequence[System]) -> list[Family]:
     """Sort models into families, in the order in which they come first."""
-    laws = [model.friction.at_pressure(model.bearing.pressure) for model in models]
     kinds: dict[_Kind, list[int]] = {}
-    for number, (model, law) in enumerate(zip(models, laws, strict=True)):
-        kinds.setdefault(_kind(model, law), []).append(number)
-    return [_family(kind, numbers, models, laws) for kind, numbers in kinds.items()]
+    for number, model in enumerate(models):
+        kinds.setdefault(_kind(model), []).append(number)
+    return [_family(kind, numbers, models) for kind, numbers in kinds.items()]
 
 
-def _kind(model: System, law: Law) -> _Kind:
-    own: Any = type(law) if isinstance(law, (ExponentialLaw, CyclingLaw)) else law
-    plates = len(set(model.bearing.radii))
-    return own, model.heating.kind, plates, cells_across(model.heating)
+def _kind(model: System) -> _Kind:
+    return model.heating.kind, len(set(model.bearing.radii)), cells_across(model.heating)
 
 
-def _family(kind: _Kind, numbers: list[int], models: Sequence[System], laws: Sequence[Law]) -> Family:
+def _family(kind: _Kind, numbers: list[int], models: Sequence[System]) -> Family:
     members = [models[number] for number in numbers]
     banks: dict[bytes, int] = {}
     stored: list[FloatArray] = []
@@ -217,12 +213,11 @@ def _family(kind: _Kind, numbers: list[int], models: Sequence[System], laws: Seq
         place = banks.setdefault(bank.tobytes(), len(stored))
         if place == len(stored):
             stored.append(bank)
-        _write(row, models[number], laws[number])
+        _write(row, models[number])
         row[k.INSTANT], row[k.BANK] = instant, place
     return Family(
-        law=laws[numbers[0]],
         heating=members[0].heating,
-        plates=kind[2],
+        plates=kind[1],
         members=numbers,
         table=table,
         banks=np.array(stored),
@@ -235,10 +230,9 @@ def _bank(heating: Heating) -> tuple[FloatArray, float]:
     return np.array([rates, weights * heating.rise_factor]), instant * heating.rise_factor
 
 
-def _write(row: FloatArray, model: System, law: Law) -> None:
+def _write(row: FloatArray, model: System) -> None:
     """Write a model into its row, but for the modes."""
-    if isinstance(law, (ExponentialLaw, CyclingLaw)):
-        row[: len(law)] = law
+    row[: len(Law._fields)] = model.friction.at_pressure(model.bearing.pressure)
     structure = structure_of(model.bearing, model.friction)
     row[k.RESTORING], row[k.ELASTIC] = structure.restoring, structure.elastic
     row[k.GRAVITY], row[k.PRESSURE], row[k.REACH] = structure.gravity, structure.pressure, structure.reach

@@ -173,7 +173,6 @@ def _march_family(
         part = np.empty((chosen.size, OUT_SIZE))
         work.acceleration[:] = 0.0
         march_lanes(
-            family.law,
             family.heat(margin),
             family.plates,
             margin,

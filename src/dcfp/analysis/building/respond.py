@@ -106,8 +106,7 @@ def respond_building(
         msg = f"{motion.name}: the analysis makes no progress at {run.done * motion.time_step:.4g} s; look at the friction law, or try a shorter step."
         raise AnalysisError(msg)
     if not np.isfinite(lines).all():
-        msg = f"{motion.name}: the response is not a finite number; look at the friction law."
-        raise AnalysisError(msg)
+        raise friction.no_number(motion.name)
     return BuildingResponse(
         motion=motion,
         bearing=bearing,

@@ -13,7 +13,7 @@ from dcfp.analysis.rig.waveform import Travel
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import AnalysisError, InputError
 from dcfp.kernels import drive as d
-from dcfp.kernels.friction import CyclingLaw, ExponentialLaw, Law
+from dcfp.kernels.friction import Law
 from dcfp.kernels.grip import Rig, available
 from dcfp.kernels.heat_state import PRESENT, Heat
 from dcfp.kernels.heating import place_slider
@@ -151,9 +151,6 @@ class _Machine:
         profiles = self._drive(test, law, heat, travel, pieces, state, lines)
         elapsed = time.perf_counter() - began
         self.clock = float(state[d.STATE_TIME])
-        if not np.isfinite(lines).all():
-            msg = f"{test.name}: the forces are not finite numbers; look at the friction law."
-            raise AnalysisError(msg)
         return Loops(
             test=test,
             bearing=self.bearing,
@@ -178,11 +175,8 @@ class _Machine:
         load = vertical.at(travel.time, self.bearing)
         pressure = load / self.bearing.slider_area
         law = self.friction.at_pressure(float(pressure[0]))
-        reference = np.ones_like(load)
-        if isinstance(law, (ExponentialLaw, CyclingLaw)):
-            levels, place = np.unique(pressure, return_inverse=True)
-            at_levels = [_reference_at(self.friction, float(level)) for level in levels]
-            reference = np.array(at_levels)[place]
+        levels, place = np.unique(pressure, return_inverse=True)
+        reference = np.array([self.friction.at_pressure(float(level)).reference for level in levels])[place]
         rates = (np.diff(values) / travel.lengths for values in (load, reference))
         load_rate, reference_rate = rates
         return law, np.column_stack((travel.pieces, load[:-1], load_rate, reference[:-1], reference_rate))
@@ -225,6 +219,8 @@ class _Machine:
                 law, self.structure, self.rig, heat, travel.lengths[first:last], pieces[first:last],
                 self.tolerance, state, lines[first:],
             )  # fmt: skip
+            if status == d.NO_NUMBER:
+                raise self.friction.no_number(test.name, float(travel.time[first + done]))
             if status != d.DONE:
                 msg = f"{test.name}: the test makes no progress at {travel.time[first + done]:.4g} s; look at the friction law."
                 raise AnalysisError(msg)
@@ -236,11 +232,6 @@ class _Machine:
                     (float(travel.time[last]), profile_now(heat, self.structure, now, float(flux)))
                 )
         return profiles
-
-
-def _reference_at(friction: FrictionLaw, pressure: float) -> float:
-    law = friction.at_pressure(pressure)
-    return law.reference if isinstance(law, (ExponentialLaw, CyclingLaw)) else 1.0
 
 
 # The same tests with several models, side by side.

@@ -12,7 +12,7 @@ from dcfp.exchange.opensees.fit import (
     fit_element_law,
     has_the_elements_temperature_factor,
 )
-from dcfp.kernels.friction import ExponentialLaw
+from dcfp.kernels.friction import EXPONENTIAL, Law
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.system import System
 
@@ -67,7 +67,7 @@ def element_for(motion: GroundMotion, model: System) -> Element:
         If OpenSees has nothing like the friction law.
     """
     law = model.friction.at_pressure(model.bearing.pressure)
-    if not isinstance(law, ExponentialLaw):
+    if law.form != EXPONENTIAL:
         msg = (
             f"OpenSees has no element that comes near the friction law {model.friction.name};"
             " choose another, for example kumar2015 or constant."
@@ -77,7 +77,7 @@ def element_for(motion: GroundMotion, model: System) -> Element:
     return _heated(motion, model, law) if heats else _cold(model, law)
 
 
-def _cold(model: System, law: ExponentialLaw) -> Element:
+def _cold(model: System, law: Law) -> Element:
     """Return an element whose friction knows no temperature but that at the start."""
     ambient = model.heating.ambient
     fast = law.reference * (law.heat_scale * math.exp(-law.heat_rate * ambient) + law.heat_floor)
@@ -91,7 +91,7 @@ def _cold(model: System, law: ExponentialLaw) -> Element:
     return Element(Kind.VELOCITY, fast, slow, rate, 1.0, stand_in, (_UNEQUAL,))
 
 
-def _heated(motion: GroundMotion, model: System, law: ExponentialLaw) -> Element:
+def _heated(motion: GroundMotion, model: System, law: Law) -> Element:
     reasons = _differences(model, law)
     if not reasons:
         rate = law.speed_rate * _share(model) if law.speed_drop else 0.0
@@ -107,7 +107,7 @@ def _heated(motion: GroundMotion, model: System, law: ExponentialLaw) -> Element
     )
 
 
-def _differences(model: System, law: ExponentialLaw) -> tuple[str, ...]:
+def _differences(model: System, law: Law) -> tuple[str, ...]:
     """Return in what the heated element is not the model."""
     heating = model.heating
     found = {

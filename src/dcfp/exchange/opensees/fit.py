@@ -14,8 +14,9 @@ from scipy import optimize
 
 from dcfp.analysis import Response, respond
 from dcfp.arrays import FloatArray
-from dcfp.kernels.friction import ExponentialLaw
+from dcfp.kernels.friction import Law, exponential_law
 from dcfp.motion.ground_motion import GroundMotion
+from dcfp.schema.parameters import declared
 from dcfp.system import Bearing, FrictionLaw, Kumar2015, SimplifiedHeating, System
 
 #: Fewest samples of sliding for a fit; below, the law's own constants are taken.
@@ -108,7 +109,7 @@ def _fitted(
     return friction, rate, rise
 
 
-def _coefficient(law: ExponentialLaw, speed: FloatArray, temperature: FloatArray) -> FloatArray:
+def _coefficient(law: Law, speed: FloatArray, temperature: FloatArray) -> FloatArray:
     """Coefficient of the heated element [-]."""
     velocity_factor = 1.0 - law.speed_drop * np.exp(-law.speed_rate * speed)
     return law.reference * velocity_factor * Kumar2015.temperature_law.factor(temperature)
@@ -122,7 +123,7 @@ ELEMENT_AMBIENT = 20.0
 ELEMENT_SPEED_DROP = 0.5
 
 
-@dataclass(frozen=True)
+@declared
 class ElementFriction(FrictionLaw):
     """Friction of an element.
 
@@ -150,16 +151,16 @@ class ElementFriction(FrictionLaw):
         """Coefficient at high speed [-]."""
         return self.friction
 
-    def at_pressure(self, pressure: float) -> ExponentialLaw:
+    def at_pressure(self, pressure: float) -> Law:
         """Return the constants for the kernels; the coefficient is already that at the pressure."""
         del pressure
         factor = Kumar2015.temperature_law
         if not self.heated:
-            return ExponentialLaw(self.friction, self.drop, self.rate, 0.0, 0.0, 1.0)
-        return ExponentialLaw(self.friction, self.drop, self.rate, factor.scale, factor.rate, factor.floor)
+            return exponential_law(self.friction, self.drop, self.rate, 0.0, 0.0, 1.0)
+        return exponential_law(self.friction, self.drop, self.rate, factor.scale, factor.rate, factor.floor)
 
 
-def has_the_elements_temperature_factor(law: ExponentialLaw) -> bool:
+def has_the_elements_temperature_factor(law: Law) -> bool:
     """Return whether a law falls with temperature as the heated element does."""
     factor = Kumar2015.temperature_law
     return (law.heat_scale, law.heat_rate, law.heat_floor) == (factor.scale, factor.rate, factor.floor)

@@ -2,7 +2,7 @@
 
 from typing import Annotated, ClassVar
 
-from dcfp.kernels.friction import ExponentialLaw
+from dcfp.kernels.friction import Law, exponential_law
 from dcfp.schema.formulas import Formula
 from dcfp.schema.parameters import Parameter, declared
 from dcfp.schema.units import FRACTION
@@ -38,10 +38,10 @@ class ConstantFriction(FrictionLaw):
         """Coefficient of friction [-]."""
         return self.mu
 
-    def at_pressure(self, pressure: float) -> ExponentialLaw:
+    def at_pressure(self, pressure: float) -> Law:
         """Return the constants for the kernels."""
         del pressure
-        return ExponentialLaw(self.mu, 0.0, 0.0, 1.0, 0.0, 0.0)
+        return exponential_law(self.mu, 0.0, 0.0, 1.0, 0.0, 0.0)
 
     def equations(self) -> tuple[str, ...]:
         """Return the equation."""

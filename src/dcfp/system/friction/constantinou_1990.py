@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
-from dcfp.kernels.friction import ExponentialLaw
+from dcfp.kernels.friction import Law, exponential_law
 from dcfp.schema.formulas import Expression, Formula, number
 from dcfp.schema.parameters import Parameter, declared
 from dcfp.schema.units import FRACTION, S_PER_MM
@@ -93,10 +93,10 @@ class Constantinou1990(FrictionLaw):
         drop = 1.0 - self.slow / self.fast
         return np.asarray(1.0 - drop * np.exp(-self.rate * np.abs(speed)))
 
-    def at_pressure(self, pressure: float) -> ExponentialLaw:
+    def at_pressure(self, pressure: float) -> Law:
         """Return the constants for the kernels."""
         del pressure
-        return ExponentialLaw(self.fast, 1.0 - self.slow / self.fast, self.rate, 0.0, 0.0, 1.0)
+        return exponential_law(self.fast, 1.0 - self.slow / self.fast, self.rate, 0.0, 0.0, 1.0)
 
     @property
     def _expression(self) -> Expression:

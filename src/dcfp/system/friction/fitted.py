@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
-from dcfp.kernels.friction import ExponentialLaw
+from dcfp.kernels.friction import Law, exponential_law
 from dcfp.schema.formulas import Expression, number
 from dcfp.schema.parameters import Parameter, declared
 from dcfp.schema.units import DEGC, FRACTION, MM_PER_S, N_PER_MM2, NONE, PER_DEGC, S_PER_MM
@@ -148,9 +148,9 @@ class FittedFriction(FrictionLaw):
         rise = np.asarray(temperature, dtype=np.float64) - self.reference_temperature
         return np.asarray(np.exp(-self.temperature_rate * rise))
 
-    def at_pressure(self, pressure: float) -> ExponentialLaw:
+    def at_pressure(self, pressure: float) -> Law:
         """Return the constants for the kernels at a pressure [N/mm2]."""
-        return ExponentialLaw(
+        return exponential_law(
             self.mu_0 * float(self.pressure_factor(pressure)),
             self.speed_drop,
             self.speed_rate,

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
-from dcfp.kernels.friction import ExponentialLaw
+from dcfp.kernels.friction import Law, exponential_law
 from dcfp.schema.formulas import Expression
 from dcfp.schema.parameters import Parameter, declared
 from dcfp.schema.units import FRACTION, N_PER_MM2
@@ -143,10 +143,10 @@ class Kumar2015(FrictionLaw):
             return self.temperature_law.factor(temperature)
         return np.ones_like(temperature, np.float64)
 
-    def at_pressure(self, pressure: float) -> ExponentialLaw:
+    def at_pressure(self, pressure: float) -> Law:
         """Return the constants for the kernels at a pressure [N/mm2]."""
         law = self.temperature_law
-        return ExponentialLaw(
+        return exponential_law(
             self.mu_reference * float(self.pressure_factor(pressure)),
             VELOCITY_DROP if self.velocity_dependent else 0.0,
             VELOCITY_RATE,

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
-from dcfp.errors import InputError
+from dcfp.errors import AnalysisError, InputError
 from dcfp.kernels.friction import Law
 from dcfp.schema.formulas import Expression, Formula, number
 from dcfp.schema.notebook import fields_card
@@ -112,6 +112,17 @@ class FrictionLaw(Declared, ABC):
         super().__init_subclass__()
         if cls.__dict__.get("words"):
             FRICTION_LAWS.add(cls.name, cls)
+
+    @property
+    def title(self) -> str:
+        """By what a sentence calls the law."""
+        return self.name
+
+    def no_number(self, what: str, time: float | None = None) -> AnalysisError:
+        """Return the error of an analysis that has met no number, perhaps at a `time` [s], as where a law raises or returns nan."""
+        where = what if time is None else f"{what} at {time:.4g} s"
+        msg = f"{where}: no finite number; look at the friction law {self.title}, which may raise there or return nan or infinity."
+        return AnalysisError(msg)
 
     def tests(self) -> Tested | None:
         """Return the tests that the law rests on, where they are known."""

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
-from dcfp.kernels.friction import ExponentialLaw
+from dcfp.kernels.friction import Law, exponential_law
 from dcfp.schema.formulas import Expression
 from dcfp.schema.parameters import Parameter, declared
 from dcfp.schema.units import FRACTION
@@ -120,9 +120,9 @@ class Li2020(FrictionLaw):
             return temperature_factor(temperature)
         return np.ones_like(temperature, np.float64)
 
-    def at_pressure(self, pressure: float) -> ExponentialLaw:
+    def at_pressure(self, pressure: float) -> Law:
         """Return the constants for the kernels at a pressure [N/mm2]."""
-        return ExponentialLaw(
+        return exponential_law(
             self.mu_0 * float(self.pressure_factor(pressure)),
             ALPHA_DROP if self.velocity_dependent else 0.0,
             ALPHA_RATE,

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
-from dcfp.kernels.friction import CyclingLaw
+from dcfp.kernels.friction import Law, cycling_law
 from dcfp.schema.formulas import Expression
 from dcfp.schema.parameters import Parameter, declared
 from dcfp.schema.units import FRACTION, MM_PER_S, N_PER_MM2, N_PER_S, NONE
@@ -144,10 +144,10 @@ class Lomiento2013(FrictionLaw):
         """Cycling effect f_c [-]."""
         return cycling_factor(dose, self.reference_dose, self.dose_power)
 
-    def at_pressure(self, pressure: float) -> CyclingLaw:
+    def at_pressure(self, pressure: float) -> Law:
         """Return the constants for the kernels at a pressure [N/mm2]."""
         fast = self.mu_0 * float(self.pressure_factor(pressure)) * self.velocity_ratio
-        return CyclingLaw(
+        return cycling_law(
             fast,
             1.0 - 1.0 / self.velocity_ratio,
             1.0 / self.reference_speed,

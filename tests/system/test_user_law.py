@@ -1,0 +1,156 @@
+"""A law that a user writes: called by address, kept on the disk where it is safe, and refused at once where it gives no number."""
+
+import math
+import pickle
+import subprocess
+import sys
+from pathlib import Path
+
+import numba
+import numpy as np
+import pytest
+
+import dcfp
+from dcfp import AnalysisError, UserFriction
+from dcfp.kernels.friction import Law, coefficient, law_by_address
+from dcfp.kernels.user_law import compile_law
+from dcfp.schema.parameters import declared
+from dcfp.system import FrictionLaw
+
+pytestmark = pytest.mark.filterwarnings("error")
+
+
+def slow_rise(pressure: float, speed: float, temperature: float) -> float:
+    return 0.04 + 1e-5 * speed + 1e-6 * pressure - 1e-5 * temperature
+
+
+def raises(pressure: float, speed: float, temperature: float) -> float:
+    if temperature > 25.0:
+        msg = "too hot"
+        raise ValueError(msg)
+    return 0.05
+
+
+def divides(pressure: float, speed: float, temperature: float) -> float:
+    return 0.05 if temperature < 25.0 else 1.0 / (temperature - temperature)
+
+
+def is_infinite(pressure: float, speed: float, temperature: float) -> float:
+    return 0.05 if temperature < 25.0 else np.inf
+
+
+def is_nan(pressure: float, speed: float, temperature: float) -> float:
+    return 0.05 if temperature < 25.0 else math.nan
+
+
+DOORS = {
+    "respond": lambda law: dcfp.respond(dcfp.load_motion("NCC"), friction=law),
+    "pulses": lambda law: dcfp.march_through_pulses(dcfp.load_motion("NCC"), friction=law),
+    "test": lambda law: dcfp.run_program(dcfp.load_program("asce"), friction=law),
+    "building": lambda law: dcfp.respond_building(
+        dcfp.load_motion("NCC"), dcfp.ShearBuilding((1.0, 1.0), (100.0,)), friction=law
+    ),
+}
+
+
+@pytest.mark.parametrize("door", DOORS)
+@pytest.mark.parametrize("law", [raises, divides, is_infinite, is_nan])
+def test_a_law_without_a_number_is_named_at_once(law, door: str) -> None:
+    with pytest.raises(AnalysisError, match=rf"no finite number; look at the friction law '{law.__name__}'"):
+        DOORS[door](UserFriction(law))
+
+
+def test_the_time_and_the_label_are_told() -> None:
+    with pytest.raises(AnalysisError, match=r"^NCC at 4\.26 s: .* law 'my law'"):
+        dcfp.respond(dcfp.load_motion("NCC"), friction=UserFriction(raises, "my law"))
+
+
+@pytest.mark.parametrize("door", DOORS)
+def test_a_law_travels_as_a_function(door: str) -> None:
+    law = pickle.loads(pickle.dumps(UserFriction(slow_rise, "slow")))
+    assert law == UserFriction(slow_rise, "slow")
+    DOORS[door](law)
+
+
+def test_a_law_under_numba_keeps_its_options() -> None:
+    fast = UserFriction(numba.njit(fastmath=True)(slow_rise))
+    assert float(fast.coefficient(60.0, 100.0, 20.0)) == pytest.approx(0.04086)
+
+
+def with_constants(constants, pressure: float, speed: float, temperature: float, cycling: float) -> float:
+    return constants[0] * (1.0 - constants[1] * speed) + constants[5] * cycling + 0.0 * pressure * temperature
+
+
+@declared
+class OwnLaw(FrictionLaw):
+    """A law with constants of its own, by address."""
+
+    name = "own"
+
+    def at_pressure(self, pressure: float) -> Law:
+        return law_by_address(
+            compile_law(with_constants, None).address, (0.001 * pressure, 1e-4, 0.0, 0.0, 0.0, 1e-9)
+        )
+
+
+def test_a_law_by_address_sees_its_constants_and_the_cycling_parameter() -> None:
+    law = OwnLaw().at_pressure(60.0)
+    assert coefficient(law, 60.0, 100.0, 20.0, 1e6) == pytest.approx(0.06 * 0.99 + 1e-3, rel=1e-14)
+    response = dcfp.respond(dcfp.load_motion("NCC"), friction=OwnLaw())
+    assert response.friction.max() > 0.06
+
+
+SCRIPT = """
+import dcfp
+from {module} import mu
+law = dcfp.UserFriction(mu)
+callback = law._compiled._callback
+print(float(law.coefficient(60.0, 100.0, 20.0)), getattr(callback, "cache_hits", 0))
+"""
+OWN_MODULE = """
+import math
+import numpy as np
+from numba import njit
+{imports}
+FACTOR = {factor}
+@njit
+def rise(speed):
+    return 1.0 - 0.5 * math.exp(-0.02 * speed)
+def mu(pressure, speed, temperature):
+    return FACTOR * rise(speed) * np.exp(-0.001 * temperature){extra}
+"""
+
+
+def answers(folder: Path, module: str = "laws") -> tuple[float, int]:
+    """Return what a new process says of the law in a module, and how often its code came from the disk."""
+    command = [sys.executable, "-B", "-c", SCRIPT.format(module=module)]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=True)
+    value, hits = done.stdout.split()
+    return float(value), int(hits)
+
+
+def value_of(factor: float) -> float:
+    return factor * (1.0 - 0.5 * math.exp(-2.0)) * math.exp(-0.02)
+
+
+def test_the_code_of_a_law_is_kept_until_the_law_is_edited(tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.setenv("DCFP_CACHE_DIR", str(tmp_path / "cache"))
+    source = tmp_path / "laws.py"
+    source.write_text(OWN_MODULE.format(imports="", factor=0.06, extra=""))
+    assert answers(tmp_path) == (pytest.approx(value_of(0.06)), 0)
+    assert answers(tmp_path) == (pytest.approx(value_of(0.06)), 1)
+    source.write_text(OWN_MODULE.format(imports="", factor=0.07, extra=""))
+    assert answers(tmp_path) == (pytest.approx(value_of(0.07)), 0)
+    # a value that the law takes from elsewhere, and code that it takes from elsewhere
+    source.write_text(OWN_MODULE.format(imports="from other import SCALE, halved", factor="SCALE", extra=""))
+    other = "SCALE = {}\nfrom numba import njit\n@njit\ndef halved(x):\n    return {} * x\n"
+    (tmp_path / "other.py").write_text(other.format(0.06, 0.5))
+    assert answers(tmp_path)[1] == 1
+    (tmp_path / "other.py").write_text(other.format(0.05, 0.5))
+    assert answers(tmp_path) == (pytest.approx(value_of(0.05)), 0)
+    source.write_text(
+        OWN_MODULE.format(imports="from other import halved", factor=0.06, extra=" + halved(0.01)")
+    )
+    assert answers(tmp_path) == (pytest.approx(value_of(0.06) + 0.005), 0)
+    (tmp_path / "other.py").write_text(other.format(0.05, 0.4))
+    assert answers(tmp_path) == (pytest.approx(value_of(0.06) + 0.004), 0)
