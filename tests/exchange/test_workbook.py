@@ -117,7 +117,13 @@ def test_the_inputs_say_what_and_from_where(book, calculation) -> None:
     sheet = book["Inputs"]
     cells = {row[0].value: row[1].value for row in sheet.iter_rows(max_col=2)}
     bearing = calculation.scenario.model.bearing
-    assert cells["radii 1"] == bearing.radii[0]
+    for part in (bearing, calculation.scenario.model.friction, calculation.scenario.model.heating):
+        for parameter, value in part.rows():
+            written = parameter.written(value)
+            if isinstance(written, list):
+                assert [cells[f"{parameter.words} {number}"] for number in (1, 2)] == written
+            elif isinstance(written, float):
+                assert cells[parameter.words] == written
     assert cells["vertical force"] == pytest.approx(bearing.vertical_force, rel=1e-14)
     assert cells["mu_n"] == calculation.nominal.value
     rows = table(sheet, "Case")

@@ -1,22 +1,21 @@
 """The sheet of inputs: bearing, friction law, heating model, ground motions."""
 
-from dataclasses import fields
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, cast
 
 from dcfp.exchange.excel.sheet import COUNT, Head, Sheet
 from dcfp.schema.citations import citations_of
-from dcfp.schema.notebook import units_of
 from dcfp.version import version
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dcfp.motion.ground_motion import GroundMotion
+    from dcfp.schema.parameters import Declared
     from dcfp.study.scenario import Calculation
     from dcfp.system import Bearing
 
 
-_HEADS = (Head("Quantity", width=26), Head("Value", width=22), Head("Unit", width=12))
+_HEADS = (Head("Quantity", width=40), Head("Value", width=22), Head("Unit", width=12))
 _MOTIONS = (
     Head("Case", width=18),
     Head("Record", width=16),
@@ -58,19 +57,15 @@ def write_inputs(sheet: Sheet, calculation: "Calculation", cases: "Sequence[str]
         sheet.page.set_column(column, column, head.width)
 
 
-def _constants(thing: Any) -> list[list[object]]:
-    """Return name, value and unit of every parameter."""
-    units = units_of(thing)
+def _constants(thing: "Declared") -> list[list[object]]:
+    """Return words, value and unit of every parameter, in its declared unit."""
     rows: list[list[object]] = []
-    for item in fields(thing):
-        if not item.init:
-            continue
-        value = getattr(thing, item.name)
-        several = cast("tuple[object, ...]", value) if isinstance(value, tuple) else (value,)
+    for parameter, value in thing.rows():
+        written = "not given" if value is None or value == "" else parameter.written(value)
+        several = cast("list[object]", written) if isinstance(written, list) else [written]
         for number, one in enumerate(several, 1):
-            label = f"{item.name} {number}" if len(several) > 1 else item.name
-            shown = "not given" if one is None or one == "" else one
-            rows.append([label.replace("_", " "), shown, units.get(item.name, "")])
+            label = f"{parameter.words} {number}" if len(several) > 1 else parameter.words
+            rows.append([label, one, parameter.unit.name])
     return rows
 
 

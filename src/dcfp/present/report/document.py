@@ -1,5 +1,6 @@
 """What a report is made of, whatever it is written in: both renderers hold the same words and the same numbers."""
 
+import re
 import unicodedata
 from dataclasses import dataclass
 from enum import Enum
@@ -195,6 +196,12 @@ def cells(*texts: str | Parts) -> tuple[Cell, ...]:
 def heads(*texts: str | Parts) -> tuple[Parts, ...]:
     """Return the head of a table."""
     return tuple((text,) if isinstance(text, str) else text for text in texts)
+
+
+def maths_of(symbol: str) -> str:
+    """Return a symbol in LaTeX as `dcfp.present.report.maths` reads it."""
+    plain = re.sub(r"\\mathrm\{(\w+)\}|\\(max|min)", r'"\1\2"', symbol)
+    return plain.replace("\\", "").replace("{", "(").replace("}", ")")
 
 
 def named_values(rows: "list[tuple[str, str | Parts]]", caption: str = "") -> Table:

@@ -1,8 +1,5 @@
 """What the calculation starts from, and where each value comes from."""
 
-from dataclasses import fields
-from typing import Any
-
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.present.report.checks import label_of
 from dcfp.present.report.document import (
@@ -16,6 +13,7 @@ from dcfp.present.report.document import (
     Tone,
     cells,
     heads,
+    maths_of,
     named_values,
     short,
     words,
@@ -23,6 +21,7 @@ from dcfp.present.report.document import (
 )
 from dcfp.present.report.references import source_of
 from dcfp.schema.citations import citation
+from dcfp.schema.parameters import Declared
 from dcfp.study.scenario import Calculation
 from dcfp.system import LI_2020, FrictionLaw, Heating
 from dcfp.system.heating import constant_flux_rise
@@ -49,24 +48,20 @@ def inputs_section(calculation: Calculation) -> Section:
 
 def _bearing(calculation: Calculation) -> Table:
     bearing = calculation.scenario.model.bearing
-    radii = ", ".join(f"{short(radius)} mm" for radius in bearing.radii)
-    kind = "lower, upper plate" if len(bearing.radii) > 1 else "single concave plate"
-    capacity = bearing.displacement_capacity
-    return named_values(
-        [
-            ("Name", bearing.name),
-            ("Effective radius", f"{radii} ({kind})"),
-            ("Diameter of the slider", f"{short(bearing.slider_diameter)} mm"),
-            ("Pressure on the slider", f"{short(bearing.pressure)} N/mm²"),
-            (
-                "Stiffness before sliding",
-                (Maths("k_f"), f" = {short(bearing.elastic_stiffness / _KILO)} kN/mm"),
-            ),
-            ("Displacement capacity", "not given" if capacity is None else f"{short(capacity)} mm"),
-            ("Source of the capacity", bearing.capacity_note),
-            ("Bearing of Li et al. (2020)", "unchanged" if bearing == LI_2020 else ""),
-        ]
-    )
+    unchanged = "unchanged" if bearing == LI_2020 else ""
+    return named_values([*_parameters(bearing), ("Bearing of Li et al. (2020)", unchanged)])
+
+
+def _parameters(thing: Declared) -> list[tuple[str, str | Parts]]:
+    """Return words, symbol and value of every parameter, in its declared unit."""
+    rows: list[tuple[str, str | Parts]] = []
+    for parameter, value in thing.rows():
+        symbol: Parts = (
+            (Maths(maths_of(parameter.symbol)), " = ") if parameter.symbol and value is not None else ()
+        )
+        text = "" if value == "" else parameter.text(value).replace("-", "−")
+        rows.append((parameter.words[:1].upper() + parameter.words[1:], (*symbol, text) if text else ""))
+    return rows
 
 
 def _friction(calculation: Calculation) -> tuple[Block, ...]:
@@ -82,7 +77,7 @@ def _friction(calculation: Calculation) -> tuple[Block, ...]:
         ("Law", law.name),
         ("Source", citation(law.citation) if law.citation else ""),
         ("Speed in it", f"{speed}, in mm/s; pressure in N/mm², temperature in °C"),
-        *_constants(law),
+        *_parameters(law),
         ("Tests behind it", _tests(law)),
         ("Caution", law.caution),
         ("Nominal coefficient", (Maths("mu_n"), f" = {nominal.value:.4f}: {nominal.source}")),
@@ -102,30 +97,11 @@ def _tests(law: FrictionLaw) -> str:
     )
 
 
-def _constants(one: Any) -> list[tuple[str, str | Parts]]:
-    """Return the parameters of a law or a model by their names in the scenario file."""
-    values = [(item.name, getattr(one, item.name)) for item in fields(one) if item.init and item.repr]
-    shown = [f"{name} = {_value(value)}" for name, value in values if value is not None]
-    return [("Constants", ", ".join(shown))]
-
-
-def _value(value: object) -> str:
-    if isinstance(value, bool) or not isinstance(value, (int, float)):
-        return str(value).lower() if isinstance(value, bool) else str(value)
-    return f"{value:.6g}".replace("-", "−")
-
-
 def _heating(heating: Heating) -> tuple[Block, ...]:
-    thick = heating.thickness
-    plates = "endlessly thick" if thick is None else f"{short(thick)} mm thick, back {heating.back}"
     table = named_values(
         [
             ("Model", f"{heating.name}: {heating.description}"),
-            ("Conductivity", (Maths("k"), f" = {short(heating.conductivity)} N/(s °C), which is W/(m °C)")),
-            ("Diffusivity", (Maths("D"), f" = {short(heating.diffusivity)} mm²/s")),
-            ("Temperature at the start", f"{short(heating.ambient)} °C"),
-            ("Plates", plates),
-            ("Cells across the contact", str(getattr(heating, "cells", ""))),
+            *_parameters(heating),
             ("Rise under 1 N/(mm s) for 1 s", f"{float(constant_flux_rise(heating, 1.0, 1.0)):.4f} °C"),
         ]
     )
