@@ -19,7 +19,7 @@ SCENARIOS = {
     "soft": ('[factors]\nrecord = ["NCC"]\npgv = { values = [0.005], unit = "m/s" }\n', "nothing is predicted to move"),
     "high friction": ('[factors]\nrecord = ["NCC"]\n[bearing.friction]\nlaw = "constant"\nmu = 0.12\n', "the method cannot be used"),
     "wearing": ('[factors]\nrecord = ["KNA"]\n[bearing]\nradii = [2000, 3000]\n[bearing.friction]\nlaw = "lomiento2013"\n', "The law has no formula for a single state."),
-    "thin plates": ('[factors]\nrecord = ["KNA"]\n[bearing.heating]\nmodel = "precise"\nthickness = 40\nback = "ambient"\n', "40 mm thick, back ambient"),
+    "thin plates": ('[factors]\nrecord = ["KNA"]\n[bearing.heating]\nmodel = "precise"\nthickness = 40\nback = "ambient"\n', "Back of plates of finite thickness"),
 }  # fmt: skip
 
 
