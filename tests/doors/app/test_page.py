@@ -52,18 +52,20 @@ def test_a_file_of_peer_and_one_of_k_net(open_page, record_file):
 
 def test_another_bearing_gives_other_numbers(open_page):
     page = open_page()
-    fill(page, "Radius, lower plate [mm]", "2500")
-    fill(page, "Radius, upper plate [mm]", "3000")
-    fill(page, "Slider diameter [mm]", "350")
-    fill(page, "Reference µ [–]", "0.09")
-    fill(page, "Ambient [°C]", "-10")
+    fill(page, "Effective radius of the lower plate [mm]", "2500")
+    fill(page, "Effective radius of the upper plate [mm]", "3000")
+    fill(page, "Diameter of the slider [mm]", "350")
+    fill(page, "Coefficient at 60 N/mm2, 400 mm/s and 17.5 degC", "0.09")
+    fill(page, "Temperature at the start [°C]", "-10")
     bearing = dcfp.Bearing((2500.0, 3000.0), 350.0, 60.0, 1.9e6, 440.0)
     motion = dcfp.load_motion("NCC").scaled_to_pgv(500.0)
     response = dcfp.respond(motion, bearing, dcfp.Li2020(0.09), dcfp.SimplifiedHeating(ambient=-10.0))
     wait_for_tile(page, DISPLACEMENT, displacement(response))
     wait_for_tile(page, TEMPERATURE, f"{response.peak_temperature:.0f}")
-    fill(page, "Radius, lower plate [mm]", "")
-    page.get_by_role("alert").filter(has_text="The radius of the lower plate [mm] is missing.").wait_for()
+    fill(page, "Effective radius of the lower plate [mm]", "")
+    page.get_by_role("alert").filter(
+        has_text="The effective radius of the lower plate [mm] is missing."
+    ).wait_for()
     page.get_by_text("of the last valid input").wait_for()
     page.get_by_role("button", name="Bearing of the paper").first.click()
     wait_for_tile(page, DISPLACEMENT, displacement(dcfp.respond(motion)))
@@ -94,7 +96,7 @@ def test_units_are_for_showing_only(open_page):
     page.get_by_label("Unit of temperatures").click()
     page.get_by_role("option", name="°F").click()
     wait_for_tile(page, TEMPERATURE, f"{response.peak_temperature * 1.8 + 32.0:.0f}")
-    assert page.get_by_label("Radius, lower plate [mm]").first.input_value() == "4500"
+    assert page.get_by_label("Effective radius of the lower plate [mm]").first.input_value() == "4500"
 
 
 def test_predictions_and_codes_stand_beside_the_analysis(open_page):

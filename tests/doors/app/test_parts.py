@@ -1,6 +1,8 @@
 """The parts of the page that need no browser."""
 
 import asyncio
+from itertools import pairwise
+from typing import Annotated, ClassVar
 
 import numpy as np
 import pytest
@@ -8,35 +10,106 @@ import pytest
 pytest.importorskip("nicegui", reason="the web page needs nicegui")
 
 import dcfp
-from dcfp.doors.app.charts.look import kept
-from dcfp.doors.app.forms import HEATINGS, LAWS, LIMITS, BearingForm
+from dcfp.doors.app.forms import BearingForm, bearing_fields
 from dcfp.doors.app.serve import LARGEST_BODY, Guard
 from dcfp.doors.app.session import MOST_COMPONENTS, MOST_FILES, Session, plain_name, read_upload
+from dcfp.doors.app.thinning import TOLERANCE, kept, kept_of_path, turning_points
 from dcfp.doors.app.units import Units
 from dcfp.errors import InputError
-from dcfp.system import FRICTION_LAWS, System
-from dcfp.system import HEATINGS as HEATING_MODELS
+from dcfp.schema.parameters import Parameter, declared
+from dcfp.schema.units import MM, NONE
+from dcfp.system import FRICTION_LAWS, HEATINGS, LI_2020, ConstantFriction, Li2020, System
 
 from .conftest import at2_text, pulse_motion
 
 
 def test_the_fields_begin_with_the_paper_s_bearing():
-    assert BearingForm().model() == System()
+    assert BearingForm().system() == System()
 
 
-def test_every_law_and_heating_can_be_chosen():
-    assert {*LAWS, "fitted"} == set(FRICTION_LAWS)
-    assert set(HEATINGS) == set(HEATING_MODELS)
-    for law in LAWS:
-        assert BearingForm(law=law, mu=0.06).model().friction.reference == pytest.approx(0.06)
+@pytest.mark.parametrize("name", FRICTION_LAWS)
+def test_every_law_can_be_chosen_with_its_own_parameters(name):
+    form = BearingForm()
+    form.put("law", name)
+    assert form.system().friction == FRICTION_LAWS[name]()
+    form.put(form.reference, 0.06)
+    assert form.system().friction == FRICTION_LAWS[name]().with_reference(0.06)
+    for key, one in form.law_fields().items():
+        assert form.values[key] == one.written(getattr(form.system().friction, one.name))
 
 
-@pytest.mark.parametrize("name", [name for name in LIMITS if name not in ("capacity", "thickness")])
+@pytest.mark.parametrize("name", HEATINGS)
+def test_every_heating_model_can_be_chosen_and_keeps_the_plates(name):
+    form = BearingForm()
+    for key, value in (("ambient", -10.0), ("thickness", 50.0), ("conductivity", 20.0)):
+        form.put(key, value)
+    form.put("heating", name)
+    assert form.system().heating == HEATINGS[name](20.0, ambient=-10.0, thickness=50.0)
+
+
+def test_a_parameter_of_a_law_that_another_module_adds_has_a_field():
+    @declared
+    class Toy(ConstantFriction):
+        name: ClassVar[str] = "toy"
+        words: ClassVar[str] = "of a test"
+        length: Annotated[float, Parameter("length of the toy", MM, 1.0, 9.0, step=0.5)] = 2.0
+        pair: Annotated[tuple[float, float] | None, Parameter("ends of the toy", NONE, 0.0, 1.0)] = None
+
+    try:
+        form = BearingForm()
+        form.put("law", "toy")
+        assert [one.words for one in form.law_fields().values()] == [
+            "coefficient of friction", "length of the toy", "ends of the toy",
+        ]  # fmt: skip
+        form.put("friction.length", 3.0)
+        form.put("friction.pair", [0.25, 0.5])
+        law = form.system().friction
+        assert (law.name, vars(law)) == ("toy", {"mu": 0.043, "length": 3.0, "pair": (0.25, 0.5)})
+        form.put("friction.length", 9.5)
+        with pytest.raises(
+            InputError, match=r"^The length of the toy must be a number of mm from 1 to 9, not 9\.5\.$"
+        ):
+            form.system()
+    finally:
+        FRICTION_LAWS.remove("toy")
+
+
+@pytest.mark.parametrize("name", [name for name, one in bearing_fields().items() if not one.optional])
 def test_an_empty_field_and_one_out_of_range_are_said(name):
-    with pytest.raises(InputError, match="is missing"):
-        BearingForm(**{name: None}).model()
-    with pytest.raises(InputError, match=r"must be from .* to .*, not 1000000000"):
-        BearingForm(**{name: 1e9}).model()
+    form = BearingForm()
+    words = bearing_fields()[name].words
+    form.put(name, None)
+    with pytest.raises(InputError, match=f"^The {words} .* is missing"):
+        form.system()
+    form.put(name, 1e9)
+    with pytest.raises(InputError, match=f"^The {words} must be a number of .* from .* to .*, not 1e\\+09"):
+        form.system()
+
+
+def test_a_field_asks_whether_another_unit_was_meant():
+    form = BearingForm()
+    form.put("lower_radius", 4.5)
+    with pytest.raises(InputError, match=r"not 4\.5 \(were m meant\?\)\.$"):
+        form.system()
+    form.reset()
+    form.put("stiffness", 1.9)
+    with pytest.raises(InputError, match=r"were MN/mm meant"):
+        form.system()
+
+
+def test_another_bearing_has_a_name_of_its_own():
+    form = BearingForm()
+    form.put("slider", 350.0)
+    form.put("capacity", None)
+    bearing = form.system().bearing
+    assert (bearing.slider_diameter, bearing.displacement_capacity, bearing.name) == (
+        350.0,
+        None,
+        "bearing of the page",
+    )
+    form.reset()
+    assert form.system().bearing is LI_2020
+    assert form.system().friction == Li2020()
 
 
 def test_thinning_keeps_every_extreme():
@@ -51,6 +124,65 @@ def test_thinning_keeps_every_extreme():
         for column in columns:
             assert column[chosen].max() == column.max()
             assert column[chosen].min() == column.min()
+
+
+def long_loop() -> tuple[np.ndarray, np.ndarray]:
+    """Displacement and force of a record of 300 s."""
+    time = np.arange(0.0, 300.0, 0.01)
+    random = np.random.default_rng(3).normal(size=time.size)
+    waves = np.convolve(random, np.hanning(120), "same") * np.sin(np.pi * time / 300.0) ** 2
+    motion = dcfp.GroundMotion(waves - waves.mean(), 0.01, name="long").scaled_to_pgv(700.0)
+    response = dcfp.respond(motion)
+    return response.displacement, response.force
+
+
+def farthest_from(path: np.ndarray, chosen: np.ndarray) -> float:
+    """How far a path is from the chords between the chosen of its points."""
+    largest = 0.0
+    for first, last in pairwise(chosen.tolist()):
+        chord, along = path[last] - path[first], path[first : last + 1] - path[first]
+        share = np.clip(along @ chord / max(float(chord @ chord), 1e-300), 0.0, 1.0)
+        largest = max(largest, float(np.hypot(*(along - share[:, None] * chord).T).max()))
+    return largest
+
+
+def test_a_loop_is_thinned_along_its_path():
+    y, force = long_loop()
+    assert y.size > 30_000
+    path = np.column_stack((y / np.ptp(y), force / np.ptp(force)))
+    chosen = kept_of_path(y, force)
+    assert chosen.size < 0.2 * y.size
+    assert (chosen[0], chosen[-1]) == (0, y.size - 1)
+    assert (np.diff(chosen) > 0).all()
+    assert farthest_from(path, chosen) <= TOLERANCE * (1.0 + 1e-9)
+    # along time it would be chords with tips that are none
+    assert farthest_from(path, kept((y, force), 700)) > 20.0 * TOLERANCE
+    # every turn that can be seen, found in another way: a top or a bottom with lower or higher ground on both sides
+    turns = np.flatnonzero(np.diff(np.sign(np.diff(y)), prepend=0.0, append=0.0)[:-1])
+    inside = [place for place in turns.tolist() if stands_out(y, place, TOLERANCE * float(np.ptp(y)))]
+    assert len(inside) > 100
+    assert set(inside) <= set(chosen.tolist())
+
+
+def stands_out(values: np.ndarray, place: int, least: float) -> bool:
+    """Whether a sample is an extreme from which both ways lead away by more than `least` before they pass it."""
+    for sign in (1.0, -1.0):
+        heights = sign * (values - values[place])
+        sides = (heights[:place][::-1], heights[place + 1 :])
+        if all(_falls_first(side, least) for side in sides):
+            return True
+    return False
+
+
+def _falls_first(heights: np.ndarray, least: float) -> bool:
+    below, above = np.flatnonzero(heights < -least), np.flatnonzero(heights >= 0.0)
+    return below.size > 0 and (above.size == 0 or below[0] < above[0])
+
+
+def test_turning_points_are_those_that_can_be_seen():
+    values = np.array([0.0, 0.5, 1.0, 0.95, 1.1, 0.2, 0.21, -1.0, 0.0])
+    assert turning_points(values, 0.1).tolist() == [4, 7]
+    assert turning_points(np.zeros(5), 0.1).tolist() == []
 
 
 def test_units_are_factors():
@@ -141,6 +273,13 @@ async def _reading(scope, receive, send) -> None:
         (False, {b"host": b"10.0.0.1:8080"}, 200),
         (False, {b"host": b"10.0.0.1:8080", b"origin": b"http://10.0.0.1:8080"}, 200),
         (False, {b"host": b"10.0.0.1:8080", b"origin": b"http://evil.example"}, 403),
+        (False, {b"host": b"10.0.0.1:8080", b"origin": b"http://10.0.0.1:8081"}, 403),
+        (False, {b"host": b"10.0.0.1:8080", b"origin": b"http://10.0.0.1"}, 403),
+        (False, {b"host": b"10.0.0.1:8080", b"origin": b"https://10.0.0.1:8080"}, 403),
+        (False, {b"host": b"10.0.0.1", b"origin": b"http://10.0.0.1:80"}, 200),
+        (False, {b"host": b"10.0.0.1:8080", b"origin": b"null"}, 403),
+        (False, {b"host": b"", b"origin": b"null"}, 403),
+        (False, {b"host": b"10.0.0.1:8080", b"origin": b"http://10.0.0.1:port"}, 403),
         (True, {b"host": b"localhost", b"content-length": str(LARGEST_BODY + 1).encode()}, 413),
     ],
 )

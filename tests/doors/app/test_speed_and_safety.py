@@ -67,7 +67,7 @@ async def _visit(browser, address: str, number: int, seconds: float) -> tuple[in
     turns, until = 0, loop.time() + seconds
     while loop.time() < until or turns == 0:
         slider = 300 + 10 * number + turns % 5
-        await page.get_by_label("Slider diameter [mm]", exact=True).first.fill(str(slider))
+        await page.get_by_label("Diameter of the slider [mm]", exact=True).first.fill(str(slider))
         bearing = dcfp.Bearing((4500.0, 4500.0), float(slider), 60.0, 1.9e6, 440.0)
         wanted = f"{dcfp.respond(motion, bearing).peak_displacement:.1f}"
         force = f"{dcfp.respond(motion, bearing).peak_force / 1e3:.0f}"

@@ -52,7 +52,7 @@ class Task:
             raise InputError(msg)
         return cls(
             tuple(session.motion(key) for key in session.chosen),
-            session.bearing.model(),
+            session.bearing.system(),
             None if session.as_recorded else session.pgv * 1e3,
             session.baseline,
             session.corner,

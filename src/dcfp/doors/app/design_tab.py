@@ -102,7 +102,7 @@ class DesignTab:
             self._show(self._space)
 
     def _question(self, pgv: float) -> Question:
-        return Question.of(self._session.bearing.model(), self._records, pgv)
+        return Question.of(self._session.bearing.system(), self._records, pgv)
 
     async def _work(self) -> None:
         try:

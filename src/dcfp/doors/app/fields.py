@@ -1,17 +1,22 @@
 """Fields with a label above them, as every panel uses them, and those of the bearing, its friction and its heat."""
 
 import math
-from collections.abc import Callable, Generator, Mapping, Sequence
-from contextlib import contextmanager
-from typing import Any
+from collections.abc import Callable, Collection, Generator, Mapping, Sequence
+from contextlib import contextmanager, nullcontext
+from functools import partial
+from typing import Any, cast
 
 from nicegui import ui
 
 from dcfp.doors.app.elements import Text
-from dcfp.doors.app.forms import HEATINGS, LAWS, LIMITS, BearingForm, Limits, reference_of
+from dcfp.doors.app.forms import BearingForm, bearing_fields, label_of
+from dcfp.schema.parameters import Parameter
+from dcfp.system import FRICTION_LAWS, HEATINGS
 
 #: Time in which no key is pressed before a number counts [ms].
 _PAUSE = 120
+#: The one field of the heat that is not folded up.
+_AMBIENT = "ambient"
 
 
 @contextmanager
@@ -43,27 +48,46 @@ def _labelled(label: str) -> Generator[str]:
         yield name
 
 
-def number_field(
-    label: str,
-    unit: str,
-    value: float | None,
-    limits: Limits,
-    change: Callable[[float | None], None],
-    *,
-    hint: str = "",
-) -> ui.number:
-    """Add a field for a number of `unit`; `hint` stands in it while it is empty."""
+def parameter_field(
+    one: Parameter, value: Any, change: Callable[[Any], None], words: Mapping[str, str] | None = None
+) -> Any:
+    """Add the field of a parameter, for a number, several of them, a switch or a choice, whose choices `words` may put into words."""
+    label = label_of(one)
+    if one.kind is bool:
+        return switch_field(label, bool(value), change)
+    if one.choices:
+        return choice_field(label, words or {name: name for name in one.choices}, value, change)
+    unit = one.unit.name if one.unit.has_dimension else ""
     with _labelled(label) as name:
-        made = ui.number(
-            value=value,
-            step=limits.step,
-            suffix=unit or None,
-            placeholder=hint or None,
-            on_change=lambda event: change(_number(event.value)),
-        )
+        if one.counts:
+            made: Any = ui.input(value=_listed(value), suffix=unit or None, placeholder=one.absent or None, on_change=lambda event: change(_several(event.value)))  # fmt: skip
+        else:
+            made = ui.number(value=value, step=one.step, suffix=unit or None, placeholder=one.absent or None, on_change=lambda event: change(_number(event.value)))  # fmt: skip
         made.props(f"outlined dense for={name} debounce={_PAUSE}")
         made.props["aria-label"] = f"{label} [{unit}]" if unit else label
     return made
+
+
+def shown_value(one: Parameter, value: Any) -> Any:
+    """Return a value as its field shows it."""
+    return _listed(value) if one.counts else value
+
+
+def _listed(value: Any) -> str:
+    """Return several numbers as text; what is none of them, which a field may hold too, as it is."""
+    return (
+        ", ".join(f"{number:g}" for number in cast("list[float]", value))
+        if isinstance(value, list)
+        else str(value or "")
+    )
+
+
+def _several(text: str | None) -> Any:
+    """Return the numbers of a text; None where it is empty, and the text itself where it holds anything else."""
+    try:
+        return [float(part) for part in text.split(",")] if text and text.strip() else None
+    except ValueError:
+        return text
 
 
 def _number(value: object) -> float | None:
@@ -121,19 +145,6 @@ class Alert:
         self._text.set_visibility(bool(sentence))
 
 
-# The fields of the bearing, its friction and its heat.
-
-
-_NUMBERS = (
-    ("lower_radius", "Radius, lower plate", "mm", ""),
-    ("upper_radius", "Radius, upper plate", "mm", ""),
-    ("slider", "Slider diameter", "mm", ""),
-    ("pressure", "Pressure", "N/mm²", ""),
-    ("stiffness", "Stiffness at rest", "kN/mm", ""),
-    ("capacity", "Capacity", "mm", "not known"),
-)
-
-
 class BearingPanel:
     """The fields; every page of a visitor has them, and they always show the same bearing.
 
@@ -144,68 +155,75 @@ class BearingPanel:
     changed
         Called when one of them has changed.
     varies
-        Names of fields that this page varies itself.
+        Names of fields that this page varies itself, with ``"mu"`` for the reference coefficient of any law.
     """
 
-    def __init__(self, form: BearingForm, changed: Callable[[], None], varies: tuple[str, ...] = ()) -> None:
-        self._form, self._changed = form, changed
-        self._fields: dict[str, Any] = {}
+    def __init__(self, form: BearingForm, changed: Callable[[], None], varies: Collection[str] = ()) -> None:
+        self._form, self._changed, self._varies = form, changed, varies
+        self._choices: dict[str, ui.select] = {}
+        self._places: dict[str, ui.element] = {}
+        self._fields: dict[str, dict[str, tuple[Parameter, Any]]] = {}
+        self._shown: tuple[str, str] = ("", "")
         self._quiet = False
-        numbers = [one for one in _NUMBERS if one[0] not in varies]
-        with card("Bearing"):
-            for first, second in zip(numbers[::2], numbers[1::2], strict=False):
-                with ui.element("div").classes("pair"):
-                    self._number(*first)
-                    self._number(*second)
-            if len(numbers) % 2:
-                self._number(*numbers[-1])
+        with card("Bearing"), ui.element("div").classes("pair") as self._places["bearing"]:
+            pass
         with card("Friction and heat"):
-            self._fields["law"] = choice_field("Friction law", LAWS, form.law, self._choose_law)
-            with ui.element("div").classes("pair"):
-                if "mu" not in varies:
-                    self._number("mu", "Reference µ", "–", "")
-                self._number("ambient", "Ambient", "°C", "")
-            self._fields["heating"] = choice_field(
-                "Temperature of the contact from", HEATINGS, form.heating, self._choose_heating
-            )
-            with more("Plates"):
-                self._number("thickness", "Thickness of the plates", "mm", "endless")
+            self._choice("law", "Friction law", {name: law.words for name, law in FRICTION_LAWS.items()})
+            words = {name: model.words for name, model in HEATINGS.items()}
+            self._choice("heating", "Temperature of the contact from", words)
             action("Bearing of the paper", self._reset)
+        self._fill("bearing", {key: one for key, one in bearing_fields().items() if key not in varies})
+        self.refresh()
 
     def refresh(self) -> None:
         """Show what the form holds, which another page may have changed."""
+        form = self._form
         self._quiet = True
-        for name, element in self._fields.items():
-            element.value = getattr(self._form, name)
+        for key, element in self._choices.items():
+            element.value = form.values[key]
+        chosen = (form.values["law"], form.values["heating"])
+        if chosen != self._shown:
+            self._shown = chosen
+            hidden = form.reference if "mu" in self._varies else ""
+            law = {key: one for key, one in form.law_fields().items() if key != hidden}
+            self._fill("law", law, form.reference, "Parameters of the law")
+            self._fill("heating", form.heating_fields(), _AMBIENT, "Plates and their heat")
+        for fields in self._fields.values():
+            for key, (one, element) in fields.items():
+                element.value = shown_value(one, form.values[key])
         self._quiet = False
 
-    def _number(self, name: str, label: str, unit: str, hint: str) -> None:
-        def change(value: float | None) -> None:
-            self._set(name, value)
-
-        self._fields[name] = number_field(
-            label, unit, getattr(self._form, name), LIMITS[name], change, hint=hint
+    def _choice(self, key: str, label: str, words: Mapping[str, str]) -> None:
+        """Add a choice and the place of the parameters that it brings."""
+        self._choices[key] = choice_field(
+            label, words, self._form.values[key], lambda name: self._put(key, name)
         )
+        self._places[key] = ui.element("div").classes("brought")
 
-    def _choose_law(self, law: str) -> None:
-        if law == self._form.law or self._quiet:
+    def _fill(self, place: str, fields: Mapping[str, Parameter], first: str = "", folded: str = "") -> None:
+        """Put fields into a place, all but the first folded up under a title where there is one."""
+        self._fields[place] = {}
+        self._places[place].clear()
+        with self._places[place]:
+            rest = [key for key in fields if key != first]
+            self._add(place, fields, [first] if first in fields else [])
+            with more(folded) if folded and rest else nullcontext():
+                self._add(place, fields, rest)
+
+    def _add(self, place: str, fields: Mapping[str, Parameter], keys: list[str]) -> None:
+        for key in keys:
+            made = parameter_field(fields[key], self._form.values[key], partial(self._put, key))
+            self._fields[place][key] = (fields[key], made)
+
+    def _put(self, key: str, value: Any) -> None:
+        if self._quiet or self._form.values[key] == value:
             return
-        self._form.law = law
-        self._form.mu = reference_of(law)
-        self.refresh()
-        self._changed()
-
-    def _choose_heating(self, heating: str) -> None:
-        self._set("heating", heating)
-
-    def _set(self, name: str, value: object) -> None:
-        if self._quiet or getattr(self._form, name) == value:
-            return
-        setattr(self._form, name, value)
+        self._form.put(key, value)
+        if key in ("law", "heating", self._form.reference):
+            self.refresh()
         self._changed()
 
     def _reset(self) -> None:
-        for name, value in vars(BearingForm()).items():
-            setattr(self._form, name, value)
+        self._form.reset()
         self.refresh()
         self._changed()

@@ -1,145 +1,176 @@
-"""What is put into the fields, and the model that it makes."""
+"""What stands in the fields, in the units beside them, and the system that it makes."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from itertools import takewhile
+from typing import Any
 
 from dcfp.errors import InputError
-from dcfp.system import LI_2020, Bearing, System, friction_law, heating_model
+from dcfp.schema.parameters import Declared, Parameter, build, parameters
+from dcfp.system import (
+    FRICTION_LAWS,
+    HEATINGS,
+    LI_2020,
+    Bearing,
+    FrictionLaw,
+    Heating,
+    System,
+    system_parameters,
+)
+from dcfp.system.system import OF_LAW
 
-#: Laws and heating models in words.
-LAWS = {
-    "li2020": "Li et al. (2020), the paper's",
-    "constant": "constant",
-    "constantinou1990": "Constantinou et al. (1990)",
-    "kumar2015": "Kumar et al. (2015)",
-    "kim2023-third": "Kim and Constantinou (2023), a third at 200 °C",
-    "kim2023-two-thirds": "Kim and Constantinou (2023), two thirds at 200 °C",
-    "lomiento2013": "Lomiento et al. (2013), unconfirmed",
-}
-HEATINGS = {
-    "simplified": "one point at the centre (simplified)",
-    "precise": "the whole line of the plate (precise)",
-    "none": "none",
-}
-
-
-@dataclass(frozen=True)
-class Limits:
-    """Least and largest value of a field, and the step of its buttons."""
-
-    least: float
-    most: float
-    step: float
+#: Fields of the two plates, whose radii are one parameter of a bearing.
+RADII = ("lower_radius", "upper_radius")
+#: What the friction of a new page is, and its heat.
+_BEGIN = System(LI_2020)
 
 
-#: Limits of the fields, in the units that stand beside them: what a wrong unit would pass.
-LIMITS = {
-    "lower_radius": Limits(100.0, 1e5, 100.0),
-    "upper_radius": Limits(100.0, 1e5, 100.0),
-    "slider": Limits(10.0, 5000.0, 10.0),
-    "pressure": Limits(0.1, 500.0, 1.0),
-    "stiffness": Limits(1.0, 1e6, 100.0),
-    "capacity": Limits(1.0, 1e4, 10.0),
-    "mu": Limits(0.001, 0.5, 0.005),
-    "ambient": Limits(-60.0, 100.0, 5.0),
-    "thickness": Limits(10.0, 200.0, 5.0),
-}
-_WORDS = {
-    "lower_radius": ("radius of the lower plate", "mm"),
-    "upper_radius": ("radius of the upper plate", "mm"),
-    "slider": ("slider diameter", "mm"),
-    "pressure": ("pressure on the slider", "N/mm²"),
-    "stiffness": ("stiffness before sliding", "kN/mm"),
-    "capacity": ("displacement capacity", "mm"),
-    "mu": ("reference coefficient", "-"),
-    "ambient": ("ambient temperature", "°C"),
-    "thickness": ("thickness of the plates", "mm"),
-}
-#: Fields that may be empty.
-_OPTIONAL = ("capacity", "thickness")
+def label_of(one: Parameter) -> str:
+    """Return the label of a field."""
+    return one.words[:1].upper() + one.words[1:]
+
+
+def read_field(one: Parameter, value: Any) -> Any:
+    """Return what stands in a field in the package's unit.
+
+    Raises
+    ------
+    InputError
+        If the field is empty, or its value is not allowed.
+    """
+    if value is None and not one.optional:
+        msg = f"The {one.words}{f' {one.unit.heading}' if one.unit.has_dimension else ''} is missing."
+        raise InputError(msg)
+    return one.read(value, f"The {one.words}")
+
+
+def read_fields(fields: Mapping[str, Parameter], values: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what stands in some fields by the names of their parameters; raises as `read_field`."""
+    return {one.name: read_field(one, values[key]) for key, one in fields.items()}
+
+
+def bearing_fields() -> dict[str, Parameter]:
+    """Return the parameters of a bearing that have a field, with a radius for each plate."""
+    known = system_parameters()
+    first = takewhile(lambda key: key != "law", known)
+    return {key: known[key] for key in first if known[key].is_number and not known[key].counts}
+
+
+def fields_of(kind: type[Declared], before: str = "") -> dict[str, Parameter]:
+    """Return the parameters of a declared class that have a field: all but free words; keys begin with `before`."""
+    found = parameters(kind).values()
+    return {before + one.key: one for one in found if one.is_number or one.kind is bool or one.choices}
+
+
+def _written(fields: Mapping[str, Parameter], thing: object) -> dict[str, Any]:
+    return {key: one.written(getattr(thing, one.name)) for key, one in fields.items()}
 
 
 @dataclass
 class BearingForm:
-    """The fields of a bearing, with the paper's values.
+    """The fields of a bearing, its friction law and its heating model; at first the paper's values.
 
     Attributes
     ----------
-    lower_radius, upper_radius, slider, capacity, thickness
-        [mm]; the last two may be None.
-    pressure
-        [N/mm2].
-    stiffness
-        Before sliding [kN/mm].
-    law, heating
-        Names.
-    mu
-        Reference coefficient of the law [-].
-    ambient
-        [degC].
+    values
+        What stands in each field by its key, in the unit beside it; None in an empty one.
     """
 
-    lower_radius: float | None = LI_2020.radii[0]
-    upper_radius: float | None = LI_2020.radii[1]
-    slider: float | None = LI_2020.slider_diameter
-    pressure: float | None = LI_2020.pressure
-    stiffness: float | None = LI_2020.elastic_stiffness / 1e3
-    capacity: float | None = LI_2020.displacement_capacity
-    law: str = "li2020"
-    mu: float | None = 0.075
-    ambient: float | None = 20.0
-    heating: str = "simplified"
-    thickness: float | None = None
+    values: dict[str, Any] = field(default_factory=dict[str, Any])
 
-    def model(self) -> System:
-        """Return the bearing with its law and heating model.
+    def __post_init__(self) -> None:
+        self.values = self.values or self._of(_BEGIN)
+
+    @property
+    def law(self) -> type[FrictionLaw]:
+        """The friction law that is chosen."""
+        return FRICTION_LAWS.find(self.values["law"])
+
+    @property
+    def heating(self) -> type[Heating]:
+        """The heating model that is chosen."""
+        return HEATINGS.find(self.values["heating"])
+
+    def law_fields(self) -> dict[str, Parameter]:
+        """Return the parameters of the chosen law that have a field, its reference coefficient first."""
+        fields = fields_of(self.law, OF_LAW)
+        first = self.reference
+        return fields if not first else {first: fields.pop(first), **fields}
+
+    def heating_fields(self) -> dict[str, Parameter]:
+        """Return the parameters of the chosen heating model that have a field."""
+        return fields_of(self.heating)
+
+    @property
+    def reference(self) -> str:
+        """Key of the reference coefficient of the chosen law; empty where it has none."""
+        name = self.law.reference_parameter
+        return next((key for key, one in fields_of(self.law, OF_LAW).items() if one.name == name), "")
+
+    def put(self, key: str, value: Any) -> None:
+        """Put a value into a field; another law or heating model brings its own parameters, and a reference coefficient scales its law."""
+        if key == "law":
+            self.values |= {
+                key: value,
+                **_written(fields_of(FRICTION_LAWS.find(value), OF_LAW), FRICTION_LAWS.find(value)()),
+            }
+        elif key == "heating":
+            self.values[key] = value
+            for name, one in self.heating_fields().items():
+                self.values.setdefault(name, one.written(one.default))
+        elif key == self.reference:
+            self._scale(key, value)
+        else:
+            self.values[key] = value
+
+    def reset(self) -> None:
+        """Put the paper's values into every field."""
+        self.values = self._of(_BEGIN)
+
+    def system(self) -> System:
+        """Return what the fields hold.
 
         Raises
         ------
         InputError
-            If a field is empty or out of range.
+            If a field is empty, or its value is not allowed.
         """
-        values = {name: self._checked(name) for name in LIMITS}
-        law = friction_law(self.law)
-        if values["mu"] != law.reference:
-            law = law.with_reference(values["mu"])
-        thickness = None if self.thickness is None else values["thickness"]
-        heating = heating_model(self.heating, {"ambient": values["ambient"], "thickness": thickness})
-        return System(self._bearing(values), law, heating)
-
-    def _bearing(self, values: dict[str, float]) -> Bearing:
-        capacity = None if self.capacity is None else values["capacity"]
-        numbers = (
-            (values["lower_radius"], values["upper_radius"]),
-            values["slider"],
-            values["pressure"],
-            values["stiffness"] * 1e3,
-            capacity,
+        return System(
+            self._bearing(),
+            self._law(),
+            build(self.heating, read_fields(self.heating_fields(), self.values), ""),
         )
-        paper = (
-            LI_2020.radii,
-            LI_2020.slider_diameter,
-            LI_2020.pressure,
-            LI_2020.elastic_stiffness,
-            LI_2020.displacement_capacity,
-        )
-        return LI_2020 if numbers == paper else Bearing(*numbers, name="bearing of the page")
 
-    def _checked(self, name: str) -> float:
-        value: float | None = getattr(self, name)
-        words, unit = _WORDS[name]
-        if value is None:
-            if name in _OPTIONAL:
-                return 0.0
-            msg = f"The {words} [{unit}] is missing."
-            raise InputError(msg)
-        limits = LIMITS[name]
-        if not limits.least <= value <= limits.most:
-            shown = "" if unit == "-" else f" {unit}"
-            msg = f"The {words} must be from {limits.least:g} to {limits.most:g}{shown}, not {value:.12g}."
-            raise InputError(msg)
-        return float(value)
+    def _bearing(self) -> Bearing:
+        known = {key: read_field(one, self.values[key]) for key, one in bearing_fields().items()}
+        found: dict[str, Any] = {"radii": tuple(known[key] for key in RADII)}
+        found |= {one.name: known[key] for key, one in bearing_fields().items() if key not in RADII}
+        if all(getattr(LI_2020, name) == value for name, value in found.items()):
+            return LI_2020
+        return Bearing(**found, name="bearing of the page")
 
+    def _law(self) -> FrictionLaw:
+        return build(self.law, read_fields(self.law_fields(), self.values), "")
 
-def reference_of(law: str) -> float:
-    """Return the reference coefficient that a law has of its own [-]."""
-    return friction_law(law).reference
+    def _scale(self, key: str, value: Any) -> None:
+        """Put in a reference coefficient and, where it and the rest are allowed, what it makes of the law's other parameters."""
+        try:
+            law = self._law().with_reference(read_field(self.law_fields()[key], value))
+        except InputError:
+            self.values[key] = value
+        else:
+            self.values |= _written(self.law_fields(), law)
+
+    @staticmethod
+    def _of(system: System) -> dict[str, Any]:
+        bearing = bearing_fields()
+        radii = dict(zip(RADII, system.bearing.radii, strict=True))
+        own = {key: one for key, one in bearing.items() if key not in RADII}
+        return {
+            **radii,
+            **_written(own, system.bearing),
+            "law": system.friction.name,
+            **_written(fields_of(type(system.friction), OF_LAW), system.friction),
+            "heating": system.heating.name,
+            **_written(fields_of(type(system.heating)), system.heating),
+        }  # fmt: skip

@@ -2,8 +2,7 @@
 
 import asyncio
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, cast
+from functools import partial
 
 from nicegui import ui
 
@@ -11,13 +10,12 @@ from dcfp.analysis.rig import Loops, Program, RigTest, Sine, load_program, run_p
 from dcfp.doors.app import downloads
 from dcfp.doors.app.charts import machine as charts
 from dcfp.doors.app.elements import Chart, Grid, Text
-from dcfp.doors.app.fields import Alert, BearingPanel, action, card, choice_field, number_field
-from dcfp.doors.app.forms import Limits
+from dcfp.doors.app.fields import Alert, BearingPanel, action, card, choice_field, parameter_field
+from dcfp.doors.app.forms import read_field
 from dcfp.doors.app.session import Latest, Session
-from dcfp.errors import DcfpError, InputError
-
-if TYPE_CHECKING:
-    from dcfp.analysis.rig.waveform import Start
+from dcfp.errors import DcfpError
+from dcfp.schema.parameters import Parameter
+from dcfp.schema.units import MM, MM_PER_S, NONE
 
 _SINE = "sine"
 PROGRAMS = {
@@ -31,33 +29,13 @@ _STARTS = {
     "peak": "from rest, at the amplitude",
 }
 _ALL = "all tests"
-_AMPLITUDE, _VELOCITY, _CYCLES = Limits(1.0, 2000.0, 10.0), Limits(0.1, 2000.0, 10.0), Limits(1.0, 50.0, 1.0)
-
-
-@dataclass
-class _Wave:
-    """The sine of the visitor's own [mm, mm/s, -]."""
-
-    amplitude: float | None = 200.0
-    peak_velocity: float | None = 400.0
-    cycles: float | None = 4.0
-    start: str = "speed"
-
-    def program(self) -> Program:
-        """Return it as a program of one test."""
-        for value, limits, words in (
-            (self.amplitude, _AMPLITUDE, "amplitude [mm]"),
-            (self.peak_velocity, _VELOCITY, "peak velocity [mm/s]"),
-            (self.cycles, _CYCLES, "number of cycles"),
-        ):
-            if value is None or not limits.least <= value <= limits.most:
-                msg = f"The {words} must be from {limits.least:g} to {limits.most:g}."
-                raise InputError(msg)
-        assert self.amplitude is not None
-        assert self.peak_velocity is not None
-        assert self.cycles is not None
-        wave = Sine(self.amplitude, self.peak_velocity, int(self.cycles), cast("Start", self.start))
-        return Program("sine", (RigTest("sine", wave),))
+#: The sine of the visitor's own, with the values at first.
+_WAVE = {
+    "amplitude": Parameter("amplitude", MM, 1.0, 2000.0, step=10.0, default=200.0),
+    "peak_velocity": Parameter("peak velocity", MM_PER_S, 0.1, 2000.0, step=10.0, default=400.0),
+    "cycles": Parameter("number of cycles", NONE, 1, 50, step=1, kind=int, default=4),
+    "start": Parameter("start", choices=tuple(_STARTS), kind=str, default="speed"),
+}
 
 
 class MachineTab:
@@ -66,7 +44,8 @@ class MachineTab:
     def __init__(self, session: Session) -> None:
         self._session = session
         self._client = ui.context.client
-        self._name, self._wave, self._chosen = "dependency", _Wave(), _ALL
+        self._name, self._chosen = "dependency", _ALL
+        self._wave = {key: one.default for key, one in _WAVE.items()}
         self._tests: list[Loops] = []
         self._latest = Latest(self._work)
         with ui.element("div").classes("body"):
@@ -80,20 +59,9 @@ class MachineTab:
     def _add_program(self) -> None:
         with card("Test program"):
             choice_field("Program", PROGRAMS, self._name, self._choose_program)
-            with ui.element("div").classes("field") as self._own:
-                with ui.element("div").classes("pair"):
-                    number_field(
-                        "Amplitude", "mm", self._wave.amplitude, _AMPLITUDE, self._setter("amplitude")
-                    )
-                    number_field(
-                        "Peak velocity",
-                        "mm/s",
-                        self._wave.peak_velocity,
-                        _VELOCITY,
-                        self._setter("peak_velocity"),
-                    )
-                number_field("Cycles", "", self._wave.cycles, _CYCLES, self._setter("cycles"))
-                choice_field("Start", _STARTS, self._wave.start, self._setter("start"))
+            with ui.element("div").classes("pair") as self._own:
+                for key, one in _WAVE.items():
+                    parameter_field(one, one.default, partial(self._set_wave, key), _STARTS)
             self._own.set_visibility(False)
             self._which = choice_field("Shown", {_ALL: _ALL}, _ALL, self._choose_test)  # fmt: skip
 
@@ -142,8 +110,8 @@ class MachineTab:
 
     async def _work(self) -> None:
         try:
-            model = self._session.bearing.model()
-            program = self._wave.program() if self._name == _SINE else load_program(self._name)
+            model = self._session.bearing.system()
+            program = self._own_program() if self._name == _SINE else load_program(self._name)
             tests = await asyncio.to_thread(
                 run_program, program, model.bearing, model.friction, model.heating
             )
@@ -172,12 +140,14 @@ class MachineTab:
             self._chosen = name
             self.show_again()
 
-    def _setter(self, name: str) -> Callable[[object], None]:
-        def set_value(value: object) -> None:
-            setattr(self._wave, name, value)
-            self.ask()
+    def _set_wave(self, key: str, value: object) -> None:
+        self._wave[key] = value
+        self.ask()
 
-        return set_value
+    def _own_program(self) -> Program:
+        """Return the sine of the visitor's own as a program of one test."""
+        wave = {key: read_field(one, self._wave[key]) for key, one in _WAVE.items()}
+        return Program("sine", (RigTest("sine", Sine(**wave)),))
 
     def _add_download(self, label: str, name: str, make: Callable[[list[Loops]], bytes]) -> None:
         async def give() -> None:

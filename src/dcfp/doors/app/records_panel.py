@@ -8,16 +8,17 @@ from nicegui import ui
 from nicegui.events import UploadEventArguments
 
 from dcfp.doors.app.elements import FileDrop, Slider, Text
-from dcfp.doors.app.fields import Alert, card, choice_field, more, number_field, switch_field
-from dcfp.doors.app.forms import Limits
+from dcfp.doors.app.fields import Alert, card, choice_field, more, parameter_field, switch_field
 from dcfp.doors.app.session import LARGEST_FILE, MOST_FILES, Session, read_upload, too_large
 from dcfp.errors import InputError
+from dcfp.schema.parameters import Parameter
+from dcfp.schema.units import HERTZ, SECOND
 
 #: Most records that are analysed together.
 MOST_CHOSEN = 8
 _PGVS = (0.05, 1.5)
-_CORNER = Limits(0.005, 5.0, 0.01)
-_TIME_STEP = Limits(0.0001, 1.0, 0.005)
+_CORNER = Parameter("high-pass filter, corner", HERTZ, step=0.01, absent="none", optional=True)
+_TIME_STEP = Parameter("time step of one column", SECOND, step=0.005, absent="in the file", optional=True)
 _UNITS = {"": "as the file says", **{unit: unit for unit in ("mm/s2", "cm/s2", "gal", "m/s2", "g")}}
 
 
@@ -55,19 +56,10 @@ class RecordsPanel:
             switch_field("As recorded, not scaled", session.as_recorded, self._set_as_recorded)
             with more("Treatment and plain files"):
                 switch_field("Remove a linear baseline in velocity", session.baseline, self._set_baseline)
-                number_field(
-                    "High-pass filter, corner", "Hz", session.corner, _CORNER, self._set_corner, hint="none"
-                )
+                parameter_field(_CORNER, session.corner, self._set_corner)
                 with ui.element("div").classes("pair"):
                     choice_field("Unit of plain columns", _UNITS, "", self._set_unit)
-                    number_field(
-                        "Time step of one column",
-                        "s",
-                        None,
-                        _TIME_STEP,
-                        self._set_time_step,
-                        hint="in the file",
-                    )
+                    parameter_field(_TIME_STEP, None, self._set_time_step)
                 Text("p", "K-NET, KiK-net and JMA files are raw: filter them at 0.05 Hz before trusting a PGV.").classes("note")  # fmt: skip
 
     def _choose(self, keys: Any) -> None:

@@ -107,6 +107,8 @@ _Application = Callable[[_Message, _Receive, _Send], Awaitable[None]]
 
 #: Names under which a browser reaches its own machine.
 LOOPBACK = ("127.0.0.1", "localhost", "::1")
+#: Schemes of sockets as those of the pages that open them, and the ports that a browser leaves out.
+_SCHEMES, _PORTS = {"ws": "http", "wss": "https"}, {"http": 80, "https": 443}
 #: Largest body of a request: a file, and what wraps it [bytes].
 LARGEST_BODY = LARGEST_FILE + 100_000
 #: Everything comes from the server itself; NiceGUI compiles its templates in the browser, hence "unsafe-eval".
@@ -150,19 +152,22 @@ class Guard:
             await self._application(scope, receive, send)
             return
         headers = {name.lower(): value.decode("latin-1") for name, value in scope["headers"]}
-        if not self._is_welcome(headers):
+        if not self._is_welcome(headers, scope.get("scheme", "http")):
             await _refuse(scope, send, 403, "This page answers its own visitors only.")
         elif _length(headers) > LARGEST_BODY:
             await _refuse(scope, send, 413, "The file is too large.")
         else:
             await self._pass_on(scope, receive, send)
 
-    def _is_welcome(self, headers: dict[bytes, str]) -> bool:
+    def _is_welcome(self, headers: dict[bytes, str], scheme: str) -> bool:
         host = headers.get(b"host", "")
         if self._local and _name(host) not in LOOPBACK:
             return False
         origin = headers.get(b"origin")
-        return origin is None or urlsplit(origin).netloc.lower() == host.lower()
+        if origin is None:
+            return True
+        own = _place(f"{_SCHEMES.get(scheme, scheme)}://{host}")
+        return own is not None and _place(origin) == own
 
     async def _pass_on(self, scope: _Message, receive: _Receive, send: _Send) -> None:
         taken, started = 0, False
@@ -188,6 +193,16 @@ class Guard:
         except _TooLargeError:
             if not started:
                 await _refuse(scope, send, 413, "The file is too large.")
+
+
+def _place(origin: str) -> tuple[str, str, int] | None:
+    """Return scheme, host and port of an origin; None where it has none of its own, such as ``null``."""
+    try:
+        parts = urlsplit(origin.lower())
+        port = parts.port or _PORTS[parts.scheme]
+    except (KeyError, ValueError):
+        return None
+    return parts.scheme, parts.hostname or "", port
 
 
 def _name(host: str) -> str:

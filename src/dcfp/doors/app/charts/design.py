@@ -5,8 +5,9 @@ import math
 import numpy as np
 
 from dcfp.arrays import FloatArray
-from dcfp.doors.app.charts.look import BLUE, GREY, RED, axis, legend, line, points, simple
+from dcfp.doors.app.charts.look import BLUE, GREY, RED, axis, legend, line, simple
 from dcfp.doors.app.elements import Cell, Head, Options
+from dcfp.doors.app.thinning import points
 from dcfp.doors.app.units import Units
 from dcfp.inference.design_space import DesignSpace
 

@@ -6,8 +6,9 @@ import numpy as np
 
 from dcfp.analysis.rig import Loops
 from dcfp.analysis.rig.measures import Cycle
-from dcfp.doors.app.charts.look import BLUE, GREEN, GREY, OCHRE, RED, axis, kept, legend, line, points, simple
+from dcfp.doors.app.charts.look import BLUE, GREEN, GREY, OCHRE, RED, axis, legend, line, simple
 from dcfp.doors.app.elements import Cell, Head, Options
+from dcfp.doors.app.thinning import kept, kept_of_path, points
 from dcfp.doors.app.units import Units
 
 _COLOURS = (BLUE, OCHRE, RED, GREEN, GREY)
@@ -20,7 +21,7 @@ def loops_chart(tests: Sequence[Loops], units: Units) -> Options:
     series: list[Options] = []
     for number, test in enumerate(tests):
         y, force = units.length.of(test.displacement), units.force.of(test.force)
-        place = kept((y, force), 600)
+        place = kept_of_path(y, force)
         series.append(line(test.test.name, points(y[place], force[place]), _COLOURS[number % len(_COLOURS)]))
     return simple(
         axis(f"Displacement [{units.length.name}]", "x"),

@@ -18,16 +18,15 @@ from dcfp.doors.app.charts.look import (
     OCHRE,
     RED,
     axis,
-    kept,
     legend,
     level,
     line,
     mark,
-    points,
     simple,
     tooltip,
 )
 from dcfp.doors.app.elements import Options
+from dcfp.doors.app.thinning import kept, kept_of_path, points
 from dcfp.doors.app.units import Units
 from dcfp.inference import Case
 from dcfp.present.figures.histories import shown
@@ -43,7 +42,7 @@ def loop(response: Response, units: Units) -> Options:
     """Draw force against displacement."""
     part = shown(response)
     y, force = units.length.of(response.displacement[part]), units.force.of(response.force[part])
-    place = kept((y, force), 700)
+    place = kept_of_path(y, force)
     more = _capacity(response, units, "xAxis")
     return simple(
         axis(f"Displacement [{units.length.name}]", "x"),
