@@ -130,7 +130,9 @@ def open_page(server: str, browser: Any) -> Generator[Callable[..., Any]]:
         page.on("dialog", lambda dialog: (wrong.append(f"dialog: {dialog.message}"), dialog.dismiss()))
         page.on("request", lambda request: wrong.extend(_elsewhere(request.url, server)))
         page.goto(server)
-        page.wait_for_function("document.querySelector('[data-tile=\"0\"]')?.textContent.match(/\\d/)")
+        page.wait_for_function(
+            "document.querySelector('[data-tile=\"peak_displacement\"]')?.textContent.match(/\\d/)"
+        )
         return page
 
     yield open_one

@@ -3,20 +3,26 @@
 from pathlib import Path
 from typing import Any
 
-#: Tiles of the page in their order.
-DISPLACEMENT, SWING, RESIDUAL, INPUT, FORCE, RATIO, TEMPERATURE, FRICTION = range(8)
+#: Tiles of the page, by the names of their quantities.
+DISPLACEMENT, SWING, RESIDUAL, INPUT = (
+    "peak_displacement",
+    "peak_change",
+    "residual_displacement",
+    "input_velocity",
+)
+FORCE, RATIO, TEMPERATURE, FRICTION = "peak_force", "force_ratio", "peak_temperature", "least_friction"
 
 
-def tile(page: Any, number: int) -> str:
+def tile(page: Any, name: str) -> str:
     """The number in a tile."""
-    return page.locator(f'[data-tile="{number}"]').inner_text()
+    return page.locator(f'[data-tile="{name}"]').inner_text()
 
 
-def wait_for_tile(page: Any, number: int, text: str) -> None:
+def wait_for_tile(page: Any, name: str, text: str) -> None:
     """Wait until a tile shows a text."""
     page.wait_for_function(
-        "([number, text]) => document.querySelector(`[data-tile='${number}']`)?.textContent === text",
-        arg=[number, text],
+        "([name, text]) => document.querySelector(`[data-tile='${name}']`)?.textContent === text",
+        arg=[name, text],
         timeout=15_000,
     )
 

@@ -82,7 +82,8 @@ def test_a_slider_says_what_it_is_and_where_it_stands(open_page):
     before = tile(page, DISPLACEMENT)
     slide(page, "PGV of every record", "ArrowRight")
     page.wait_for_function(
-        "before => document.querySelector('[data-tile=\"0\"]').textContent !== before", arg=before
+        "before => document.querySelector('[data-tile=\"peak_displacement\"]').textContent !== before",
+        arg=before,
     )
     assert slider.get_attribute("aria-valuetext") == "0.51 m/s"
 

@@ -10,6 +10,7 @@ import pytest
 pytest.importorskip("nicegui", reason="the web page needs nicegui")
 
 import dcfp
+from dcfp.analysis.response import PEAKS
 from dcfp.doors.app.forms import BearingForm, bearing_fields
 from dcfp.doors.app.serve import LARGEST_BODY, Guard
 from dcfp.doors.app.session import MOST_COMPONENTS, MOST_FILES, Session, plain_name, read_upload
@@ -183,6 +184,16 @@ def test_turning_points_are_those_that_can_be_seen():
     values = np.array([0.0, 0.5, 1.0, 0.95, 1.1, 0.2, 0.21, -1.0, 0.0])
     assert turning_points(values, 0.1).tolist() == [4, 7]
     assert turning_points(np.zeros(5), 0.1).tolist() == []
+
+
+def test_a_peak_is_shown_in_the_unit_that_is_chosen():
+    response = dcfp.respond(dcfp.load_motion("NCC"))
+    units = Units("in", "kip", "in/s", "°F")
+    shown = {name: (units.text(one, response), units.name(one)) for name, one in PEAKS.items()}
+    assert shown["peak_displacement"] == (f"{response.peak_displacement / 25.4:.2f}", "in")
+    assert shown["input_velocity"] == (f"{response.input_velocity / 25.4:.2f}", "in/s")
+    assert shown["least_friction"] == (f"{response.least_friction:.4f}", "–")
+    assert shown["status"] == (response.status.value, "")
 
 
 def test_units_are_factors():

@@ -19,7 +19,7 @@ VISITORS, SECONDS = 10, 5.0
 MOVE = """
 async (step) => {
     const slider = document.querySelector('input.slider');
-    const tile = document.querySelector('[data-tile="0"]');
+    const tile = document.querySelector('[data-tile="peak_displacement"]');
     slider.value = Number(slider.value) + step;
     const began = performance.now();
     const changed = new Promise((resolve) => {
@@ -57,7 +57,8 @@ async def _visit(browser, address: str, number: int, seconds: float) -> tuple[in
     page.on("console", lambda said: wrong.append(said.text) if said.type == "error" else None)
     await page.goto(address)
     await page.wait_for_function(
-        "document.querySelector('[data-tile=\"0\"]')?.textContent.match(/\\d/)", timeout=60_000
+        "document.querySelector('[data-tile=\"peak_displacement\"]')?.textContent.match(/\\d/)",
+        timeout=60_000,
     )
     text = at2_text(pulse_motion(size=1500.0 + 100.0 * number)).encode()
     own = {"name": f"own{number}.AT2", "mimeType": "text/plain", "buffer": text}
@@ -73,12 +74,12 @@ async def _visit(browser, address: str, number: int, seconds: float) -> tuple[in
         force = f"{dcfp.respond(motion, bearing).peak_force / 1e3:.0f}"
         try:
             await page.wait_for_function(
-                "([y, force]) => document.querySelector('[data-tile=\"0\"]').textContent === y && document.querySelector('[data-tile=\"4\"]').textContent === force",
+                "([y, force]) => document.querySelector('[data-tile=\"peak_displacement\"]').textContent === y && document.querySelector('[data-tile=\"peak_force\"]').textContent === force",
                 arg=[wanted, force],
                 timeout=20_000,
             )
         except sync_api.TimeoutError:
-            seen = await page.locator('[data-tile="0"]').inner_text()
+            seen = await page.locator('[data-tile="peak_displacement"]').inner_text()
             wrong.append(f"visitor {number}: {seen} instead of {wanted}")
             break
         turns += 1

@@ -7,6 +7,7 @@ from typing import Any
 
 from dcfp.errors import InputError
 from dcfp.schema.parameters import Declared, Parameter, build, parameters
+from dcfp.schema.quantities import Quantity
 from dcfp.system import (
     FRICTION_LAWS,
     HEATINGS,
@@ -25,8 +26,8 @@ RADII = ("lower_radius", "upper_radius")
 _BEGIN = System(LI_2020)
 
 
-def label_of(one: Parameter) -> str:
-    """Return the label of a field."""
+def label_of(one: Parameter | Quantity) -> str:
+    """Return the label of a field or of a result."""
     return one.words[:1].upper() + one.words[1:]
 
 

@@ -6,16 +6,19 @@ from collections.abc import Callable
 from nicegui import ui
 
 from dcfp.analysis import Response, Status
+from dcfp.analysis.response import PEAKS
 from dcfp.doors.app import downloads
 from dcfp.doors.app.analysis import Predicted, Task, analyse, predict, remarks_on, scenario_text
 from dcfp.doors.app.charts import predictions
 from dcfp.doors.app.charts import response as charts
 from dcfp.doors.app.elements import Cell, Chart, Grid, Head, Section, Text
 from dcfp.doors.app.fields import Alert, BearingPanel, action, card
+from dcfp.doors.app.forms import label_of
 from dcfp.doors.app.records_panel import RecordsPanel
 from dcfp.doors.app.session import Latest, Session
 from dcfp.doors.app.units import Units
 from dcfp.errors import DcfpError
+from dcfp.schema.quantities import NOTHING, Quantity
 
 
 class ResponseTab:
@@ -151,16 +154,6 @@ class ResponseTab:
 
 
 _TONES = {Status.OK: "good", Status.BEYOND_CAPACITY: "bad", Status.STILL_MOVING: "doubt"}
-_TILES = (
-    "Largest displacement",
-    "Largest swing",
-    "Residual displacement",
-    "Input energy V_E",
-    "Largest force",
-    "Force over weight",
-    "Highest temperature",
-    "Least friction",
-)
 
 
 class ResponseResults:
@@ -203,15 +196,17 @@ class ResponseResults:
             self._predictions = Grid("Predictions beside the analysis")
             self._code_remarks = ui.element("ul").classes("remarks")
 
-    def _add_tiles(self) -> list[tuple[Text, Text]]:
-        tiles: list[tuple[Text, Text]] = []
+    @staticmethod
+    def _add_tiles() -> dict[str, tuple[Text, Text]]:
+        """Add a tile for each number that is told of a response, and return its value and its unit by name."""
+        tiles: dict[str, tuple[Text, Text]] = {}
         with ui.element("div").classes("tiles"):
-            for number, name in enumerate(_TILES):
-                with ui.element("div").classes("tile"):
-                    Text("div", name).classes("tile-name")
-                    value = Text("span", "–").classes("tile-value")
-                    value.props(f"data-tile={number}")
-                    tiles.append((value, Text("span").classes("tile-unit")))
+            for name, one in PEAKS.items():
+                if one.printed and one.is_number:
+                    with ui.element("div").classes("tile"):
+                        Text("div", label_of(one)).classes("tile-name")
+                        value = Text("span", NOTHING).classes("tile-value").props(f"data-tile={name}")
+                        tiles[name] = (value, Text("span").classes("tile-unit"))
         return tiles
 
     def say_busy(self, busy: bool) -> None:
@@ -231,10 +226,13 @@ class ResponseResults:
         )
         self._status.text = one.status.value
         self._status.classes(replace=f"status {_TONES[one.status]}")
-        self._fill_tiles(one, units)
+        for name, (value, unit) in self._tiles.items():
+            quantity = PEAKS[name]
+            value.text = units.text(quantity, one)
+            unit.text = units.name(quantity) if quantity.shown.has_dimension else ""
         _write_list(self._remarks, remarks_on(one))
         self._summary_card.set_visibility(len(responses) > 1)
-        self._summary.fill(_heads(units), [_row(response, units) for response in responses], number)
+        self._summary.fill(_heads(units), [_row(each, units) for each in responses], number)
         self._loop.draw(charts.loop(one, units))
         self._section.load(charts.scene(one, units))
         self._histories.draw(charts.histories(one, units))
@@ -243,21 +241,6 @@ class ResponseResults:
         self._plate_card.set_visibility(plate is not None)
         if plate is not None:
             self._plate.draw(plate)
-
-    def _fill_tiles(self, one: Response, units: Units) -> None:
-        ratio = one.peak_force / one.bearing.vertical_force
-        values = (
-            (units.length.text(one.peak_displacement), units.length.name),
-            (units.length.text(one.peak_change), units.length.name),
-            (units.length.text(one.residual_displacement), units.length.name),
-            (units.velocity.text(one.input_velocity), units.velocity.name),
-            (units.force.text(one.peak_force), units.force.name),
-            (f"{ratio:.3f}", ""),
-            (units.temperature.text(one.peak_temperature), units.temperature.name),
-            (f"{one.least_friction:.4f}", ""),
-        )
-        for (value, unit), (shown, name) in zip(self._tiles, values, strict=True):
-            value.text, unit.text = shown, name
 
     def show_predictions(self, response: Response, predicted: Predicted, units: Units) -> None:
         """Show predictions and codes beside the analysis."""
@@ -279,39 +262,16 @@ def _write_list(place: ui.element, sentences: list[str]) -> None:
             Text("li", sentence)
 
 
+def _told() -> list[Quantity]:
+    """Return what is told of a response on the page."""
+    return [one for one in PEAKS.values() if one.printed]
+
+
 def _heads(units: Units) -> list[Head]:
-    length, velocity = units.length.name, units.velocity.name
-    return [
-        Head("Record", number=False),
-        Head("PGV", velocity),
-        Head("y_max", length),
-        Head("dy_max", length),
-        Head("v_max", velocity),
-        Head("residual", length),
-        Head("F_max", units.force.name),
-        Head("F/W", "–"),
-        Head("T_max", units.temperature.name),
-        Head("µ_min", "–"),
-        Head("V_E", velocity),
-        Head("V_Eh", velocity),
-        Head("Status", number=False),
-    ]
+    return [Head(one.head or one.title, units.name(one), number=one.is_number) for one in _told()]
 
 
-def _row(one: Response, units: Units) -> list[Cell | str]:
-    length, velocity = units.length, units.velocity
-    return [
-        one.motion.name,
-        velocity.text(one.motion.peak_velocity),
-        length.text(one.peak_displacement),
-        length.text(one.peak_change),
-        velocity.text(one.peak_velocity),
-        length.text(one.residual_displacement),
-        units.force.text(one.peak_force),
-        f"{one.peak_force / one.bearing.vertical_force:.3f}",
-        units.temperature.text(one.peak_temperature),
-        f"{one.least_friction:.4f}",
-        velocity.text(one.input_velocity),
-        velocity.text(one.hysteretic_velocity),
-        Cell(one.status.value, _TONES[one.status]),
-    ]
+def _row(response: Response, units: Units) -> list[Cell | str]:
+    tones = {status.value: tone for status, tone in _TONES.items()}
+    texts = [units.text(one, response) for one in _told()]
+    return [Cell(text, tones.get(text, "")) for text in texts]

@@ -1,8 +1,11 @@
 """Units in which results are shown; what is put in keeps the units beside its fields."""
 
 from dataclasses import dataclass
+from typing import Any
 
 from dcfp.arrays import FloatArray
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.units import DEGC, MM, MM_PER_S, N_MM, NEWTON
 
 
 @dataclass(frozen=True)
@@ -44,8 +47,6 @@ VELOCITIES = {
 TEMPERATURES = {one.name: one for one in (Unit("°C", 1.0, 0), Unit("°F", 1.8, 0, 32.0))}
 #: Energy that goes with a force.
 _ENERGIES = {"kN": Unit("kN m", 1e-6, 0), "kip": Unit("kip ft", 1.0 / (_KIP * 12.0 * _INCH), 0)}
-#: A coefficient.
-PLAIN = Unit("–", 1.0, 4)
 
 
 @dataclass
@@ -81,3 +82,23 @@ class Units:
     def energy(self) -> Unit:
         """Of energies."""
         return _ENERGIES[self.force_name]
+
+    def of(self, one: Quantity) -> Unit | None:
+        """Return the unit that is chosen for a quantity; None where there is no choice."""
+        chosen = {
+            MM: self.length,
+            NEWTON: self.force,
+            MM_PER_S: self.velocity,
+            DEGC: self.temperature,
+            N_MM: self.energy,
+        }
+        return chosen.get(one.unit.inner_unit)
+
+    def name(self, one: Quantity) -> str:
+        """Return the name of the unit in which a quantity is shown; empty for words."""
+        return (self.of(one) or one.shown).name
+
+    def text(self, one: Quantity, result: Any) -> str:
+        """Return a quantity of a result as it is shown, without its unit."""
+        unit, value = self.of(one), one.of(result)
+        return one.written(value) if unit is None or value is None else unit.text(value)
