@@ -121,8 +121,8 @@ def baseline_warning(motion: GroundMotion) -> str | None:
         return None
     return (
         f"{motion.name}: the ground still moves at {100.0 * drift:.0f} % of PGV at the end of the record, "
-        "which suggests an untreated baseline; its PGV and displacement are then not those of the ground "
-        "(--high-pass or --baseline, dcfp.motion.treatment)."
+        "which suggests an untreated baseline; its PGV and displacement are then not those of the ground: "
+        "filter it with a high pass or remove its baseline."
     )
 
 
@@ -158,7 +158,7 @@ def refuse_a_drift(motion: GroundMotion) -> None:
     if drift > _LARGEST_DRIFT:
         msg = (
             f"{motion.name}: the ground still moves at {100.0 * drift:.0f} % of its PGV at the end, so that its PGV is"
-            " that of its baseline; treat the record with --high-pass 0.05 or --baseline."
+            " that of its baseline; filter the record with a high pass of 0.05 Hz or remove its baseline."
         )
         raise InputError(msg)
 

@@ -222,7 +222,7 @@ def check_stroke(test: RigTest, bearing: Bearing) -> None:
     if capacity is not None and stroke > capacity * (1.0 + 1e-9):
         msg = (
             f"{test.name}: a stroke of {stroke:.4g} mm goes beyond the plate, whose capacity is {capacity:g} mm; choose a smaller"
-            " amplitude, or give the bearing its true capacity (--capacity)."
+            " amplitude, or give the bearing its true capacity."
         )
         raise InputError(msg)
     furthest = LARGEST_ANGLE * bearing.effective_radius

@@ -66,7 +66,7 @@ class RecordsPanel:
         chosen = [str(key) for key in keys or ()]
         if len(chosen) > MOST_CHOSEN:
             self._alert.say(
-                f"The page analyses at most {MOST_CHOSEN} records at a time; for more there is dcfp study."
+                f"The page analyses at most {MOST_CHOSEN} records at a time; for more there are studies in Python and on the command line."
             )
             self._records.value = chosen[:MOST_CHOSEN]
             return

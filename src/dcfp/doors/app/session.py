@@ -110,7 +110,7 @@ def read_upload(
         if steps > MOST_STEPS:
             msg = (
                 f"{shown}: with a time step of {motion.time_step:g} s this record is too long for the page, which takes"
-                f" {MOST_STEPS:,} steps; analyse it with dcfp respond."
+                f" {MOST_STEPS:,} steps; analyse it in Python or on the command line."
             )
             raise InputError(msg)
     options: dict[str, str | float] = {}

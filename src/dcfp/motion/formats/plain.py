@@ -48,7 +48,7 @@ def read(source: SourceText, units: str | None, time_step: float | None) -> list
     if units is None:
         source.fail(
             f"the file is in none of the known record formats; to read it as {NAME}, give the unit of its "
-            "acceleration, --units or units=, for example g."
+            "acceleration (units), for example g."
         )
     unit = canonical_unit(units)
     if unit is None:
@@ -78,9 +78,7 @@ def _shape(source: SourceText) -> tuple[int, str | None, int]:
 
 def _given_step(source: SourceText, time_step: float | None) -> float:
     if time_step is None:
-        source.fail(
-            "the file has one column and no times; give the time step in seconds (--time-step or time_step=)"
-        )
+        source.fail("the file has one column and no times; give the time step in seconds (time_step)")
     return time_step
 
 
