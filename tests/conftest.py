@@ -1,7 +1,56 @@
-"""What all tests share."""
+"""What all tests share: how they are spread over processes, coarse figures, and no deadlines."""
 
+import os
+import subprocess
+import sys
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
 from hypothesis import settings
+
+TESTS = Path(__file__).parent
+# `pytest -n` has a process for every processor already: a library's own threads would only get in each other's way
+for library in ("OMP", "OPENBLAS", "MKL"):
+    os.environ.setdefault(f"{library}_NUM_THREADS", "1")
 
 # the first call of a kernel compiles it, which takes longer than any deadline
 settings.register_profile("dcfp", deadline=None)
 settings.load_profile("dcfp")
+
+#: Folders whose tests share what is dear (a server and a browser, OpenSees in a process), and stay in one process;
+#: elsewhere the tests of a file do. What takes longest begins first.
+TOGETHER = ("doors/app", "verify", "frozen", "study", "docs")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Compile the kernels before the processes of `pytest -n` start, which would each do it."""
+    if not getattr(config.option, "numprocesses", None) or hasattr(config, "workerinput"):
+        return
+    config.option.loadscopereorder = False  # the order of `pytest_collection_modifyitems` stands
+    project = tomllib.loads((TESTS.parent / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    words = [sys.executable, TESTS / "support" / "warm_kernels.py"]
+    started = [subprocess.Popen([*words, str(part), project["scripts"]["dcfp"]]) for part in (0, 1)]
+    for process in started:
+        process.wait()
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Say which tests stay in one process, and put those first that take longest."""
+    places = {}
+    for item in items:
+        path = item.path.relative_to(TESTS).as_posix()
+        together = [folder for folder in TOGETHER if path.startswith(f"{folder}/")]
+        item.add_marker(pytest.mark.xdist_group(together[0] if together else path))
+        places[item] = TOGETHER.index(together[0]) if together else len(TOGETHER)
+    items.sort(key=places.__getitem__)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def coarse_figures() -> Iterator[None]:
+    """Draw figures with a quarter of their resolution: what is tested is what is in them."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("dcfp.present.figures.style.RESOLUTION", 60)
+        yield

@@ -4,7 +4,6 @@ import math
 
 import numpy as np
 import pytest
-from beyond_limits import unchecked
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -64,7 +63,7 @@ def test_a_sliding_block() -> None:
     The analysis has a spring (b), stiff, and plates, flat; the acceleration takes a step of 1e-4 s to change. That leaves 5e-4.
     """
     a, b, length, friction = 1200.0, 300.0, 0.4, 0.05
-    bearing = unchecked(LI_2020, radii=(5e9, 5e9), elastic_stiffness=1e5 * LI_2020.elastic_stiffness)
+    bearing = LI_2020.unchecked(radii=(5e9, 5e9), elastic_stiffness=1e5 * LI_2020.elastic_stiffness)
     response = respond(box(a, length, -b), bearing, ConstantFriction(friction), NoHeating(), tail=0.0)
     held = friction * STANDARD_GRAVITY
     fastest = (a - held) * length

@@ -12,7 +12,6 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
-from beyond_limits import unchecked
 
 import dcfp
 from dcfp.errors import InputError
@@ -267,7 +266,7 @@ def test_a_step_that_does_not_converge_is_taken_in_parts(tmp_path, friction, tak
     [
         (dcfp.Lomiento2013(), LI_2020, 1e-3, "near the friction law lomiento2013"),
         (dcfp.UserFriction(lambda p, v, t: 0.05), LI_2020, 1e-3, "near the friction law user"),
-        (dcfp.ConstantFriction(0.001), unchecked(LI_2020, radii=(60.0,), slider_diameter=100.0, pressure=45.0, elastic_stiffness=1.2e6), 1e-3, "too near to the effective radius of 60 mm"),
+        (dcfp.ConstantFriction(0.001), LI_2020.unchecked(radii=(60.0,), slider_diameter=100.0, pressure=45.0, elastic_stiffness=1.2e6), 1e-3, "too near to the effective radius of 60 mm"),
         (dcfp.ConstantFriction(), LI_2020, -1.0, "step"),
     ],
 )  # fmt: skip

@@ -5,7 +5,6 @@ import math
 import numba
 import numpy as np
 import pytest
-from beyond_limits import unchecked
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
@@ -256,13 +255,13 @@ def test_steel_that_conducts_perfectly_does_not_heat() -> None:
     motion = ricker(500.0, 0.5)
     cold = respond(motion, friction=Li2020(), heating=NoHeating(), tail=5.0)
     for model in (SimplifiedHeating(), PreciseHeating()):
-        heating = unchecked(model, conductivity=1e12)
+        heating = model.unchecked(conductivity=1e12)
         response = respond(motion, friction=Li2020(), heating=heating, tail=5.0)
         assert np.abs(response.displacement - cold.displacement).max() < 1e-6 * cold.peak_displacement
 
 
 def test_both_heating_models_agree_where_the_slider_hardly_moves() -> None:
-    large = unchecked(LI_2020, slider_diameter=8000.0, elastic_stiffness=400.0 * LI_2020.elastic_stiffness)
+    large = LI_2020.unchecked(slider_diameter=8000.0, elastic_stiffness=400.0 * LI_2020.elastic_stiffness)
     motion = harmonic(2000.0, 0.5, 10.0)
     simplified = respond(motion, large, Kumar2015(), SimplifiedHeating(), tail=0.0)
     precise = respond(motion, large, Kumar2015(), PreciseHeating(), tail=0.0)

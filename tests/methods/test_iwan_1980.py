@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from beyond_limits import unchecked
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -178,7 +177,7 @@ def test_no_motion():
 
 
 def test_within_the_fit_it_may_be_used():
-    soft = unchecked(LI_2020, elastic_stiffness=0.043 * LI_2020.vertical_force / 20.0)
+    soft = LI_2020.unchecked(elastic_stiffness=0.043 * LI_2020.vertical_force / 20.0)
     answer = equivalent_linear(harmonic(600.0, 1.0, 2.0), soft, 0.043)
     assert 2.0 < float(answer.conditions[0].found) < 8.0
     assert answer.conditions[0].verdict is Verdict.MET

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from beyond_limits import unchecked
 
 from dcfp.analysis.rig import Sine
 from dcfp.system import LI_2020, PreciseHeating, SimplifiedHeating
@@ -61,7 +60,7 @@ def steady_slide(distance: float, steps: int, time: float) -> Path:
 
 def test_brute_force_heats_as_a_constant_flux_does() -> None:
     """2 q sqrt(D t / pi) / k, Carslaw and Jaeger (1959), section 2.9, where the slider stays over the point."""
-    stiff = unchecked(LI_2020, elastic_stiffness=1e15)
+    stiff = LI_2020.unchecked(elastic_stiffness=1e15)
     heating = SimplifiedHeating()
     story = integrate(steady_slide(100.0, 1000, 1.0), stiff, CONSTANT, heating)
     flux = 0.5 * 0.043 * 60.0 * 100.0
@@ -73,7 +72,7 @@ def test_the_overlap_is_the_mean_of_many_points() -> None:
     """The precise model at once against points one by one."""
     heating = PreciseHeating()
     path = sine(400.0, 600.0, 1, 400)
-    story = integrate(path, unchecked(LI_2020, elastic_stiffness=1e15), CONSTANT, heating)
+    story = integrate(path, LI_2020.unchecked(elastic_stiffness=1e15), CONSTANT, heating)
     middle = 0.25 * (path.displacement[1:] + path.displacement[:-1])
     flux = 0.5 * 0.043 * 60.0 * np.abs(np.diff(path.displacement)) / path.step
     last = 250

@@ -308,6 +308,13 @@ class Declared:
         for one in parameters(type(self)).values():
             yield one, getattr(self, one.name)
 
+    def unchecked(self, **values: Any) -> Self:
+        """Return a copy with values that may lie beyond the limits: a limit case of the mathematics, which no door takes."""
+        copy = object.__new__(type(self))
+        for one in parameters(type(self)).values():
+            object.__setattr__(copy, one.name, values.get(one.name, getattr(self, one.name)))
+        return copy
+
 
 def read_table(
     kind: type[Declared], table: Mapping[str, Any], where: str, *, also: tuple[str, ...] = ()

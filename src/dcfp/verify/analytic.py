@@ -4,7 +4,6 @@ All of them under constant friction, per unit mass: :math:`\omega^2 = k_{ra}/m` 
 """
 
 import math
-from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -79,7 +78,7 @@ def _stop_time() -> Finding:
 
 def _flat_stop() -> Finding:
     velocity = 500.0
-    flat = replace(LI_2020, radii=(5e8, 5e8))
+    flat = LI_2020.unchecked(radii=(5e8, 5e8))
     slide = respond(
         _stillness(0.01, 200), flat, _FRICTION, NoHeating(), tail=0.0,
         start=_moving(flat, velocity, sliding=True),
@@ -121,7 +120,7 @@ def den_hartog_amplitude(acceleration: float, ratio: float, bearing: Bearing, co
 
 
 def _steady_slide(ratio: float) -> Finding:
-    rigid = replace(LI_2020, elastic_stiffness=1e12)
+    rigid = LI_2020.unchecked(elastic_stiffness=1e12)
     acceleration = 4.0 * _FRICTION.mu * STANDARD_GRAVITY
     period = rigid.period / ratio
     cycles = 60

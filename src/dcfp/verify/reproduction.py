@@ -391,8 +391,8 @@ def _without_spring(case: Case) -> float:
     """Largest change of displacement on flat plates [mm]."""
     if case.response is None:
         return case.analysed.whole.displacement_change
-    flat = replace(
-        BEARING, radii=tuple(_FLAT * radius for radius in BEARING.radii), displacement_capacity=None
+    flat = BEARING.unchecked(
+        radii=tuple(_FLAT * radius for radius in BEARING.radii), displacement_capacity=None
     )
     return respond(case.response.motion, flat, tail=0.0).peak_change
 

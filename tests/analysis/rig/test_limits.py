@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from beyond_limits import unchecked
 
 from dcfp.analysis.rig import Loops, Program, Recorded, RigTest, Sine, Triangle, VerticalLoad, run_program
 from dcfp.analysis.rig.waveform import STARTS, Waveform
@@ -25,7 +24,7 @@ LOAD = VerticalLoad((60.0,))
 COULOMB, COLD = ConstantFriction(0.043), NoHeating()
 #: mu N / kf, by which spring (b) stretches before it slides [mm].
 REACH = 0.043 * LI_2020.vertical_force / LI_2020.elastic_stiffness
-STIFF = unchecked(LI_2020, elastic_stiffness=1e5 * LI_2020.elastic_stiffness)
+STIFF = LI_2020.unchecked(elastic_stiffness=1e5 * LI_2020.elastic_stiffness)
 
 
 def run_one(
@@ -59,7 +58,7 @@ def test_a_stiff_spring_leaves_a_coulomb_loop() -> None:
 
 
 def test_a_soft_spring_never_slides() -> None:
-    soft = unchecked(LI_2020, elastic_stiffness=1000.0)  # it would stretch by 324 mm
+    soft = LI_2020.unchecked(elastic_stiffness=1000.0)  # it would stretch by 324 mm
     loops = run_one(Sine(200.0, 400.0, 2), bearing=soft)
     stiffness = soft.restoring_stiffness + soft.elastic_stiffness
     assert not loops.sliding.any()
@@ -70,8 +69,8 @@ def test_a_soft_spring_never_slides() -> None:
 def test_plates_that_conduct_perfectly_do_not_heat() -> None:
     cold = run_one(Sine(200.0, 400.0, 2), Li2020())
     for heating in (
-        unchecked(SimplifiedHeating(), conductivity=1e12),
-        unchecked(PreciseHeating(), conductivity=1e12),
+        SimplifiedHeating().unchecked(conductivity=1e12),
+        PreciseHeating().unchecked(conductivity=1e12),
     ):
         loops = run_one(Sine(200.0, 400.0, 2), Li2020(), heating)
         assert np.abs(loops.force - cold.force).max() < 1e-6 * np.abs(cold.force).max()

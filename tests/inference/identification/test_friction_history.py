@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from beyond_limits import unchecked
 
 from dcfp.analysis.rig import (
     Measurement,
@@ -111,7 +110,7 @@ def test_a_sample_is_not_heated_by_its_own_noise(bearing, heating) -> None:
 
 
 def test_a_stroke_within_the_elastic_deformation_is_refused() -> None:
-    soft = unchecked(LI_2020, elastic_stiffness=1e4)
+    soft = LI_2020.unchecked(elastic_stiffness=1e4)
     _, measurement = machine(Sine(20.0, 20.0, 2))
     with pytest.raises(InputError, match="steady sliding"):
         friction_history(measurement, soft, SimplifiedHeating())

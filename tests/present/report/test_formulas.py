@@ -132,7 +132,7 @@ def test_so_they_do_of_other_bearings_and_records(made) -> None:
     assert [(one.name, one.numbers, one.value) for one in formulas if one.numbers and not agrees(one)] == []
 
 
-@pytest.mark.parametrize("name", [*(set(dcfp.system.FRICTION_LAWS) - {"fitted"}), "fitted"])
+@pytest.mark.parametrize("name", sorted(dcfp.system.FRICTION_LAWS))
 def test_every_law_has_equations_and_its_own_coefficient(name: str) -> None:
     law: FrictionLaw = FittedFriction(pressure_floor=0.1) if name == "fitted" else friction_law(name)
     assert law.equations()
