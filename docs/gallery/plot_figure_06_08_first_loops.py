@@ -11,7 +11,7 @@ model dissipates a few per cent less than the precise one, which the paper does 
 
 import dcfp
 from dcfp.analysis.rig.run import paper_models, run_models
-from dcfp.present.figures.rig_sheet import plot_tests
+from dcfp.present.figures.overviews import plot_tests
 from dcfp.system import LI_2020, Li2020, PreciseHeating
 
 program = dcfp.load_program("asce")

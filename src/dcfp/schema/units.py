@@ -33,6 +33,8 @@ class Unit:
         Units that are probably meant where a number is out of range, with the size of one of them in this unit.
     base
         The package's own unit for the same quantity; None where it is this one.
+    zero
+        What zero of the package's unit is in this one.
     """
 
     name: str
@@ -41,6 +43,7 @@ class Unit:
     typed: str = ""
     meant: tuple[tuple[str, float], ...] = ()
     base: "Unit | None" = None
+    zero: float = 0.0
 
     @property
     def text(self) -> str:
@@ -64,11 +67,11 @@ class Unit:
 
     def shown(self, value: Any) -> Any:
         """Return a number or an array of the package's unit in this one."""
-        return value if self.size == 1.0 else value / self.size
+        return value if self.size == 1.0 else value / self.size + self.zero
 
     def inner(self, value: Any) -> Any:
         """Return a number or an array of this unit in that of the package."""
-        return value if self.size == 1.0 else value * self.size
+        return value if self.size == 1.0 else (value - self.zero) * self.size
 
 
 #: Neither number nor unit: words.
@@ -77,22 +80,29 @@ WORDS = Unit("")
 NONE = Unit("–", udunits="1", typed="1")
 FRACTION = Unit("–", udunits="1", typed="1", meant=(("%", 0.01),))
 MM = Unit("mm", 1.0, "mm", meant=(("m", 1000.0),))
+CM = Unit("cm", 10.0, "cm", base=MM)
 METRE = Unit("m", 1e3, "m", base=MM)
+INCH = Unit("in", 25.4, "inch", base=MM)
 SECOND = Unit("s", 1.0, "s", meant=(("ms", 1e-3),))
 HERTZ = Unit("Hz", 1.0, "Hz")
 MM_PER_S = Unit("mm/s", 1.0, "mm s-1", meant=(("m/s", 1000.0),))
 M_PER_S = Unit("m/s", 1e3, "m s-1", meant=(("mm/s", 1e-3), ("cm/s", 1e-2)), base=MM_PER_S)
+CM_PER_S = Unit("cm/s", 10.0, "cm s-1", base=MM_PER_S)
+INCH_PER_S = Unit("in/s", 25.4, "inch s-1", base=MM_PER_S)
 MM_PER_S2 = Unit("mm/s²", 1.0, "mm s-2", "mm/s2", meant=(("m/s2", 1000.0), ("g_0", 9806.65)))
 M_PER_S2 = Unit("m/s²", 1e3, "m s-2", "m/s2", base=MM_PER_S2)
 NEWTON = Unit("N", 1.0, "N", meant=(("kN", 1e3),))
 KN = Unit("kN", 1e3, "kN", meant=(("N", 1e-3), ("MN", 1e3)), base=NEWTON)
+KIP = Unit("kip", 4448.2216152605, "1000 lbf", base=NEWTON)
 N_PER_MM = Unit("N/mm", 1.0, "N mm-1", meant=(("kN/mm", 1e3),))
 KN_PER_MM = Unit("kN/mm", 1e3, "kN mm-1", meant=(("MN/mm", 1e3), ("N/mm", 1e-3)), base=N_PER_MM)
 N_PER_MM2 = Unit("N/mm²", 1.0, "N mm-2", "N/mm2", meant=(("kN/mm2", 1e3), ("kPa", 1e-3), ("Pa", 1e-6)))
 N_MM = Unit("N mm", 1.0, "N mm")
 KN_M = Unit("kN m", 1e6, "kN m", base=N_MM)
+KIP_FT = Unit("kip ft", KIP.size * 12.0 * INCH.size, "1000 lbf ft", base=N_MM)
 TONNE = Unit("t", 1.0, "t")
 DEGC = Unit("°C", 1.0, "degC", "degC")
+DEGF = Unit("°F", 1.0 / 1.8, "degF", "degF", base=DEGC, zero=32.0)
 PER_DEGC = Unit("1/°C", 1.0, "degC-1", "1/degC")
 CONDUCTIVITY = Unit("N/(s °C)", 1.0, "N s-1 K-1", "N/(s*K)")
 DIFFUSIVITY = Unit("mm²/s", 1.0, "mm2 s-1", "mm2/s", meant=(("m2/s", 1e6),))

@@ -131,8 +131,8 @@ def _half_space(history: History) -> str:
     if history.duration <= LONGEST_HALF_SPACE and not history.rests:
         return ""
     return (
-        f"{history.name}: so long after the plates were cold their thickness counts, but they are taken as endlessly thick; give it (--thickness,"
-        " or thickness and back in [heating])."
+        f"{history.name}: so long after the plates were cold their thickness counts, but they are taken as endlessly thick; give the thickness"
+        " of the plates, and what their backs do."
     )
 
 

@@ -1,6 +1,7 @@
 """The parts of the page that need no browser."""
 
 import asyncio
+from dataclasses import replace
 from itertools import pairwise
 from typing import Annotated, ClassVar
 
@@ -11,14 +12,30 @@ pytest.importorskip("nicegui", reason="the web page needs nicegui")
 
 import dcfp
 from dcfp.analysis.response import PEAKS
+from dcfp.doors.app.analysis import remarks_on
 from dcfp.doors.app.forms import BearingForm, bearing_fields
+from dcfp.doors.app.machine_tab import grouped
 from dcfp.doors.app.serve import LARGEST_BODY, Guard
 from dcfp.doors.app.session import MOST_COMPONENTS, MOST_FILES, Session, plain_name, read_upload
 from dcfp.doors.app.thinning import TOLERANCE, kept, kept_of_path, turning_points
 from dcfp.doors.app.units import Units
 from dcfp.errors import InputError
+from dcfp.schema.nomenclature import quantity
 from dcfp.schema.parameters import Parameter, declared
-from dcfp.schema.units import MM, NONE
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.units import (
+    DEGC,
+    DEGF,
+    INCH,
+    INCH_PER_S,
+    KIP,
+    KN_PER_MM,
+    MM,
+    MM_PER_S,
+    N_PER_MM,
+    NEWTON,
+    NONE,
+)
 from dcfp.system import FRICTION_LAWS, HEATINGS, LI_2020, ConstantFriction, Li2020, System
 
 from .conftest import at2_text, pulse_motion
@@ -186,23 +203,47 @@ def test_turning_points_are_those_that_can_be_seen():
     assert turning_points(np.zeros(5), 0.1).tolist() == []
 
 
-def test_a_peak_is_shown_in_the_unit_that_is_chosen():
+@pytest.fixture
+def american() -> Units:
+    units = Units()
+    units.chosen |= {MM: INCH, NEWTON: KIP, MM_PER_S: INCH_PER_S, DEGC: DEGF}
+    return units
+
+
+def test_a_peak_is_shown_in_the_unit_that_is_chosen(american):
     response = dcfp.respond(dcfp.load_motion("NCC"))
-    units = Units("in", "kip", "in/s", "°F")
-    shown = {name: (units.text(one, response), units.name(one)) for name, one in PEAKS.items()}
+    shown = {name: (american.text(one, response), american.name(one)) for name, one in PEAKS.items()}
     assert shown["peak_displacement"] == (f"{response.peak_displacement / 25.4:.2f}", "in")
     assert shown["input_velocity"] == (f"{response.input_velocity / 25.4:.2f}", "in/s")
     assert shown["least_friction"] == (f"{response.least_friction:.4f}", "–")
     assert shown["status"] == (response.status.value, "")
 
 
-def test_units_are_factors():
-    units = Units("in", "kip", "in/s", "°F")
-    assert units.length.text(25.4) == "1.00"
-    assert units.force.text(4448.2216) == "1.0"
-    assert units.temperature.text(100.0) == "212"
-    assert units.energy.text(4448.2216 * 304.8) == "1"
-    assert Units().length.text(-0.01) == "0.0"
+@pytest.mark.parametrize(
+    ("name", "value", "decimals", "given", "chosen"),
+    [
+        ("displacement", 25.4, 1, "25.4 mm", "1.00 in"),
+        ("displacement", -0.01, 1, "0.0 mm", "0.00 in"),
+        ("force", 4448.2216, 0, "4 kN", "1.0 kip"),
+        ("velocity", 254.0, 3, "0.254 m/s", "10.00 in/s"),
+        ("temperature", 100.0, 0, "100 °C", "212 °F"),
+        ("input_energy", 4448.2216 * 304.8, 0, "1 kN m", "1 kip ft"),
+        ("friction", 0.05, 3, "0.050 –", "0.050 –"),
+    ],
+)
+def test_values_are_shown_in_the_unit_that_is_chosen(american, name, value, decimals, given, chosen):
+    one = replace(quantity(name), decimals=decimals)
+    for units, expected in ((Units(), given), (american, chosen)):
+        assert f"{units.written(one, value)} {units.name(one)}" == expected
+
+
+def test_a_stiffness_follows_from_force_and_length(american):
+    one = Quantity("k", "stiffness", N_PER_MM, KN_PER_MM, decimals=3)
+    assert f"{Units().written(one, 1900.0)} {Units().name(one)}" == "1.900 kN/mm"
+    assert (
+        f"{american.written(one, 1900.0)} {american.name(one)}"
+        == f"{1900.0 * 25.4 / 4448.2216152605:.3f} kip/in"
+    )
 
 
 @pytest.mark.parametrize(
@@ -304,3 +345,14 @@ def test_a_body_that_goes_on_is_stopped():
     part = b"0" * (LARGEST_BODY // 4)
     assert asyncio.run(_through(guard, {}, [part] * 4)) == 200
     assert asyncio.run(_through(guard, {}, [part] * 5)) == 413
+
+
+def test_what_the_page_says_of_results_names_no_option():
+    heating = dcfp.SimplifiedHeating()
+    long = dcfp.respond(
+        dcfp.load_motion("NCC").scaled_to_pgv(2500.0), dcfp.Bearing(3000.0), heating=heating, tail=700.0
+    )
+    tests = dcfp.run_program(dcfp.load_program("dependency"))
+    said = [*remarks_on(long), *grouped(list(tests))]
+    assert len(said) >= 2
+    assert not [sentence for sentence in said if "--" in sentence]

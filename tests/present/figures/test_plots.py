@@ -26,8 +26,9 @@ from dcfp.present.figures import (
     plot_velocities,
     save_figure,
 )
-from dcfp.present.figures.histories import shown
-from dcfp.present.figures.style import drawable, metres_per_second, millimetres, number
+from dcfp.present.figures.style import drawable
+from dcfp.present.panels import shown
+from dcfp.schema.digits import metres_per_second, millimetres, typeset
 
 LABELS = {
     plot_loop: ("$y$ [mm]", "$F$ [kN]"),
@@ -167,7 +168,7 @@ def test_an_overview_is_a_table_of_records_and_velocities() -> None:
     assert len({panel.get_xlim() for panel in panels}) == 1
     for panel, response in zip(panels, responses, strict=True):
         words = panel.texts[0].get_text()
-        assert words == f"{millimetres(response.peak_displacement)}\n{number(response.peak_temperature)} °C"
+        assert words == f"{millimetres(response.peak_displacement)}\n{typeset(response.peak_temperature)} °C"
     assert figure.get_supxlabel() == "$y$ [mm]"
     assert figure.get_supylabel() == "$F$ [kN]"
 
@@ -194,8 +195,8 @@ def test_the_quiet_ends_of_a_response_are_left_out() -> None:
 @pytest.mark.parametrize(
     ("written", "expected"),
     [
-        (number(-0.2), "0"),
-        (number(-3.26, 1), "−3.3"),
+        (typeset(-0.2), "0"),
+        (typeset(-3.26, 1), "−3.3"),
         (millimetres(123.4), "123 mm"),
         (millimetres(-4.56), "−4.6 mm"),
         (millimetres(0.0456), "0.05 mm"),

@@ -4,6 +4,7 @@ import asyncio
 
 from nicegui import ui
 
+from dcfp.analysis.response import PEAKS
 from dcfp.doors.app import downloads
 from dcfp.doors.app.charts import design as charts
 from dcfp.doors.app.elements import Chart, Grid, Slider, Text
@@ -148,8 +149,9 @@ class DesignTab:
         self._space = space
         self._alert.say("")
         units, part = self._session.units, float(self._part)
-        allowed = f"{self._allowed * units.length.factor:.4g} {units.length.name}"
-        self._title.text = f"{allowed} at a PGV of {units.velocity.text(space.pgv)} {units.velocity.name}"
+        pgv = PEAKS["peak_ground_velocity"]
+        allowed = charts.allowed_words(self._allowed, units)
+        self._title.text = f"{allowed} at a PGV of {units.written(pgv, space.pgv)} {units.name(pgv)}"
         self._chart.draw(charts.chart(space, self._allowed, part, units))
         self._curves.draw(charts.curves(space, self._allowed, part, units))
         self._table.fill(charts.holding_head(), charts.holding_rows(space, self._allowed))

@@ -9,11 +9,13 @@ from nicegui import ui
 from dcfp.analysis.rig import Loops, Program, RigTest, Sine, load_program, run_program
 from dcfp.doors.app import downloads
 from dcfp.doors.app.charts import machine as charts
+from dcfp.doors.app.charts.look import chart, legend
 from dcfp.doors.app.elements import Chart, Grid, Text
 from dcfp.doors.app.fields import Alert, BearingPanel, action, card, choice_field, parameter_field
 from dcfp.doors.app.forms import read_field
 from dcfp.doors.app.session import Latest, Session
 from dcfp.errors import DcfpError
+from dcfp.present import panels
 from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import MM, MM_PER_S, NONE
 
@@ -99,9 +101,10 @@ class MachineTab:
             return
         units = self._session.units
         some = [test for test in self._tests if self._chosen in (_ALL, test.test.name)]
-        self._loops.draw(charts.loops_chart(some, units))
+        self._loops.draw(chart(panels.loops(some), units))
         self._friction.draw(charts.friction_chart(self._tests))
-        self._temperature.draw(charts.temperature_chart(some, units))
+        scroll = legend(type="scroll", left=230)
+        self._temperature.draw(chart(panels.temperatures(some), units, 300, legend=scroll))
         self._measures.fill(charts.cycle_head(units), charts.cycle_rows(some, units))
         self._remarks.clear()
         with self._remarks:

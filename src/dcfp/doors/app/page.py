@@ -13,7 +13,8 @@ from dcfp.doors.app.machine_tab import MachineTab
 from dcfp.doors.app.response_tab import ResponseTab
 from dcfp.doors.app.session import Session
 from dcfp.doors.app.surveys import Surveys
-from dcfp.doors.app.units import FORCES, LENGTHS, TEMPERATURES, VELOCITIES, Units
+from dcfp.doors.app.units import CHOICES, Units
+from dcfp.schema.units import Unit
 
 #: Themes in the order of the button: that of the system, light, dark.
 _THEMES = ((None, "system"), (False, "light"), (True, "dark"))
@@ -103,30 +104,16 @@ class _Pages:
 
 
 def _add_units(units: Units, changed: Callable[[], None]) -> None:
-    groups = (
-        ("length_name", LENGTHS, "Unit of lengths"),
-        ("force_name", FORCES, "Unit of forces"),
-        ("velocity_name", VELOCITIES, "Unit of velocities"),
-        ("temperature_name", TEMPERATURES, "Unit of temperatures"),
-    )
+    def choose(own: Unit, event: ValueChangeEventArguments[str]) -> None:
+        units.chosen[own] = next(one for one in CHOICES[own][1] if one.name == event.value)
+        changed()
 
-    def chooser(name: str) -> Callable[[str], None]:
-        def choose(value: str) -> None:
-            setattr(units, name, value)
-            changed()
-
-        return choose
-
-    for name, choices, label in groups:
+    for own, (words, few) in CHOICES.items():
         with ui.element("div") as place:
-            Text("label", label).classes("unseen").props(f"for=unit-{place.id}")
-            choose = chooser(name)
-            made = ui.select(list(choices), value=getattr(units, name), on_change=partial(_choose, choose))
+            Text("label", f"Unit of {words}").classes("unseen").props(f"for=unit-{place.id}")
+            value = units.chosen[own].name
+            made = ui.select([one.name for one in few], value=value, on_change=partial(choose, own))
             made.props(f"dense options-dense borderless for=unit-{place.id}").classes("unit-choice")
-
-
-def _choose(choose: Callable[[str], None], event: ValueChangeEventArguments[str]) -> None:
-    choose(event.value)
 
 
 def _add_theme() -> None:

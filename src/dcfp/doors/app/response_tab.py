@@ -9,15 +9,16 @@ from dcfp.analysis import Response, Status
 from dcfp.analysis.response import PEAKS
 from dcfp.doors.app import downloads
 from dcfp.doors.app.analysis import Predicted, Task, analyse, predict, remarks_on, scenario_text
-from dcfp.doors.app.charts import predictions
 from dcfp.doors.app.charts import response as charts
-from dcfp.doors.app.elements import Cell, Chart, Grid, Head, Section, Text
+from dcfp.doors.app.charts.look import chart, rows
+from dcfp.doors.app.elements import Cell, Chart, Grid, Section, Text
 from dcfp.doors.app.fields import Alert, BearingPanel, action, card
 from dcfp.doors.app.forms import label_of
 from dcfp.doors.app.records_panel import RecordsPanel
 from dcfp.doors.app.session import Latest, Session
 from dcfp.doors.app.units import Units
 from dcfp.errors import DcfpError
+from dcfp.present import panels
 from dcfp.schema.quantities import NOTHING, Quantity
 
 
@@ -221,9 +222,8 @@ class ResponseResults:
     def show(self, responses: list[Response], number: int, units: Units) -> None:
         """Show analyses, one of them in all detail."""
         one = responses[number]
-        self._title.text = (
-            f"{one.motion.name}, PGV {units.velocity.text(one.motion.peak_velocity)} {units.velocity.name}"
-        )
+        pgv = PEAKS["peak_ground_velocity"]
+        self._title.text = f"{one.motion.name}, PGV {units.text(pgv, one)} {units.name(pgv)}"
         self._status.text = one.status.value
         self._status.classes(replace=f"status {_TONES[one.status]}")
         for name, (value, unit) in self._tiles.items():
@@ -232,26 +232,25 @@ class ResponseResults:
             unit.text = units.name(quantity) if quantity.shown.has_dimension else ""
         _write_list(self._remarks, remarks_on(one))
         self._summary_card.set_visibility(len(responses) > 1)
-        self._summary.fill(_heads(units), [_row(each, units) for each in responses], number)
-        self._loop.draw(charts.loop(one, units))
+        told = [quantity for quantity in PEAKS.values() if quantity.printed]
+        self._summary.fill(units.heads(told), [_row(told, each, units) for each in responses], number)
+        self._loop.draw(chart(panels.loop(one), units))
         self._section.load(charts.scene(one, units))
-        self._histories.draw(charts.histories(one, units))
-        self._energy.draw(charts.energies(one, units))
-        plate = charts.plate(one, units)
-        self._plate_card.set_visibility(plate is not None)
-        if plate is not None:
-            self._plate.draw(plate)
+        histories = (panels.velocities, panels.displacement, panels.temperature, panels.friction)
+        self._histories.draw(rows([describe(one) for describe in histories], units))
+        self._energy.draw(chart(panels.energies(one), units))
+        self._plate_card.set_visibility(one.profiles is not None)
+        if one.profiles is not None:
+            self._plate.draw(chart(panels.profile(one), units))
 
     def show_predictions(self, response: Response, predicted: Predicted, units: Units) -> None:
         """Show predictions and codes beside the analysis."""
         case, nominal = predicted.case, predicted.nominal
-        self._pulses.draw(charts.pulses(response, case, units))
+        self._pulses.draw(chart(panels.pulses(response, case.pulses, case.analysed.pulse), units))
         self._nominal.text = f"The methods take a constant µ of {nominal.value:.4g}: {nominal.source}."
-        self._bars.draw(predictions.bars(case, units))
-        self._predictions.fill(
-            predictions.prediction_head(units), predictions.prediction_rows(case, units), 0
-        )
-        _write_list(self._code_remarks, predictions.code_remarks(case))
+        self._bars.draw(charts.bars(case, units))
+        self._predictions.fill(charts.prediction_head(units), charts.prediction_rows(case, units), 0)
+        _write_list(self._code_remarks, charts.code_remarks(case))
 
 
 def _write_list(place: ui.element, sentences: list[str]) -> None:
@@ -262,16 +261,7 @@ def _write_list(place: ui.element, sentences: list[str]) -> None:
             Text("li", sentence)
 
 
-def _told() -> list[Quantity]:
-    """Return what is told of a response on the page."""
-    return [one for one in PEAKS.values() if one.printed]
-
-
-def _heads(units: Units) -> list[Head]:
-    return [Head(one.head or one.title, units.name(one), number=one.is_number) for one in _told()]
-
-
-def _row(response: Response, units: Units) -> list[Cell | str]:
+def _row(told: list[Quantity], response: Response, units: Units) -> list[Cell | str]:
     tones = {status.value: tone for status, tone in _TONES.items()}
-    texts = [units.text(one, response) for one in _told()]
+    texts = [units.text(one, response) for one in told]
     return [Cell(text, tones.get(text, "")) for text in texts]

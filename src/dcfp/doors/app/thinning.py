@@ -34,7 +34,7 @@ def kept(columns: Sequence[FloatArray], parts: int = PARTS) -> IntArray:
     rows = np.arange(parts)
     chosen = [np.array([0, size - 1], dtype=np.intp)]
     for column in columns:
-        values = column[places]
+        values = np.nan_to_num(column)[places]
         chosen += [places[rows, values.argmin(axis=1)], places[rows, values.argmax(axis=1)]]
     return np.unique(np.concatenate(chosen))
 

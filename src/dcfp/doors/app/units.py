@@ -1,104 +1,80 @@
 """Units in which results are shown; what is put in keeps the units beside its fields."""
 
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, field
 from typing import Any
 
-from dcfp.arrays import FloatArray
+from dcfp.doors.app.elements import Head
 from dcfp.schema.quantities import Quantity
-from dcfp.schema.units import DEGC, MM, MM_PER_S, N_MM, NEWTON
+from dcfp.schema.units import (
+    CM,
+    CM_PER_S,
+    DEGC,
+    DEGF,
+    INCH,
+    INCH_PER_S,
+    KIP,
+    KIP_FT,
+    KN,
+    KN_M,
+    M_PER_S,
+    MM,
+    MM_PER_S,
+    N_MM,
+    N_PER_MM,
+    NEWTON,
+    Unit,
+)  # fmt: skip
 
-
-@dataclass(frozen=True)
-class Unit:
-    """A unit to show a quantity in: shown value = value * factor + offset.
-
-    Attributes
-    ----------
-    name
-        As shown.
-    factor, offset
-        On a value in the units of the package.
-    decimals
-        Of a number in a table.
-    """
-
-    name: str
-    factor: float
-    decimals: int
-    offset: float = 0.0
-
-    def of(self, values: FloatArray) -> FloatArray:
-        """Return values in this unit."""
-        return values * self.factor + self.offset
-
-    def text(self, value: float) -> str:
-        """Return a value in this unit as text, without the unit."""
-        shown = f"{value * self.factor + self.offset:.{self.decimals}f}"
-        return shown.removeprefix("-") if float(shown) == 0.0 else shown
-
-
-_INCH, _KIP = 25.4, 4448.2216152605
-
-LENGTHS = {one.name: one for one in (Unit("mm", 1.0, 1), Unit("cm", 0.1, 2), Unit("in", 1.0 / _INCH, 2))}
-FORCES = {one.name: one for one in (Unit("kN", 1e-3, 0), Unit("kip", 1.0 / _KIP, 1))}
-VELOCITIES = {
-    one.name: one for one in (Unit("m/s", 1e-3, 3), Unit("cm/s", 0.1, 1), Unit("in/s", 1.0 / _INCH, 2))
+#: What a visitor can choose from, by the package's own unit, the first at first; each with the decimals that it has more than the first.
+CHOICES: dict[Unit, tuple[str, dict[Unit, int]]] = {
+    MM: ("lengths", {MM: 0, CM: 1, INCH: 1}),
+    NEWTON: ("forces", {KN: 0, KIP: 1}),
+    MM_PER_S: ("velocities", {M_PER_S: 0, CM_PER_S: -2, INCH_PER_S: -1}),
+    DEGC: ("temperatures", {DEGC: 0, DEGF: 0}),
 }
-TEMPERATURES = {one.name: one for one in (Unit("°C", 1.0, 0), Unit("°F", 1.8, 0, 32.0))}
-#: Energy that goes with a force.
-_ENERGIES = {"kN": Unit("kN m", 1e-6, 0), "kip": Unit("kip ft", 1.0 / (_KIP * 12.0 * _INCH), 0)}
+
+
+def _first() -> dict[Unit, Unit]:
+    return {own: next(iter(few)) for own, (_, few) in CHOICES.items()}
 
 
 @dataclass
 class Units:
-    """The units that a visitor has chosen, by name."""
+    """The units that a visitor has chosen.
 
-    length_name: str = "mm"
-    force_name: str = "kN"
-    velocity_name: str = "m/s"
-    temperature_name: str = "°C"
+    Attributes
+    ----------
+    chosen
+        By the package's own unit.
+    """
 
-    @property
-    def length(self) -> Unit:
-        """Of displacements."""
-        return LENGTHS[self.length_name]
+    chosen: dict[Unit, Unit] = field(default_factory=_first)
 
-    @property
-    def force(self) -> Unit:
-        """Of forces."""
-        return FORCES[self.force_name]
-
-    @property
-    def velocity(self) -> Unit:
-        """Of velocities."""
-        return VELOCITIES[self.velocity_name]
-
-    @property
-    def temperature(self) -> Unit:
-        """Of temperatures."""
-        return TEMPERATURES[self.temperature_name]
-
-    @property
-    def energy(self) -> Unit:
-        """Of energies."""
-        return _ENERGIES[self.force_name]
-
-    def of(self, one: Quantity) -> Unit | None:
-        """Return the unit that is chosen for a quantity; None where there is no choice."""
-        chosen = {
-            MM: self.length,
-            NEWTON: self.force,
-            MM_PER_S: self.velocity,
-            DEGC: self.temperature,
-            N_MM: self.energy,
-        }
-        return chosen.get(one.unit.inner_unit)
+    def of(self, one: Quantity) -> Unit:
+        """Return the unit in which a quantity is shown: what is chosen for its dimension, or follows from that, or its own."""
+        own, force, length = one.unit.inner_unit, self.chosen[NEWTON], self.chosen[MM]
+        if own is N_MM:
+            return KIP_FT if force is KIP else KN_M
+        if own is N_PER_MM:
+            return Unit(f"{force.name}/{length.name}", force.size / length.size, "N mm-1", base=N_PER_MM)
+        return self.chosen.get(own, one.shown)
 
     def name(self, one: Quantity) -> str:
         """Return the name of the unit in which a quantity is shown; empty for words."""
-        return (self.of(one) or one.shown).name
+        return self.of(one).name
 
     def text(self, one: Quantity, result: Any) -> str:
         """Return a quantity of a result as it is shown, without its unit."""
-        unit, value = self.of(one), one.of(result)
-        return one.written(value) if unit is None or value is None else unit.text(value)
+        return self.written(one, one.of(result))
+
+    def written(self, one: Quantity, value: Any) -> str:
+        """Return a value of a quantity as it is shown, without its unit."""
+        unit = self.of(one)
+        _, few = CHOICES.get(one.unit.inner_unit, ("", dict[Unit, int]()))
+        more = few.get(unit, 0) - few.get(one.shown, 0)
+        return one.written(value, unit, None if one.decimals is None else max(0, one.decimals + more))
+
+    def heads(self, columns: Iterable[Quantity]) -> list[Head]:
+        """Return the heads of a table of quantities."""
+        return [Head(one.head or one.title, self.name(one), number=one.is_number) for one in columns]

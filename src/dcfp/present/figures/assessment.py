@@ -18,11 +18,11 @@ from dcfp.present.figures.style import (
     RED,
     calm_ticks,
     legend_above,
-    millimetres,
     new_axes,
     style,
     styled,
 )
+from dcfp.schema.digits import millimetres
 
 if TYPE_CHECKING:
     import xarray

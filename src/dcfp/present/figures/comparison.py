@@ -18,10 +18,10 @@ from dcfp.present.figures.style import (
     PALE,
     RED,
     calm_ticks,
-    number,
     plain_numbers,
     style,
 )
+from dcfp.schema.digits import typeset
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:
@@ -242,6 +242,6 @@ def _add_legend(axes: "Axes", cases: "Sequence[Case]", which: "Quantity", looks:
 def _words(measures: "Scatter") -> str:
     if not measures.number:
         return "none"
-    dispersion = f", {number(measures.dispersion, 2)}" if measures.number > 1 else ""
+    dispersion = f", {typeset(measures.dispersion, 2)}" if measures.number > 1 else ""
     without = f" ({measures.without} none)" if measures.without else ""
-    return f"{number(measures.bias, 2)}{dispersion}{without}"
+    return f"{typeset(measures.bias, 2)}{dispersion}{without}"

@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from dcfp.present.figures.style import BLUE, GREY, INK, PAGE_WIDTH, RED, metres_per_second, millimetres, style
+from dcfp.present.figures.style import BLUE, GREY, INK, PAGE_WIDTH, RED, style
+from dcfp.schema.digits import metres_per_second, millimetres
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -16,9 +16,9 @@ from dcfp.present.figures.style import (
     RED,
     calm_ticks,
     drawable,
-    metres_per_second,
     style,
 )
+from dcfp.schema.digits import metres_per_second
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:

@@ -7,18 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from dcfp.present.figures.style import (
-    BLUE,
-    GREY,
-    INK,
-    OCHRE,
-    PAGE_WIDTH,
-    RED,
-    calm_ticks,
-    drawable,
-    number,
-    style,
-)
+from dcfp.present.figures.style import BLUE, GREY, INK, OCHRE, PAGE_WIDTH, RED, calm_ticks, drawable, style
+from dcfp.schema.digits import typeset
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:
@@ -105,7 +95,7 @@ def _interval(found: "Identification", name: str) -> str:
     named = "" if name == "mu_0" else f"{name.replace('_', ' ')} "
     decimals = min(5, max(0, 1 - math.floor(math.log10(max(one.upper - one.lower, 1e-12)))))
     unit = {"": "", "1/degC": "/°C", "N/(s degC)": " N/(s °C)"}.get(one.unit, f" {one.unit}")
-    return f"{named}${symbol}$ {number(one.lower, decimals)} to {number(one.upper, decimals)}{unit}"
+    return f"{named}${symbol}$ {typeset(one.lower, decimals)} to {typeset(one.upper, decimals)}{unit}"
 
 
 def _draw_histories(drawn: list[_Drawn], panels: "Sequence[Axes]", columns: int) -> None:

@@ -8,17 +8,9 @@ from matplotlib.figure import Figure
 
 from dcfp.errors import InputError
 from dcfp.motion.measures import baseline_warning
-from dcfp.present.figures.histories import between_equal_limits, mark_peak
-from dcfp.present.figures.style import (
-    BLUE,
-    PAGE_WIDTH,
-    RED,
-    calm_ticks,
-    drawable,
-    metres_per_second,
-    millimetres,
-    style,
-)
+from dcfp.present.figures.drawing import between_equal_limits, mark_peak
+from dcfp.present.figures.style import BLUE, PAGE_WIDTH, RED, calm_ticks, drawable, style
+from dcfp.schema.digits import metres_per_second, millimetres
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:

@@ -7,8 +7,9 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from dcfp.errors import InputError
-from dcfp.present.figures.loop import draw_cross
-from dcfp.present.figures.rig_sheet import LINES, draw_measured, model_handles, plot_test, plot_tests
+from dcfp.present.figures.drawing import draw_cross
+from dcfp.present.figures.overviews import LINES, model_handles, plot_tests
+from dcfp.present.figures.sheets import draw_measured, plot_test
 from dcfp.present.figures.style import GREY, INK, PAGE_WIDTH, RED, calm_ticks, drawable, style
 from dcfp.schema.nomenclature import quantity
 

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from dcfp.errors import InputError
-from dcfp.present.figures.histories import between_equal_limits, shown
+from dcfp.present.figures.drawing import between_equal_limits
 from dcfp.present.figures.style import (
     BLUE,
     GREY,
@@ -18,10 +18,10 @@ from dcfp.present.figures.style import (
     calm_ticks,
     drawable,
     legend_above,
-    metres_per_second,
-    millimetres,
     style,
 )
+from dcfp.present.panels import shown
+from dcfp.schema.digits import metres_per_second, millimetres
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:

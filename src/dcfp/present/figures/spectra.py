@@ -5,18 +5,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from dcfp.present.figures.style import (
-    BLUE,
-    GREY,
-    INK,
-    OCHRE,
-    PAGE_WIDTH,
-    RED,
-    drawable,
-    metres_per_second,
-    millimetres,
-    style,
-)
+from dcfp.present.figures.style import BLUE, GREY, INK, OCHRE, PAGE_WIDTH, RED, drawable, style
+from dcfp.schema.digits import metres_per_second, millimetres
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

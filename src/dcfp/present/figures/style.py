@@ -34,6 +34,20 @@ RED = "#BB5566"
 GREY = "#8A8A8A"
 PALE = "#EAEFF4"
 INK = "#222222"
+#: Shades of the colours of panels.
+COLOURS = {
+    "blue": BLUE,
+    "ochre": OCHRE,
+    "red": RED,
+    "green": "#228833",
+    "grey": GREY,
+    "ink": INK,
+    "sky": "#7FA3CB",
+    "silver": "#C9C9C9",
+    "white": "white",
+}
+#: Dashes of a limit.
+DASHED = (0, (5, 3))
 
 _FAMILIES = (
     "DejaVu Sans",
@@ -191,24 +205,6 @@ def _middle(name: str, first: float, last: float) -> "Colormap":
     whole = mpl.colormaps[name]
     parts = [whole(first + (last - first) * i / 255.0) for i in range(256)]
     return LinearSegmentedColormap.from_list(f"{name}_middle", parts)
-
-
-def number(value: float, decimals: int = 0) -> str:
-    """Return a number with a true minus sign, and without one before a zero."""
-    text = f"{value:.{decimals}f}"
-    return text.replace("-", "" if float(text) == 0.0 else "−")
-
-
-def millimetres(value: float) -> str:
-    """Return a length [mm] with as many decimals as it deserves."""
-    decimals = 0 if abs(value) >= 10.0 else 1 if abs(value) >= 1.0 else 2
-    return f"{number(value, decimals)} mm"
-
-
-def metres_per_second(value: float) -> str:
-    """Return a velocity given in mm/s."""
-    velocity = value / 1e3
-    return f"{velocity:.2f} m/s" if velocity >= 0.095 else f"{velocity:.2g} m/s"
 
 
 def plain_numbers(axes: "Axes") -> None:

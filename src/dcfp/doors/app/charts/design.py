@@ -10,9 +10,11 @@ from dcfp.doors.app.elements import Cell, Head, Options
 from dcfp.doors.app.thinning import points
 from dcfp.doors.app.units import Units
 from dcfp.inference.design_space import DesignSpace
+from dcfp.schema.nomenclature import quantity
 
 #: Displacements at which lines are drawn [mm], and forces over the weight [-].
 _LEVELS = (25.0, 50.0, 75.0, 100.0, 150.0, 200.0, 300.0, 400.0, 500.0, 600.0, 800.0, 1000.0, 1500.0, 2000.0)
+_LENGTH = quantity("displacement")
 _FORCES = (0.04, 0.06, 0.08, 0.1, 0.125, 0.15, 0.2, 0.25, 0.3, 0.4)
 
 
@@ -20,16 +22,15 @@ def chart(space: DesignSpace, allowed: float, part: float, units: Units) -> Opti
     """Return lines of equal displacement [mm] over friction and radius; where `allowed` [mm] holds with a probability of `part` [-] it is shaded."""
     mu, radius = space.coefficients, space.radii / 1e3
     displacement = space.displacement_at(part)
+    length = units.of(_LENGTH)
     series: list[Options] = []
     for one in _LEVELS:
         if abs(one - allowed) > 1e-9:
-            series += _lines(
-                mu, radius, displacement, one, BLUE, units.length.text(one).rstrip("0").rstrip(".")
-            )
+            words = f"{length.shown(one):.2f}".rstrip("0").rstrip(".")
+            series += _lines(mu, radius, displacement, one, BLUE, words)
     for one in _FORCES:
         series += _lines(mu, radius, space.force_at(part), one, GREY, f"{one:g}", dashed=True)
-    words = f"{allowed * units.length.factor:.4g} {units.length.name}"
-    series += _lines(mu, radius, displacement, allowed, RED, words, width=2.4)
+    series += _lines(mu, radius, displacement, allowed, RED, allowed_words(allowed, units), width=2.4)
     return {
         **simple(
             axis("Reference coefficient of friction [–]", "x", min=float(mu[0]), max=float(mu[-1])),
@@ -40,6 +41,11 @@ def chart(space: DesignSpace, allowed: float, part: float, units: Units) -> Opti
         ),
         "areas": _held(mu, radius, displacement, allowed),
     }  # fmt: skip
+
+
+def allowed_words(allowed: float, units: Units) -> str:
+    """Return the allowed displacement [mm] with the visitor's unit."""
+    return f"{units.of(_LENGTH).shown(allowed):.4g} {units.name(_LENGTH)}"
 
 
 def _lines(
@@ -87,7 +93,8 @@ def _held(mu: FloatArray, radius: FloatArray, values: FloatArray, allowed: float
 
 def curves(space: DesignSpace, allowed: float, part: float, units: Units) -> Options:
     """Draw displacement against friction, a line for each radius."""
-    displacement = units.length.of(space.displacement_at(part))
+    length = units.of(_LENGTH)
+    displacement = length.shown(space.displacement_at(part))
     shades = np.linspace(1.0, 0.35, space.radii.size).tolist()
     series = [
         line(
@@ -99,7 +106,7 @@ def curves(space: DesignSpace, allowed: float, part: float, units: Units) -> Opt
         )
         for radius, values, shade in zip(space.radii.tolist(), displacement, shades, strict=True)
     ]
-    side = allowed * units.length.factor
+    side = length.shown(allowed)
     series[0]["markLine"] = {
         "silent": True,
         "symbol": "none",
@@ -110,7 +117,7 @@ def curves(space: DesignSpace, allowed: float, part: float, units: Units) -> Opt
     }
     return simple(
         axis("Reference coefficient of friction [–]", "x", min=float(space.coefficients[0]), max=float(space.coefficients[-1])),
-        axis(f"Displacement [{units.length.name}]", "y", scale=False),
+        axis(f"Displacement [{length.name}]", "y", scale=False),
         series,
         grid={"left": 52, "right": 24, "top": 34, "bottom": 46},
         legend=legend(),

@@ -97,8 +97,8 @@ export default {
       this.drawBearing(pen, width, height, y, hot, { ink, steel, edge });
       const { length, heat } = this.scene;
       this.words =
-        `${this.now.toFixed(2)} s: displacement ${(y * length.factor).toFixed(length.decimals)} ${length.unit}, ` +
-        `contact ${(hot * heat.factor + heat.offset).toFixed(0)} ${heat.unit}`;
+        `${this.now.toFixed(2)} s: displacement ${(y / length.size).toFixed(length.decimals)} ${length.unit}, ` +
+        `contact ${(hot / heat.size + heat.zero).toFixed(0)} ${heat.unit}`;
     },
     drawBearing(pen, width, height, y, hot, { ink, steel, edge }) {
       const { radii, diameter, reach, tall } = this.scene;

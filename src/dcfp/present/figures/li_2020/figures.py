@@ -13,7 +13,8 @@ from dcfp.present.figures.li_2020.histories import (
 )
 from dcfp.present.figures.li_2020.marks import PaperFigure, small_figure
 from dcfp.present.figures.li_2020.points import point_figures
-from dcfp.present.figures.style import metres_per_second, style
+from dcfp.present.figures.style import style
+from dcfp.schema.digits import metres_per_second
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

@@ -5,8 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from dcfp.present.figures.histories import between_equal_limits, line_width, shown
-from dcfp.present.figures.loop import draw_cross
+from dcfp.present.figures.drawing import between_equal_limits, draw_cross
 from dcfp.present.figures.pulses import (
     draw_displacement,
     draw_pulses,
@@ -21,17 +20,9 @@ from dcfp.present.figures.pulses import (
     shade_swing,
     strong_part,
 )
-from dcfp.present.figures.style import (
-    BLUE,
-    GREY,
-    INK,
-    OCHRE,
-    PAGE_WIDTH,
-    calm_ticks,
-    legend_above,
-    metres_per_second,
-    millimetres,
-)
+from dcfp.present.figures.style import BLUE, GREY, INK, OCHRE, PAGE_WIDTH, calm_ticks, legend_above
+from dcfp.present.panels import line_width, shown
+from dcfp.schema.digits import metres_per_second, millimetres
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:

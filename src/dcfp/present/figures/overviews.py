@@ -1,8 +1,9 @@
-"""Several analyses beside each other, and figures of any size on one sheet."""
+"""Loops of several analyses or tests beside each other, and figures of any size on one sheet."""
 
 import io
 import math
 import textwrap
+from itertools import cycle
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,39 +11,68 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.image import imread
+from matplotlib.lines import Line2D
 
-from dcfp.present.figures.loop import ColourQuantity, colour_quantity, colour_range, plot_loop
+from dcfp.present.figures.drawing import colour_shows, colours_of, draw_cross, plot_loop
+from dcfp.present.figures.sheets import draw_measured
 from dcfp.present.figures.style import (
+    BLUE,
+    DASHED,
+    GREY,
     INK,
+    OCHRE,
     PAGE_WIDTH,
     RED,
     calm_ticks,
     drawable,
     finish_colour_bar,
-    metres_per_second,
-    millimetres,
-    number,
     save_figure,
     style,
-    time_colours,
-    warm_colours,
-)
+)  # fmt: skip
+from dcfp.present.panels import colour_ends
+from dcfp.schema.digits import metres_per_second, millimetres, typeset
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from matplotlib.axes import Axes
 
     from dcfp.analysis import Response
+    from dcfp.analysis.rig import Loops, Measurement, Program
 
-
-#: Most panels in a row, when they follow each other and when each is a PGV.
-_COLUMNS, _TABLE_COLUMNS = 5, 7
+#: Most panels in a row of analyses, when they follow each other and when each is a PGV, and of tests.
+_COLUMNS, _TABLE_COLUMNS, _TEST_COLUMNS = 5, 7, 4
 #: Characters of a title in the width of the page.
 _TITLE_WIDTH = 92
 #: Height of two lines of numbers [in].
 _NUMBERS_HEIGHT = 0.36
+#: Names of tests beyond the first go above pressure and speed, so that they stay clear of the next panel; beyond the second they are cut.
+_SHORT_NAME, _LONGEST_NAME = 6, 24
+#: Colour and line of each model, in their order.
+LINES: "tuple[tuple[str, Any], ...]" = ((BLUE, "-"), (OCHRE, (0, (4, 1.5))), (RED, (0, (1.2, 1.2))))
+
+
+def _draw_loop(axes: "Axes", history: "Response | Loops", shows: str, norm: Normalize) -> None:
+    plot_loop(history, axes, colour=shows, norm=norm, colour_bar=False, thin=0.7)
+    axes.set_xlabel("")
+    axes.set_ylabel("")
+
+
+def _shared_range(histories: "Sequence[Response | Loops]", shows: str) -> Normalize:
+    ends = [colour_ends(one, shows) for one in histories]
+    return Normalize(min(low for low, _ in ends), max(high for _, high in ends))
+
+
+def _name_axes(figure: Figure) -> None:
+    figure.supxlabel(quantity("displacement").label, fontsize=8)
+    figure.supylabel(quantity("force").label, fontsize=8)
+
+
+def _add_scale(figure: Figure, axes: Any, shows: str, norm: Normalize, aspect: float) -> None:
+    drawn = ScalarMappable(norm, colours_of(shows))
+    bar: Any = figure.colorbar(drawn, ax=axes, pad=0.015, aspect=aspect, fraction=0.03)
+    finish_colour_bar(bar, quantity(shows).label)
 
 
 def plot_overview(responses: "Sequence[Response]") -> Figure:
@@ -53,28 +83,24 @@ def plot_overview(responses: "Sequence[Response]") -> Figure:
     """
     grid = _grid(responses)
     columns = len(grid[0])
-    width = PAGE_WIDTH
-    panel = (width - 0.9) / max(columns, 3)
+    panel = (PAGE_WIDTH - 0.9) / max(columns, 3)
+    size = (min(PAGE_WIDTH, panel * columns + 0.9), 0.62 + len(grid) * (0.85 * panel + 0.1))
     with style():
-        figure = Figure(
-            figsize=(min(width, panel * columns + 0.9), 0.62 + len(grid) * (0.85 * panel + 0.1)),
-            layout="constrained",
-        )
+        figure = Figure(figsize=size, layout="constrained")
         axes = figure.subplots(len(grid), columns, squeeze=False)
-        warm = any(colour_quantity(response) == "temperature" for response in responses)
-        shows: ColourQuantity = "temperature" if warm else "time"
+        shows = colour_shows(list(responses))
         norm = _shared_range(responses, shows)
         for panels, row in zip(axes, grid, strict=True):
             for one, response in zip(panels, row, strict=True):
                 if response is None:
                     one.set_axis_off()
                 else:
-                    _draw_panel(one, response, shows, norm)
+                    _draw_loop(one, response, shows, norm)
+                    _write_numbers(one, response)
         _name_panels(axes, grid)
         _share_limits(axes, responses)
-        _add_scale(figure, axes, shows, norm)
-        figure.supxlabel(quantity("displacement").label, fontsize=8)
-        figure.supylabel(quantity("force").label, fontsize=8)
+        _add_scale(figure, axes, shows, norm, 18 * len(axes))
+        _name_axes(figure)
     return figure
 
 
@@ -99,21 +125,11 @@ def _is_table(grid: "list[list[Response | None]]") -> bool:
     return all(len({r.motion.name if r else "" for r in row}) == 1 for row in grid) and len(grid[0]) > 1
 
 
-def _draw_panel(axes: "Axes", response: "Response", shows: ColourQuantity, norm: Normalize) -> None:
-    plot_loop(response, axes, colour=shows, norm=norm, colour_bar=False, thin=0.7)
-    axes.set_xlabel("")
-    axes.set_ylabel("")
-    numbers = f"{millimetres(response.peak_displacement)}\n{number(response.peak_temperature)} °C"
+def _write_numbers(axes: "Axes", response: "Response") -> None:
+    words = f"{millimetres(response.peak_displacement)}\n{typeset(response.peak_temperature)} °C"
     beyond = response.status.value == "beyond capacity"
-    axes.text(
-        0.03,
-        0.98,
-        numbers,
-        transform=axes.transAxes,
-        va="top",
-        color=RED if beyond else INK,
-        bbox={"boxstyle": "square,pad=0.05", "facecolor": "white", "edgecolor": "none", "alpha": 0.85},
-    )
+    box = {"boxstyle": "square,pad=0.05", "facecolor": "white", "edgecolor": "none", "alpha": 0.85}
+    axes.text(0.03, 0.98, words, transform=axes.transAxes, va="top", color=RED if beyond else INK, bbox=box)
 
 
 def _name_panels(axes: "np.ndarray", grid: "list[list[Response | None]]") -> None:
@@ -155,20 +171,94 @@ def _share_limits(axes: "np.ndarray", responses: "Sequence[Response]") -> None:
         one.tick_params(labelbottom=bool(lowest), labelleft=column == 0)
         if capacity is not None and capacity < reach and one.axison:
             for side in (-capacity, capacity):
-                one.axvline(side, color=RED, linewidth=0.5, linestyle=(0, (5, 3)), zorder=0)
+                one.axvline(side, color=RED, linewidth=0.5, linestyle=DASHED, zorder=0)
 
 
-def _shared_range(responses: "Sequence[Response]", shows: ColourQuantity) -> Normalize:
-    ranges = [colour_range(response, shows) for response in responses]
-    return Normalize(min(float(r.vmin or 0.0) for r in ranges), max(float(r.vmax or 0.0) for r in ranges))
+# The loops of several tests, after Figures 6 and 8 of Li et al. (2020).
 
 
-def _add_scale(figure: Figure, axes: "np.ndarray", shows: ColourQuantity, norm: Normalize) -> None:
-    colours = warm_colours() if shows == "temperature" else time_colours()
-    bar: Any = figure.colorbar(
-        ScalarMappable(norm, colours), ax=axes, pad=0.015, aspect=18 * len(axes), fraction=0.03
-    )
-    finish_colour_bar(bar, quantity(shows).label)
+def plot_tests(
+    program: "Program", runs: "Mapping[str, Sequence[Loops]]", measured: "Mapping[str, Measurement]"
+) -> Figure:
+    """Draw a panel for each test on a new figure: all loops in colours, or of several models the first cycle in lines.
+
+    Parameters
+    ----------
+    program
+        What was run.
+    runs
+        Its tests by the name of the model.
+    measured
+        Measured tests by the name of the test that they belong to.
+    """
+    tests = list(zip(*runs.values(), strict=True))
+    columns = min(_TEST_COLUMNS, math.ceil(math.sqrt(len(tests))))
+    rows = math.ceil(len(tests) / columns)
+    panel = (PAGE_WIDTH - 0.6) / max(columns, 2)
+    size = (min(PAGE_WIDTH, panel * columns + 0.9), 0.55 + rows * (0.8 * panel + 0.22))
+    first = next(iter(runs.values()))
+    shows = colour_shows(list(first))
+    norm = _shared_range(first, shows)
+    with style():
+        figure = Figure(figsize=size, layout="constrained")
+        axes: Any = figure.subplots(rows, columns, squeeze=False)
+        for one, test in zip(axes.flat, tests, strict=False):
+            if test[0].test.name in measured:
+                draw_measured(one, measured[test[0].test.name])
+            if len(runs) > 1:
+                draw_first_cycles(one, test)
+            else:
+                _draw_loop(one, test[0], shows, norm)
+            name_panel(one, test[0])
+        for one in axes.flat[len(tests) :]:
+            one.set_axis_off()
+        _name_axes(figure)
+        title = f"{drawable(program.name)},  {drawable(first[0].bearing.name)}"
+        if len(runs) > 1:
+            title += ":  first cycles"
+            handles = model_handles(list(runs), with_measured=bool(measured))
+            figure.legend(handles=handles, loc="upper right", ncols=4, frameon=False)
+        else:
+            title += f",  {first[0].friction_law.name},  {first[0].heating.name} heating"
+            _add_scale(figure, axes, shows, norm, 40)
+        figure.suptitle(title, fontsize=8.5, x=0.01, ha="left", parse_math=False)
+    return figure
+
+
+def draw_first_cycles(axes: "Axes", tests: "Sequence[Loops]") -> None:
+    """Draw the first cycle of a test with every model."""
+    for test, look in zip(tests, cycle(LINES), strict=False):
+        part = test.time <= test.cycle_times[min(1, test.cycle_times.size - 1)] * (1.0 + 1e-9)
+        draw_model(axes, test, look, part, 0.9)
+    draw_cross(axes)
+
+
+def draw_model(axes: "Axes", test: "Loops", look: "tuple[str, Any]", part: Any, width: float) -> None:
+    """Draw a part of the loop of a test in the look of its model."""
+    path = (quantity(name).display(getattr(test, name)[part]) for name in ("displacement", "force"))
+    axes.plot(*path, color=look[0], linestyle=look[1], linewidth=width)
+
+
+def name_panel(axes: "Axes", test: "Loops") -> None:
+    """Write what a panel shows above it."""
+    pressure = float(np.mean(test.load)) / test.bearing.slider_area
+    name = drawable(test.test.name)
+    name = name if len(name) <= _LONGEST_NAME else f"{name[: _LONGEST_NAME - 1]}…"
+    gap = " " if len(name) <= _SHORT_NAME else "\n"
+    words = f"{name}:{gap}{pressure:.0f} N/mm², {test.test.waveform.peak_velocity:.0f} mm/s"
+    axes.set_title(words, loc="left", parse_math=False, size=6.2)
+    calm_ticks(axes, 3, 5)
+    axes.set_xlabel("")
+    axes.set_ylabel("")
+
+
+def model_handles(names: "Sequence[str]", *, with_measured: bool) -> list[Line2D]:
+    """Return the lines of a legend of models."""
+    handles = [
+        Line2D([], [], color=colour, linestyle=line, label=name)
+        for name, (colour, line) in zip(names, cycle(LINES), strict=False)
+    ]
+    return [*handles, Line2D([], [], color=GREY, label="measured")] if with_measured else handles
 
 
 # Figures of any size on one sheet.
