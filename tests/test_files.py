@@ -11,8 +11,8 @@ import xarray
 from dcfp import load_motion, respond
 from dcfp.analysis import Response
 from dcfp.errors import InputError
-from dcfp.files import check_outputs, known_extension, whole_files, write_data
-from dcfp.present.tables import group_names
+from dcfp.files import check_outputs, known_extension, whole_files
+from dcfp.present.tables import group_names, write_responses
 
 
 @pytest.fixture(scope="module")
@@ -115,13 +115,13 @@ def test_known_extensions() -> None:
 
 
 def test_netcdf_of_one_analysis_comes_back_as_it_was(tmp_path: Path, responses) -> None:
-    write_data(tmp_path / "a.nc", responses[1:2], ".nc")
+    write_responses(tmp_path / "a.nc", responses[1:2], ".nc")
     with xarray.open_dataset(tmp_path / "a.nc") as data:
         xarray.testing.assert_identical(data.load(), responses[1].to_dataset())
 
 
 def test_netcdf_of_several_has_a_summary_and_a_group_for_each(tmp_path: Path, responses) -> None:
-    write_data(tmp_path / "a.nc", responses, ".nc")
+    write_responses(tmp_path / "a.nc", responses, ".nc")
     with xarray.open_datatree(tmp_path / "a.nc") as tree:
         assert list(tree.children) == group_names(responses) == ["NCC_0.25", "NCC_0.50", "NCC_0.5004"]
         for node in tree.subtree:
@@ -144,7 +144,7 @@ def test_names_of_groups_are_safe_and_different(responses) -> None:
 
 
 def test_csv_of_one_analysis_is_its_histories(tmp_path: Path, responses) -> None:
-    write_data(tmp_path / "a.csv", responses[:1], ".csv")
+    write_responses(tmp_path / "a.csv", responses[:1], ".csv")
     with (tmp_path / "a.csv").open(newline="") as stream:
         rows = list(csv.reader(stream))
     assert rows[0][:4] == [
@@ -159,7 +159,7 @@ def test_csv_of_one_analysis_is_its_histories(tmp_path: Path, responses) -> None
 
 
 def test_csv_of_several_is_the_summary(tmp_path: Path, responses) -> None:
-    write_data(tmp_path / "a.csv", responses, ".csv")
+    write_responses(tmp_path / "a.csv", responses, ".csv")
     with (tmp_path / "a.csv").open(newline="") as stream:
         rows = list(csv.DictReader(stream))
     assert [row["record"] for row in rows] == ["NCC"] * 3

@@ -10,7 +10,6 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from importlib import import_module
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -20,8 +19,7 @@ from kept import BUILD, kept
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
-from dcfp.doors.cli.main import COMMANDS
-from dcfp.doors.cli.parser import Parser
+from dcfp.doors.cli.main import COMMANDS, commands
 
 DOCS = Path(__file__).parents[1]
 #: Where the pictures that commands draw are put; Sphinx takes pictures from the folder of the sources only.
@@ -113,15 +111,6 @@ class Command(SphinxDirective):
         return nodes.image(uri=f"{up}{PICTURES.name}/{path.name}", alt=self.options.get("alt", ""))
 
 
-def parser_of(command: str) -> Parser:
-    """Return the parser of a command, such as ``respond`` or ``study ida``."""
-    *groups, last = command.split()
-    module = import_module(".".join(["dcfp.doors.cli", *groups, last]))
-    parser = Parser(prog=f"dcfp {command}", description=module.__doc__)
-    module.add_arguments(parser)
-    return parser
-
-
 class Options(SphinxDirective):
     """The arguments of a command from its parser, by group."""
 
@@ -130,7 +119,7 @@ class Options(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         """List the options."""
-        parser = parser_of(self.arguments[0])
+        parser = COMMANDS[self.arguments[0]].parser
         shown: list[nodes.Node] = []
         for group in parser._action_groups:
             actions = [
@@ -172,13 +161,13 @@ class CommandTable(SphinxDirective):
     def run(self) -> list[nodes.Node]:
         """List the commands."""
         if self.arguments:
-            commands = import_module(f"dcfp.doors.cli.{self.arguments[0]}").COMMANDS
+            group = self.arguments[0]
             rows = [
-                f"| [`dcfp {self.arguments[0]} {name}`](#dcfp-{self.arguments[0]}-{name}) | {words} |"
-                for name, words in commands.items()
+                f"| [`dcfp {group} {name}`](#dcfp-{group}-{name}) | {words} |"
+                for name, words in commands(group).items()
             ]
         else:
-            rows = [f"| [`dcfp {name}`](#guide-{name}) | {words} |" for name, words in COMMANDS.items()]
+            rows = [f"| [`dcfp {name}`](#guide-{name}) | {words} |" for name, words in commands().items()]
         return self.parse_text_to_nodes("\n".join(["| command | what it does |", "|---|---|", *rows]))
 
 

@@ -10,12 +10,8 @@ import tempfile
 from collections.abc import Generator, Iterable, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from dcfp.errors import InputError
-
-if TYPE_CHECKING:
-    from dcfp.analysis import Response
 
 DATA_EXTENSIONS = (".nc", ".csv")
 FIGURE_EXTENSIONS = (".png", ".pdf", ".svg")
@@ -72,7 +68,7 @@ def _check_place(path: Path, place: Path, overwrite: bool) -> None:
         msg = f"{path}: this is {what}; name a file to write to."
         raise InputError(msg)
     if mode is not None and not overwrite:
-        msg = f"{path}: the file exists; choose another name, or say --overwrite."
+        msg = f"{path}: the file exists; choose another name, or replace it (overwrite)."
         raise InputError(msg)
     if not place.parent.is_dir():
         msg = f"{path}: there is no folder {str(path.parent)!r}; make it first."
@@ -141,17 +137,3 @@ def known_extension(name: str, extensions: tuple[str, ...], what: str) -> Path:
         msg = f"{name}: {what} can be written as {', '.join(extensions)}; give the file one of these extensions."
         raise InputError(msg)
     return path
-
-
-def write_data(path: Path, responses: "Sequence[Response]", kind: str) -> None:
-    """Write analyses into `path` as ``".nc"`` or ``".csv"``.
-
-    NetCDF of one analysis is its data set; of several, a summary and one group for each. CSV of one analysis is its
-    histories, of several the summary.
-    """
-    from dcfp.present import tables  # late: xarray takes long to import
-
-    if kind == ".csv":
-        path.write_text(tables.csv_text(responses), encoding="utf-8")
-    else:
-        tables.write_netcdf(path, responses)

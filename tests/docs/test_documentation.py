@@ -7,7 +7,6 @@ of its own in ``.ci/run``.
 import ast
 import re
 import shlex
-from importlib import import_module
 from pathlib import Path
 from pkgutil import iter_modules
 
@@ -16,8 +15,7 @@ import pytest
 
 import dcfp
 import dcfp.present
-from dcfp.doors.cli.main import COMMANDS
-from dcfp.doors.cli.parser import Parser
+from dcfp.doors.cli.main import command_of, commands
 from dcfp.errors import InputError
 from dcfp.verify.run import tasks
 
@@ -59,23 +57,15 @@ def commands_of(text: str) -> list[str]:
 def refusal(command: str) -> str | None:
     """Why a command cannot be parsed; None where it can, or only names a command."""
     words = shlex.split(command, comments=True)[1:]
-    package, known, group = "dcfp.doors.cli", COMMANDS, ""
-    while True:
-        if words[0] not in known:
-            usual = getattr(import_module(package), "USUAL", None)
-            if usual is None or not re.search(r"[./]", words[0]):
-                return f"no command {words[0]!r}"
-            words = [usual, *words]
-        group, words = words[0], words[1:]
-        module = import_module(f"{package}.{group}")
-        known = getattr(module, "COMMANDS", None)
-        if not words:
-            return None
-        if known is None:
-            break
-        package = module.__name__
-    parser = Parser(prog=command)
-    module.add_arguments(parser)
+    if len(words) == 1:
+        return None if words[0] in commands() else f"no command {words[0]!r}"
+    try:
+        found, words = command_of(words)
+    except InputError as error:
+        return str(error)
+    if not words:
+        return None
+    parser = found.parser
     try:
         parser.parse_intermixed_args(words)
     except InputError as error:
@@ -163,11 +153,10 @@ def promised(lines: list[str], end: int) -> list[str]:
 
 
 def test_every_command_has_its_page() -> None:
-    for command in COMMANDS:
+    for command in commands():
         text = (DOCS / "guide" / f"{command}.md").read_text(encoding="utf-8")
         assert f"(guide-{command})=\n# dcfp {command}\n" in text
-        own = getattr(import_module(f"dcfp.doors.cli.{command}"), "COMMANDS", None)
-        for part in [command] if own is None else [f"{command} {one}" for one in own]:
+        for part in [f"{command} {one}" for one in commands(command)] or [command]:
             assert f"```{{dcfp-options}} {part}\n" in text
 
 

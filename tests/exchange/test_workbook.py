@@ -14,7 +14,7 @@ from dcfp.errors import InputError
 from dcfp.exchange import write_workbook
 from dcfp.exchange.excel import histories
 from dcfp.exchange.excel.sheet import sheet_names
-from dcfp.present.tables.comparisons import case_objects
+from dcfp.inference.told import case_objects
 from dcfp.study import Study
 from dcfp.study.scenario import Calculation, Heading, Scenario, calculate
 

@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -13,12 +14,19 @@ from dcfp.arrays import FloatArray
 from dcfp.errors import AnalysisError, InputError
 from dcfp.inference.case import Setting
 from dcfp.inference.earthquake import event_of
+from dcfp.methods.li_2020 import friction_that_holds
+from dcfp.methods.li_2020.constants import Constants
 from dcfp.motion.ground_motion import GroundMotion
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.table import Table
+from dcfp.schema.units import M_PER_S, MM, NONE
 from dcfp.system import System
 
 #: Grid that is looked at unless another is given: radius of each plate [mm] and reference coefficient [-].
 RADII = np.array([1500.0, 2250.0, 3000.0, 4500.0, 6000.0])
 COEFFICIENTS = np.array([0.02, 0.03, 0.04, 0.05, 0.06, 0.075, 0.09, 0.105, 0.125, 0.15])
+#: Probabilities for which the least coefficient is given [-].
+PARTS = (0.5, 0.95)
 #: Draws of earthquakes by which it is said how sure a coefficient is, and where their random numbers start.
 _DRAWS, _SEED = 100, 33
 
@@ -182,3 +190,86 @@ def _crossing(coefficients: FloatArray, displacement: FloatArray, allowed: float
         return math.nan
     share = (displacement[last] - allowed) / (displacement[last] - displacement[last + 1])
     return float(coefficients[last] + share * (coefficients[last + 1] - coefficients[last]))
+
+
+# What is told of the bearings that hold a displacement.
+
+
+class Held(NamedTuple):
+    """A radius at a PGV, and what holds a displacement with it.
+
+    Attributes
+    ----------
+    space
+        What was analysed.
+    radius
+        [mm].
+    allowed
+        The displacement [mm].
+    found
+        By the probability [-]: the least coefficient and the force over the weight; not a number where none is enough.
+    spread
+        5 and 95 % of the least coefficient, had other earthquakes been in the set; None where it was not asked for.
+    nominal
+        Nominal coefficient by the design method; None where it was not asked for.
+    """
+
+    space: DesignSpace
+    radius: float
+    allowed: float
+    found: dict[float, tuple[float, float]]
+    spread: tuple[float, float] | None = None
+    nominal: float | None = None
+
+    @property
+    def least(self) -> float:
+        """Least coefficient of the grid [-]."""
+        return float(self.space.coefficients[0])
+
+
+def held_table(
+    spaces: Sequence[DesignSpace],
+    allowed: float,
+    parts: Sequence[float] = PARTS,
+    constants: Constants | None = None,
+) -> Table:
+    """Return a line for each PGV and radius: which coefficients hold a displacement [mm] with the probabilities of `parts` [-].
+
+    With the constants of the design method its nominal coefficient stands beside them, and how sure they are.
+    """
+    of_design = constants is not None
+    lines: list[Held] = []
+    for space in spaces:
+        found = {part: [values.tolist() for values in space.holding(allowed, part)] for part in parts}
+        spread = space.spread(allowed, parts[-1]) if of_design else None
+        nominal = friction_that_holds(allowed, space.pgv, constants) if of_design else None
+        for i, radius in enumerate(space.radii.tolist()):
+            own = {part: (least[i], force[i]) for part, (least, force) in found.items()}
+            lines.append(Held(space, radius, allowed, own, spread, nominal))
+    columns = [
+        Quantity("pgv_m_s", "peak ground velocity", M_PER_S, head="PGV", get="space.pgv", printed=of_design),
+        Quantity("allowed_mm", "displacement that is to hold", MM, get="allowed", printed=False, stored=of_design),
+        Quantity("radius_mm", "effective radius of each plate", MM, decimals=0, head="Radius", get="radius"),
+        Quantity("nominal_friction_design_method", "nominal coefficient by the design method", NONE, get="nominal", printed=False, stored=of_design),
+        Quantity("least_of_the_grid", "least coefficient of the grid", NONE, get="least", printed=False, stored=of_design),
+        Quantity("spread_low", "5 % of the least coefficient", NONE, get=lambda one: one.spread[0] if one.spread else None, printed=False, stored=of_design),
+        Quantity("spread_high", "95 % of the least coefficient", NONE, get=lambda one: one.spread[1] if one.spread else None, printed=False, stored=of_design),
+        *(one for part in parts for one in _of_part(part)),
+        Quantity("mu_n", "nominal coefficient by the design method", NONE, decimals=3, head="mu_n, Eq. (33)", get="nominal", stored=False, printed=of_design),
+    ]  # fmt: skip
+    return Table(tuple(columns), lines)
+
+
+def _of_part(part: float) -> tuple[Quantity, ...]:
+    """Return the least coefficient and the force that go with a probability."""
+    words = "half" if part == 0.5 else f"{100 * part:g} %"
+
+    def shown(one: Held) -> str | None:
+        least = one.found[part][0]
+        return None if math.isnan(least) else f"{'≤ ' if least == one.least else ''}{least:.3f}"
+
+    return (
+        Quantity(f"least_coefficient_{100 * part:g}_percent", "least reference coefficient", NONE, get=lambda one: one.found[part][0], printed=False),
+        Quantity(f"mu_{100 * part:g}", "least reference coefficient", NONE, head=f"mu, {words}", get=shown, stored=False),
+        Quantity(f"force_over_weight_{100 * part:g}_percent", "force over the weight", NONE, decimals=3, head=f"F/W, {words}", get=lambda one: one.found[part][1]),
+    )  # fmt: skip

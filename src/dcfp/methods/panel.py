@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -10,7 +11,7 @@ from dcfp.analysis import respond
 from dcfp.errors import AnalysisError, InputError
 from dcfp.methods import aij_2016, asce_2016, eurocode_8, iwan_1980
 from dcfp.methods.equivalent_linear import PendulumWithFriction
-from dcfp.methods.result import Answer, Structure
+from dcfp.methods.result import ANSWERS, Answer, Structure, answer_objects
 from dcfp.methods.spectra.elastic import ElasticSpectrum, velocity
 from dcfp.methods.spectra.of_record import (
     PERIODS,
@@ -21,6 +22,8 @@ from dcfp.methods.spectra.of_record import (
 )
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.notebook import card
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.units import M_PER_S, MM, NONE
 from dcfp.system import Bearing, FrictionLaw, Heating
 
 #: Names of the methods that need no more than a spectrum, in the order of tables; of a record Iwan's comes last.
@@ -186,6 +189,65 @@ class Panel:
             for name, said in self.answers.items()
         ]
         return card(self.name, {"analysis [mm]": self.displacement}, rows=rows, remarks=self.remarks)
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line of a panel: an answer, the analysis, or a method that has no solution."""
+
+    panel: Panel
+    method: str
+    said: Answer | None = None
+    displacement: float | None = None
+    base_shear: float | None = None
+    verdict: str = ""
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.said, name, None)
+
+    @property
+    def over(self) -> float | None:
+        """Displacement over that of the analysis [-]."""
+        analysed = self.panel.displacement
+        return self.displacement / analysed if analysed and self.displacement is not None else None
+
+
+def lines_of(panel: Panel, *, missing: bool = False) -> list[Line]:
+    """Return the analysis, where there is one, every answer, and the methods that have no solution where they are asked for."""
+    analysis = [Line(panel, "analysis", None, panel.displacement, panel.base_shear)]
+    return [
+        *(analysis if panel.displacement is not None else []),
+        *(
+            Line(panel, one.method, one, one.displacement, one.base_shear, one.verdict)
+            for one in panel.answers.values()
+        ),
+        *(Line(panel, name, verdict="no solution") for name in panel.missing if missing),
+    ]
+
+
+def line_quantities(*, of_records: bool = True) -> tuple[Quantity, ...]:
+    """Return what is told in each line."""
+    return (
+        Quantity("name", "record or spectrum", head="Record" if of_records else "Spectrum", get="panel.name"),
+        Quantity("pgv_m_s", "peak ground velocity", M_PER_S, decimals=3, places=12, name="pgv", head="PGV", get="panel.pgv", printed=of_records),
+        *(one for one in ANSWERS if one.flat and (of_records or one.key != "over_analysis")),
+    )  # fmt: skip
+
+
+#: What is told of a panel.
+PANELS = [
+    Quantity("name", "record or spectrum", get="name"),
+    Quantity("pgv_m_s", "peak ground velocity", M_PER_S, places=12, get="pgv"),
+    Quantity("friction", "coefficient of the methods", NONE, get="pendulum.friction"),
+    Quantity("radius_mm", "effective radius", MM, get="pendulum.radius"),
+    Quantity(
+        "analysis", "what the analysis gives", flat=False,
+        get=lambda panel: None if panel.displacement is None else {"displacement_mm": panel.displacement, "base_shear_over_weight": panel.base_shear},
+    ),
+    Quantity("answers", "what the methods say", get=lambda panel: answer_objects(panel.answers.values()), flat=False),
+    Quantity("without_solution", "methods without a solution", get="missing"),
+    Quantity("remarks", "what a reader must know", get="remarks"),
+]  # fmt: skip
 
 
 def panel_of_spectrum(

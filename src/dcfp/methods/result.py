@@ -1,10 +1,15 @@
 """What a method of a code gives: its answer, how it came to it, and whether it may be used; and what its conditions ask of the building and its site."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Any
 
 from dcfp.errors import InputError
-from dcfp.schema.check import Check, Verdict, at_least
+from dcfp.schema.check import COLUMNS, Check, Verdict, at_least
 from dcfp.schema.notebook import card
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.table import Table
+from dcfp.schema.units import MM, NONE, PERCENT, SECOND
 
 
 @dataclass(frozen=True)
@@ -95,6 +100,35 @@ class Answer:
             for one in self.conditions
         ]
         return card(self.method, facts, rows=rows, remarks=self.remarks)
+
+
+#: What is told of an answer; `over` is that of a line of a `Panel`.
+ANSWERS = [
+    Quantity("method", "method", head="Method", get="method"),
+    Quantity("displacement_mm", "displacement of the isolation layer", MM, decimals=1, name="displacement", head="D", get="displacement"),
+    Quantity("base_shear_over_weight", "base shear over the weight", NONE, decimals=3, head="V_b/W", get="base_shear"),
+    Quantity("effective_period_s", "effective period", SECOND, decimals=2, name="effective_period", head="T_eff", get="period"),
+    Quantity("effective_damping", "effective damping ratio", NONE, PERCENT, 1, head="beta_eff", get="damping"),
+    Quantity("over_analysis", "displacement over that of the analysis", NONE, decimals=2, head="D over\nanalysis", get="over", stored=False),
+    Quantity("within_limits", "whether it is within the limits of the method", get=lambda said: said.valid if said.conditions else None, printed=False),
+    Quantity("verdict", "the same in words", head="Verdict", get="verdict"),
+    Quantity("conditions", "conditions of the method", get=lambda said: Table(tuple(COLUMNS), said.conditions).objects(), flat=False, printed=False),
+    Quantity("iteration", "rounds of the iteration", get=lambda said: Table(tuple(STEPS), said.steps).objects(), flat=False, printed=False),
+    Quantity("unconfirmed", "what could not be confirmed", get="unconfirmed", printed=False),
+    Quantity("remarks", "what a reader must know", get="remarks", printed=False),
+]  # fmt: skip
+#: What is told of a round of an iteration.
+STEPS = [
+    Quantity("displacement_mm", "displacement that it began with", MM, decimals=2, head="D", get="displacement"),
+    Quantity("period_s", "effective period", SECOND, decimals=3, head="T_eff", get="period"),
+    Quantity("damping", "effective damping ratio", NONE, PERCENT, 2, head="beta_eff", get="damping"),
+    Quantity("reduction", "factor on the spectrum", NONE, decimals=4, head="Reduction", get="reduction"),
+]  # fmt: skip
+
+
+def answer_objects(answers: Iterable[Answer]) -> list[dict[str, Any]]:
+    """Return answers with their verdicts, conditions and iterations, ready for JSON."""
+    return Table(tuple(ANSWERS), list(answers)).objects()
 
 
 #: Site classes of ASCE/SEI 7.

@@ -10,15 +10,19 @@ energy at a given ductility from the duration of strong motion could not be foun
 
 import math
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from dcfp.analysis import Response
 from dcfp.arrays import FloatArray
+from dcfp.methods.fajfar_1989 import MaximumInputEnergy, maximum_input_energy
 from dcfp.methods.spectra import EnergySpectrum, input_energy_spectrum
 from dcfp.methods.spectra.of_record import DAMPING, PERIODS
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import significant_duration
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.units import M_PER_S, MM_PER_S, SECOND
 
 UNCONFIRMED = (
     "the formula of Uang and Bertero (1988) for the largest input energy at a ductility, in place of which the largest of the elastic spectrum is taken",
@@ -112,3 +116,31 @@ def maximum_input_energies(
         damping=damping,
         duration=significant_duration(motion),
     )
+
+
+# What is told of the largest input energies of a motion, with the formula of Fajfar et al. (1989) beside them.
+
+
+class LargestInput(NamedTuple):
+    """A ground motion, its largest input energies over the periods, and those of the formula."""
+
+    motion: GroundMotion
+    found: MaximumInputEnergies
+    formula: MaximumInputEnergy
+
+
+def largest_input(motion: GroundMotion) -> LargestInput:
+    """Return the largest input energies of a motion at the usual damping ratio."""
+    return LargestInput(motion, maximum_input_energies(motion), maximum_input_energy(motion))
+
+
+LARGEST_INPUT = [
+    Quantity("record", "name of the ground motion", head="Record", get="motion.name"),
+    Quantity("pgv_m_s", "peak ground velocity", M_PER_S, decimals=3, places=12, head="PGV", get="motion.peak_velocity"),
+    Quantity("V_E_max_mm_s", "equivalent velocity of the largest relative input energy", MM_PER_S, M_PER_S, 3, head="V_E max", get=lambda one: (2.0 * one.found.energies.relative) ** 0.5),
+    Quantity("at_period_s", "period of it", SECOND, decimals=2, head="at T", get="found.relative_period"),
+    Quantity("V_E_absolute_max_mm_s", "equivalent velocity of the largest absolute input energy", MM_PER_S, M_PER_S, 3, head="V_E abs. max", get=lambda one: (2.0 * one.found.energies.absolute) ** 0.5),
+    Quantity("at_period_absolute_s", "period of it", SECOND, decimals=2, head="at T", get="found.absolute_period"),
+    Quantity("significant_duration_s", "time between 5 and 95 % of the Arias intensity", SECOND, decimals=1, head="t_D", get="found.duration"),
+    Quantity("V_E_fajfar_1989_unconfirmed_mm_s", "equivalent velocity by Fajfar et al. (1989)", MM_PER_S, M_PER_S, 3, head="Fajfar", get="formula.equivalent_velocity"),
+]  # fmt: skip

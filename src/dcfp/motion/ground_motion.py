@@ -1,15 +1,22 @@
 """A ground motion: acceleration at equal time steps, and where it came from."""
 
 import hashlib
+import json
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
+from dcfp.schema.nomenclature import quantity
 from dcfp.schema.notebook import card, fields_card
+from dcfp.version import version
+
+if TYPE_CHECKING:
+    import xarray
 
 
 @dataclass(frozen=True)
@@ -155,6 +162,33 @@ class GroundMotion:
             msg = f"{self.name}: every value is zero, so the record cannot be scaled to a PGV."
             raise InputError(msg)
         return self.scaled(peak_velocity / self.peak_velocity)
+
+    def to_dataset(self) -> "xarray.Dataset":
+        """Return the histories over ``time``, and the provenance as attributes."""
+        import xarray  # late: it takes long to import
+
+        histories = {
+            "ground_acceleration": self.acceleration,
+            "ground_velocity": self.velocity,
+            "ground_displacement": self.displacement,
+        }
+        return xarray.Dataset(
+            {
+                name: ("time", np.array(values), quantity(name).attributes)
+                for name, values in histories.items()
+            },
+            coords={"time": ("time", np.array(self.time), quantity("time").attributes)},
+            attrs={
+                "Conventions": "CF-1.11",
+                "title": f"Ground motion {self.name}",
+                "source": f"dcfp {version()}",
+                "references": self.origin.citation,
+                "record": self.name,
+                "record_sha256": self.digest,
+                "record_origin": json.dumps(asdict(self.origin)),
+                "record_treatment": "; ".join(self.treatment) or "none",
+            },
+        )
 
     def _repr_html_(self) -> str:
         facts = {

@@ -10,6 +10,8 @@ from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.notebook import fields_card
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.units import GRAVITY, M_PER_S, M_PER_S2, MM, NONE, PERCENT, SECOND
 
 #: Velocity at the end, relative to PGV, from which on the baseline is in doubt [-]. In the hundred records of
 #: FEMA P-695, all of them corrected, it stays below 0.03.
@@ -122,7 +124,7 @@ def baseline_warning(motion: GroundMotion) -> str | None:
     return (
         f"{motion.name}: the ground still moves at {100.0 * drift:.0f} % of PGV at the end of the record, "
         "which suggests an untreated baseline; its PGV and displacement are then not those of the ground: "
-        "filter it with a high pass or remove its baseline."
+        "filter it (high_pass) or remove its baseline (baseline)."
     )
 
 
@@ -158,7 +160,7 @@ def refuse_a_drift(motion: GroundMotion) -> None:
     if drift > _LARGEST_DRIFT:
         msg = (
             f"{motion.name}: the ground still moves at {100.0 * drift:.0f} % of its PGV at the end, so that its PGV is"
-            " that of its baseline; filter the record with a high pass of 0.05 Hz or remove its baseline."
+            " that of its baseline; filter the record, for example at 0.05 Hz (high_pass), or remove its baseline (baseline)."
         )
         raise InputError(msg)
 
@@ -175,3 +177,34 @@ def motion_remarks(motion: GroundMotion, *, with_scale: bool = True) -> list[str
     remarks = [f"{motion.name}: {'; '.join(steps)}."] if steps else []
     warning = baseline_warning(motion)
     return [*remarks, *([warning] if warning else [])]
+
+
+#: What is told of a ground motion.
+MEASURES = [
+    Quantity("record", "name of the ground motion", head="Record", get="name"),
+    Quantity("event", "earthquake", get="origin.event", printed=False),
+    Quantity("station", "station", get="origin.station", printed=False),
+    Quantity("component", "component", head="Component", get="origin.component"),
+    Quantity("source", "file, or the package and set", get="origin.source", printed=False),
+    Quantity("file_format", "format of the file", get="origin.file_format", printed=False),
+    Quantity("processing", "what is already in the values", get="origin.processing", printed=False),
+    Quantity("citation", "how the data ask to be cited", get="origin.citation", printed=False),
+    Quantity("time_step_s", "time step", SECOND, name="time_step", head="dt", get="time_step"),
+    Quantity("duration_s", "time from the first to the last value", SECOND, decimals=1, name="duration", head="length", get="duration"),
+    Quantity("points", "number of values", NONE, get="acceleration.size", printed=False),
+    Quantity("pga_m_s2", "peak ground acceleration", M_PER_S2, GRAVITY, 3, name="pga", head="PGA", get="peak_acceleration"),
+    Quantity("pgv_m_s", "peak ground velocity", M_PER_S, decimals=3, name="pgv", head="PGV", get="peak_velocity"),
+    Quantity("pgd_mm", "peak ground displacement", MM, decimals=1, name="pgd", head="PGD", get="peak_displacement"),
+    Quantity("arias_intensity_m_s", "Arias intensity", M_PER_S, decimals=2, name="arias_intensity", head="Arias", get=arias_intensity),
+    Quantity(
+        "significant_duration_s", "time between 5 and 95 % of the Arias intensity", SECOND, decimals=1,
+        name="significant_duration", head="D5-95", get=significant_duration,
+    ),
+    Quantity(
+        "cumulative_absolute_velocity_m_s", "cumulative absolute velocity", M_PER_S, decimals=2,
+        name="cumulative_absolute_velocity", head="CAV", get=cumulative_absolute_velocity,
+    ),
+    Quantity("baseline_drift", "velocity at the end over the peak ground velocity", NONE, PERCENT, 1, head="drift", get=baseline_drift),
+    Quantity("treatment", "what was done to the values", get="treatment", printed=False),
+    Quantity("remarks", "what a reader must know", get=motion_remarks, printed=False),
+]  # fmt: skip

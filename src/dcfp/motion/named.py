@@ -8,6 +8,8 @@ from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.p695 import RecordKey, StoredRecord, all_keys, read_stored
 from dcfp.schema.notebook import fields_card
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.units import GRAVITY, M_PER_S, MM_PER_S, MM_PER_S2, NONE, SECOND
 
 #: Records of the paper that are in the package, under the paper's abbreviations.
 ALIASES = {
@@ -66,6 +68,29 @@ class NamedRecord:
 
     def _repr_html_(self) -> str:
         return fields_card(self, f"Record {self.name}")
+
+
+#: What is told of a named record, in the units of the package.
+NAMED = [
+    Quantity("Record", "abbreviation of the paper, or else the name", get=lambda one: one.alias or one.name, stored=False),
+    Quantity("In P-695", "name of a record of the paper", get=lambda one: one.name if one.alias else "", stored=False),
+    Quantity("Event", "earthquake and year", get=lambda one: f"{one.event} {one.year}", stored=False),
+    Quantity("name", "name", get="name", printed=False),
+    Quantity("alias", "abbreviation of the paper", get="alias", printed=False),
+    Quantity("event", "earthquake", get="event", printed=False),
+    Quantity("year", "year", NONE, get="year", printed=False),
+    Quantity("station", "station", head="Station", get="station"),
+    Quantity("component", "component", get="component", printed=False),
+    Quantity("magnitude", "magnitude", NONE, decimals=1, head="M", get="magnitude"),
+    Quantity("record_sequence_number", "number of the record in the PEER NGA database", NONE, get="record_sequence_number", printed=False),
+    Quantity("time_step", "time step", SECOND, head="dt", get="time_step"),
+    Quantity("duration", "time from the first to the last value", SECOND, decimals=1, head="length", get="duration"),
+    Quantity("points", "number of values", NONE, get="points", printed=False),
+    Quantity("peak_acceleration", "peak ground acceleration", MM_PER_S2, GRAVITY, 3, name="pga", head="PGA", get="peak_acceleration"),
+    Quantity("peak_velocity", "peak ground velocity", MM_PER_S, M_PER_S, 3, name="pgv", head="PGV", get="peak_velocity"),
+    Quantity("available", "whether the values come with the package", get="available", printed=False),
+    Quantity("note", "which file to supply", get="note", printed=False),
+]  # fmt: skip
 
 
 def _missing(

@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from enum import StrEnum
-from operator import attrgetter
 
 from dcfp.schema.notebook import fields_card
 from dcfp.schema.quantities import Quantity
@@ -95,18 +94,17 @@ class Check:
         return fields_card(self, f"{self.of}: {self.name}" if self.of else "Check")
 
 
-#: A check as data have it.
-COLUMNS = tuple(
-    Quantity(name, words, get=attrgetter(name))
-    for name, words in (
-        ("name", "what is asked"),
-        ("verdict", "whether it is met"),
-        ("found", "what was found"),
-        ("limit", "what is allowed"),
-        ("source", "where it is asked"),
-        ("confirmed", "whether this could be confirmed in its source"),
-    )
-)
+#: What is told of a check.
+COLUMNS = [
+    Quantity("name", "what is asked", head="Condition", get="name"),
+    Quantity("verdict", "whether it is met", get="verdict", printed=False),
+    Quantity("found", "what was found", head="Found", get="found"),
+    Quantity("limit", "what is allowed", head="Limit", get="limit"),
+    Quantity("source", "where it is asked", get="source", printed=False),
+    Quantity("Where", "where it is asked", get=lambda one: one.source if one.confirmed else f"{one.source}, unconfirmed", stored=False),
+    Quantity("Verdict", "whether it is met", get="verdict", stored=False),
+    Quantity("confirmed", "whether this could be confirmed in its source", get="confirmed", printed=False),
+]  # fmt: skip
 
 
 def at_most(value: float, limit: float) -> Verdict:

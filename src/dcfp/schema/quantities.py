@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
+from operator import attrgetter
 from typing import Any, cast
 
 import numpy as np
@@ -32,8 +33,8 @@ class Quantity:
         Digits behind the point in tables; None for the shortest form.
     digits
         Significant digits in tables, where the decimals are not given.
-    places
-        Digits behind the point that data keep; None for all.
+    places, precision
+        Digits behind the point, or significant ones, that data keep; None for all.
     symbol
         In LaTeX.
     name
@@ -41,7 +42,7 @@ class Quantity:
     head
         Head of its column on a console; by default the name.
     get
-        Returns the value from a result, in the units of the package.
+        Returns the value from a result, in the units of the package; or the name of the attribute that is it.
     printed, stored
         Whether it is in tables that are read by people, and in JSON, CSV, data sets and workbooks.
     signed
@@ -57,10 +58,11 @@ class Quantity:
     decimals: int | None = None
     digits: int | None = None
     places: int | None = None
+    precision: int | None = None
     symbol: str = ""
     name: str = ""
     head: str = ""
-    get: Callable[[Any], Any] | None = None
+    get: Callable[[Any], Any] | str | None = None
     printed: bool = True
     stored: bool = True
     signed: bool = False
@@ -69,6 +71,8 @@ class Quantity:
     def __post_init__(self) -> None:
         if self.shown is WORDS:
             object.__setattr__(self, "shown", self.unit)
+        if isinstance(self.get, str):
+            object.__setattr__(self, "get", attrgetter(self.get))
 
     @property
     def is_number(self) -> bool:
@@ -100,7 +104,7 @@ class Quantity:
 
     def of(self, result: Any) -> Any:
         """Return the value of a result in the package's units; what is not a number is returned as it is."""
-        value = result[self.key] if self.get is None else self.get(result)
+        value = self.get(result) if callable(self.get) else result[self.key]
         return value.value if isinstance(value, Enum) else value
 
     def datum(self, result: Any) -> Any:
@@ -118,6 +122,8 @@ class Quantity:
         number = self.unit.shown(value)
         if not math.isfinite(number):
             return None
+        if self.precision is not None:
+            return float(f"{number:.{self.precision}g}")
         return number if self.places is None else round(number, self.places)
 
     def text(self, result: Any, unit: Unit | None = None, decimals: int | None = None) -> str:
@@ -142,9 +148,11 @@ class Quantity:
         return text.removeprefix("-") if float(text) == 0.0 else text
 
     def heading(self, unit: Unit | None = None) -> str:
-        """Return the head of its column on a console: a name, and the unit below it."""
+        """Return the head of its column on a console: a name, and the unit below it where it does not have two lines itself."""
         name = self.head or self.title
-        return f"{name}\n[{self._bracket(unit or self.shown)}]" if self.is_number else name
+        if "\n" in name or not self.is_number:
+            return name
+        return f"{name}\n[{self._bracket(unit or self.shown)}]"
 
     @staticmethod
     def _bracket(unit: Unit) -> str:

@@ -5,7 +5,7 @@ import io
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -89,16 +89,17 @@ class Table:
         values = [one.datum(result) for result in self.results]
         if one.is_number:
             return np.array([np.nan if value is None else float(value) for value in values])
-        return np.array(["" if value is None else str(value) for value in values], dtype=object)
+        return np.array([_cell(value) for value in values], dtype=object)
 
 
 def csv_head(one: Quantity) -> str:
     """Return the head of a column of CSV: the name, and the unit as UDUNITS writes it."""
-    return (
-        f"{one.title} [{'-' if not one.unit.has_dimension else one.unit.udunits}]"
-        if one.is_number
-        else one.title
-    )
+    return csv_head_of(one.title, one.unit.udunits) if one.is_number else one.title
+
+
+def csv_head_of(name: str, unit: str) -> str:
+    """Return the head of a column of CSV of numbers; the unit is as UDUNITS writes it."""
+    return f"{name} [{'-' if unit == '1' else unit}]"
 
 
 def csv_text(heads: Sequence[str], rows: Iterable[Iterable[object]]) -> str:
@@ -115,4 +116,7 @@ def _cell(value: object) -> str:
         return ""
     if isinstance(value, bool):
         return "true" if value else "false"
+    if isinstance(value, list):
+        words = cast("list[str]", value)
+        return (" " if all(one.endswith(".") for one in words) else "; ").join(words)
     return f"{value:.9g}" if isinstance(value, float) else str(value)

@@ -6,6 +6,7 @@ from functools import cache
 from importlib import import_module
 from typing import Any
 
+from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
 
 #: What the text of a unit is written with, and how many powers it may have.
@@ -81,8 +82,9 @@ NONE = Unit("–", udunits="1", typed="1")
 FRACTION = Unit("–", udunits="1", typed="1", meant=(("%", 0.01),))
 MM = Unit("mm", 1.0, "mm", meant=(("m", 1000.0),))
 CM = Unit("cm", 10.0, "cm", base=MM)
-METRE = Unit("m", 1e3, "m", base=MM)
 INCH = Unit("in", 25.4, "inch", base=MM)
+METRE = Unit("m", 1e3, "m", meant=(("mm", 1e-3),), base=MM)
+KM = Unit("km", 1e6, "km", meant=(("m", 1e-3),), base=MM)
 SECOND = Unit("s", 1.0, "s", meant=(("ms", 1e-3),))
 HERTZ = Unit("Hz", 1.0, "Hz")
 MM_PER_S = Unit("mm/s", 1.0, "mm s-1", meant=(("m/s", 1000.0),))
@@ -91,6 +93,7 @@ CM_PER_S = Unit("cm/s", 10.0, "cm s-1", base=MM_PER_S)
 INCH_PER_S = Unit("in/s", 25.4, "inch s-1", base=MM_PER_S)
 MM_PER_S2 = Unit("mm/s²", 1.0, "mm s-2", "mm/s2", meant=(("m/s2", 1000.0), ("g_0", 9806.65)))
 M_PER_S2 = Unit("m/s²", 1e3, "m s-2", "m/s2", base=MM_PER_S2)
+GRAVITY = Unit("g", STANDARD_GRAVITY, "9.80665 m s-2", "g_0", base=MM_PER_S2)
 NEWTON = Unit("N", 1.0, "N", meant=(("kN", 1e3),))
 KN = Unit("kN", 1e3, "kN", meant=(("N", 1e-3), ("MN", 1e3)), base=NEWTON)
 KIP = Unit("kip", 4448.2216152605, "1000 lbf", base=NEWTON)

@@ -115,7 +115,7 @@ def _local_cluster(distributed: Any, processes: int | None) -> Any:
             n_workers=processes, threads_per_worker=1, processes=True, dashboard_address=None
         )
     except RuntimeError as error:  # what Dask raises where a worker dies while it starts
-        msg = "a worker died while it started; try again, with --resume."
+        msg = "a worker died while it started; try again, from what is there (resume)."
         raise AnalysisError(msg) from error
 
 
@@ -146,12 +146,12 @@ def _told_in_a_sentence(distributed: Any) -> Generator[None]:
         yield
     except distributed.KilledWorker as error:
         msg = (
-            f"workers died {_MOST_DEATHS + 1} times over the same block; look at their memory. What is written stays, and"
-            " --resume goes on."
+            f"workers died {_MOST_DEATHS + 1} times over the same block; look at their memory. What is written stays;"
+            " go on from it (resume)."
         )
         raise AnalysisError(msg) from error
     except (distributed.CancelledError, OSError, TimeoutError) as error:
-        msg = "the cluster is lost; what is written stays, and --resume goes on."
+        msg = "the cluster is lost; what is written stays; go on from it (resume)."
         raise AnalysisError(msg) from error
 
 

@@ -88,8 +88,8 @@ class StudyStore:
                 self._arrays[name][block.region] = results[name]
         except OSError as error:
             msg = (
-                f"{self.place}: the results cannot be written ({error.strerror or error}); what is there stays good,"
-                " and --resume goes on from it."
+                f"{self.place}: the results cannot be written ({error.strerror or error}); what is there stays good;"
+                " go on from it (resume)."
             )
             raise InputError(msg) from error
 
@@ -178,7 +178,7 @@ def _check_is_ours(place: Path, plan: Plan, *, resume: bool, overwrite: bool) ->
         return
     if not resume:
         msg = (
-            f"{place}: the store exists, {100.0 * share_done(found):.3g} % of it done; go on with --resume, replace it with --overwrite, or choose"
+            f"{place}: the store exists, {100.0 * share_done(found):.3g} % of it done; go on with it (resume), replace it (overwrite), or choose"
             " another name."
         )
         raise InputError(msg)

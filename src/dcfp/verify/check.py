@@ -4,7 +4,6 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cache
-from operator import attrgetter
 
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.named import VELOCITIES, named_motion
@@ -13,20 +12,22 @@ from dcfp.schema.check import Check, Verdict
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import NONE
 
-#: A check as data have it.
-CHECKS = (
-    Quantity("group", "group of checks", get=attrgetter("of")),
-    Quantity("name", "what is checked", get=attrgetter("name")),
-    Quantity("computed", "what the package gives", get=attrgetter("found")),
-    Quantity("expected", "what it ought to give", get=attrgetter("expected")),
-    Quantity("unit", "unit of both", get=attrgetter("unit")),
-    Quantity("tolerance", "how far apart the two may be", get=attrgetter("limit")),
-    Quantity("difference", "how far apart the two are", get=attrgetter("difference")),
-    Quantity("passed", "whether the difference is within the tolerance", get=attrgetter("passed")),
-    Quantity("note", "where the tolerance comes from, the worst case, why it was skipped", get=attrgetter("remark")),
-    Quantity("source", "where the expected value comes from", get=attrgetter("source")),
-    Quantity("ratio", "difference over the largest that is allowed", NONE, get=attrgetter("ratio")),
-)  # fmt: skip
+#: What is told of a check.
+CHECKS = [
+    Quantity("group", "group of checks", get="of", printed=False),
+    Quantity("name", "what is checked", head="Check", get="name"),
+    Quantity("computed", "what the package gives", get="found", printed=False),
+    Quantity("expected", "what it ought to give", get="expected", printed=False),
+    *(Quantity(head, "the same", NONE, digits=6, head=f"{head}\n", get=name, stored=False) for head, name in (("Computed", "found"), ("Expected", "expected"))),
+    Quantity("unit", "unit of both", head="Unit", get="unit"),
+    Quantity("tolerance", "how far apart the two may be", head="Allowed", get="limit"),
+    Quantity("difference", "how far apart the two are", head="Difference", get="difference"),
+    Quantity("passed", "whether the difference is within the tolerance", get="passed", printed=False),
+    Quantity("Result", "the same in a word", get=lambda one: {True: "ok", False: "FAILED", None: "skipped"}[one.passed], stored=False),
+    Quantity("note", "where the tolerance comes from, the worst case, why it was skipped", get="remark", printed=False),
+    Quantity("source", "where the expected value comes from", get="source", printed=False),
+    Quantity("ratio", "difference over the largest that is allowed", NONE, get="ratio", printed=False),
+]  # fmt: skip
 
 
 @dataclass(frozen=True)

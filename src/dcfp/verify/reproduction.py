@@ -16,6 +16,9 @@ from dcfp.inference.statistics import displacement_over_change, ratios, scatter,
 from dcfp.methods.li_2020 import LI_2020, predict_from_pgv, predict_from_pulses, predict_simplified
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.named import ALIASES, VELOCITIES, named_motion
+from dcfp.schema.quantities import Quantity as Column
+from dcfp.schema.table import Table
+from dcfp.schema.units import M_PER_S, NONE
 from dcfp.system import LI_2020 as BEARING
 from dcfp.system import ConstantFriction, Li2020, NoHeating, PreciseHeating
 
@@ -138,6 +141,30 @@ class Finding:
     agrees: bool | None
     words: str = ""
     outside: tuple[Outside, ...] = ()
+
+
+#: Whether a finding is as printed, in a word.
+SIGNS = {True: "", False: "differs", None: "not comparable"}
+#: What is told of a finding.
+FINDINGS = [
+    Column("Finding", "what is found, and where the paper prints it", get=lambda one: f"{one.name} ({one.place})", stored=False),
+    Column("name", "what is found", get="name", printed=False),
+    Column("place", "where the paper prints it", get="place", printed=False),
+    Column("paper", "as the paper prints it", head="Printed", get="paper"),
+    Column("ours", "as it is found here", head="Ours", get="ours"),
+    Column("100 components", "of the components of FEMA P-695", get="hundred", stored=False),
+    Column("hundred_components", "of the components of FEMA P-695", get=lambda one: one.hundred or None, printed=False),
+    Column("agrees", "whether it is as printed", get="agrees", printed=False),
+    Column(" ", "whether it is as printed", get=lambda one: SIGNS[one.agrees], stored=False),
+    Column("words", "why it differs, or how it was found", get="words", printed=False),
+    Column("outside", "cases outside a printed range", get=lambda one: Table(tuple(OUTSIDE), one.outside).objects(), flat=False, printed=False),
+]  # fmt: skip
+OUTSIDE = [
+    Column("record", "name of the ground motion", get="record"),
+    Column("pgv_m_s", "peak ground velocity", M_PER_S, get="pgv"),
+    Column("ratio", "prediction over analysis", NONE, get="ratio"),
+    Column("words", "what sets it apart", get="words"),
+]
 
 
 def findings_of(analyses: Analyses) -> list[Finding]:

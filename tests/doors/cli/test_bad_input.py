@@ -147,7 +147,7 @@ def test_a_failed_analysis_leaves_the_old_files(run, tmp_path: Path, monkeypatch
         msg = "it makes no progress."
         raise AnalysisError(msg)
 
-    monkeypatch.setattr("dcfp.analysis.respond", fail)
+    monkeypatch.setattr("dcfp.doors.cli.respond.respond", fail)
     old = tmp_path / "r.nc"
     old.write_text("precious")
     status, out, err = run("respond", "NCC", "--out", old, "--overwrite")
@@ -160,7 +160,7 @@ def test_a_figure_that_fails_takes_the_data_with_it(run, tmp_path: Path, monkeyp
     def full(*_: object) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("dcfp.doors.cli.outputs.write_figure", full)
+    monkeypatch.setattr("dcfp.present.figures.save_figure", full)
     is_refused(
         run("respond", "NCC", "--out", tmp_path / "r.nc", "--plot", tmp_path / "r.png"), "No space left"
     )

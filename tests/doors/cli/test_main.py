@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 
 import dcfp.doors.cli.respond
-from dcfp.doors.cli.main import COMMANDS, main
+from dcfp.doors.cli.main import commands, main
 from dcfp.errors import AnalysisError, InputError
 
 HEAVY = ("numpy", "numba", "scipy", "matplotlib", "xarray", "pandas", "rich", "h5py")
@@ -21,11 +21,19 @@ def python(code: str) -> subprocess.CompletedProcess[str]:
 
 
 @pytest.mark.parametrize(
-    "words", [["--help"], [], ["respond", "--help"], ["records", "--help"], ["verify", "--help"]]
+    "words",
+    [
+        ["--help"],
+        [],
+        ["records", "--help"],
+        ["spectrum", "--help"],
+        ["verify", "--help"],
+        ["study", "ida", "--help"],
+    ],
 )
 def test_help_imports_nothing_heavy(words: list[str]) -> None:
     done = python(
-        "import sys; from dcfp.doors.cli.main import COMMANDS, main; "
+        "import sys; from dcfp.doors.cli.main import main; "
         f"assert main({words!r}) == 0; heavy = sorted(set({HEAVY!r}) & set(sys.modules)); assert not heavy, heavy"
     )
     assert done.returncode == 0, done.stderr
@@ -49,7 +57,7 @@ def test_version(run) -> None:
     ("words", "sentence"),
     [
         (["respnd"], "dcfp: there is no command 'respnd'; did you mean 'respond'?\n"),
-        (["xyz"], f"dcfp: there is no command 'xyz'; the commands are {', '.join(COMMANDS)}.\n"),
+        (["xyz"], f"dcfp: there is no command 'xyz'; the commands are {', '.join(commands())}.\n"),
         (["respond"], "dcfp: name at least one RECORD, for example NCC or a file; dcfp records lists the named ones.\n"),
         (["respond", "NCC", "--frction", "x"], "dcfp: --frction is not an option of dcfp respond; did you mean --friction?\n"),
         (["respond", "NCC", "--zzz"], "dcfp: --zzz is not an option of dcfp respond; dcfp respond --help lists the options.\n"),

@@ -93,7 +93,7 @@ def test_measured_loops_stand_beside_the_virtual_ones(run, loop, tmp_path):
     lines = [line for line in outcome.out.splitlines() if "measured" in line]
     assert len(lines) == 2
     energy = 4 * 0.05 * 7540 * 100 / 1e3
-    assert float(lines[1].split()[8]) == pytest.approx(energy, rel=0.01)
+    assert float(lines[1].split()[9]) == pytest.approx(energy, rel=0.01)
     assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
     assert run("test", program, "--compare", "--measured", loop, "--plot", tmp_path / "b.svg").status == 0
 
@@ -153,7 +153,7 @@ def test_files_hold_histories_and_measures(run, tmp_path):
         (["x" * 300], "cannot be the name"),
         (["en15129", "--displacement", "380", "--period", "4", "--total-displacement", "300"], "must not be below"),
         (["dependency", "--capacity", "100"], "beyond the plate"),
-        (["dependency", "--tolerance", "2"], "between 0 and 1"),
+        (["dependency", "--tolerance", "2"], "above 0 and up to 0.9999"),
         (["dependency", "--thickness", "3"], "from 10 to 200"),
         (["dependency", "--out", "a.txt"], r"\.nc, \.csv"),
         (["dependency", "--slider", "30000"], "slider"),

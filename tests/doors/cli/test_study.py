@@ -57,7 +57,7 @@ def test_resume_and_overwrite(run, here: Path) -> None:
     assert run("study", "few.toml").status == 0
     outcome = run("study", "few.toml")
     assert outcome.status == 2
-    assert "the store exists, 100 % of it done; go on with --resume" in outcome.err
+    assert "the store exists, 100 % of it done; go on with it (--resume)" in outcome.err
     assert run("study", "few.toml", "--resume").status == 0
     assert run("study", "few.toml", "--overwrite").status == 0
 
@@ -142,7 +142,7 @@ def test_what_gives_no_result_is_an_exit_status_of_one(run, here: Path, zeros: P
         ("study ruun few.toml", "there is no command 'ruun'; did you mean 'run'?"),
         ("study few.toml --resume --overwrite", "--resume goes on with a store and --overwrite replaces it"),
         ("study few.toml --threads 2 --processes 2", "--threads and --processes say where the analyses run in two ways"),
-        ("study few.toml --threads none", "--threads must be a whole number from 1 to 1024"),
+        ("study few.toml --threads none", "--threads: analyses at the same time must be a whole number from 1 to 1024, not 'none'"),
         ("study few.toml --out nowhere/s.zarr", "nowhere/s.zarr: the store cannot be written"),
         ("study few.toml --out few.toml", "few.toml: this is not the store of a study"),
         ("study show none.zarr", "none.zarr: there is no such store; dcfp study run STUDY.toml writes one"),
@@ -151,7 +151,7 @@ def test_what_gives_no_result_is_an_exit_status_of_one(run, here: Path, zeros: P
         ("study export few.toml --out x.doc", "x.doc: data can be written as .nc, .csv"),
         ("study new few.toml", "few.toml: the file exists"),
         ("study new few.txt", "few.txt: a study can be written as .toml"),
-        ("study histories few.toml --at NCC", "--at must be FACTOR=VALUE"),
+        ("study histories few.toml --at NCC", "--at: write FACTOR=VALUE"),
         ("study histories few.toml --at record=XYZ", "There is no record of XYZ in this study; there is NCC, KNA"),
         ("study histories few.toml --at radius=3", "'radius' is no factor of this study"),
     ],

@@ -29,7 +29,7 @@ def checks(monkeypatch) -> list[Check]:
             report(check)
         return chosen
 
-    monkeypatch.setattr("dcfp.verify.run_checks", run_checks, raising=False)
+    monkeypatch.setattr("dcfp.doors.cli.verify.run_checks", run_checks)
     return found
 
 
@@ -75,7 +75,7 @@ def test_a_table_and_a_figure(run, checks, tmp_path: Path) -> None:
 def test_a_file_that_cannot_be_written_is_refused_before_the_work(
     run, monkeypatch, tmp_path: Path, option: str, name: str
 ) -> None:
-    monkeypatch.setattr("dcfp.verify.run_checks", None)
+    monkeypatch.setattr("dcfp.doors.cli.verify.run_checks", None)
     (tmp_path / "there.csv").write_text("mine")
     status, out, err = run("verify", option, tmp_path / name)
     assert (status, out, err.count("\n")) == (2, "", 1)

@@ -22,7 +22,7 @@ CASES = {
         ("V20", "V400"), {"fit": ["mu_0", "pressure_exponent"]},
         "cannot determine pressure_exponent: every test has a pressure of (59|60)",
     ),
-    "no two ways out": (("V20",), {"fit": ["pressure_exponent"]}, "add a test at another pressure, or fix it .--fix pressure_exponent=VALUE"),
+    "no two ways out": (("V20",), {"fit": ["pressure_exponent"]}, "add a test at another pressure, or fix it .fix pressure_exponent=VALUE"),
     "floor of two pressures": (("V20", "P40"), {"fit": ["mu_0", "pressure_floor"]}, "cannot determine pressure_floor: the pressures of the tests are 2"),
     "floor and exponent": (("V20", "P40", "P80"), {"fit": ["mu_0", "pressure_exponent", "pressure_floor"]}, "goes with pressure_exponent .correlation"),
     "slow only": (("V20",), {"fit": ["mu_0", "speed_drop", "speed_rate"]}, "cannot determine mu_0: .* goes with speed_drop"),
@@ -88,7 +88,7 @@ def test_what_was_not_asked_for_is_held_with_its_reason(tests, names, fitted) ->
     for name in {"pressure_exponent", "speed_drop"} - fitted:
         assert held[name].value == getattr(FittedFriction(), name)
         assert held[name].reason not in ("", "not asked for")
-        assert f"--fix {name}=VALUE" in held[name].reason
+        assert f"fix {name}=VALUE" in held[name].reason
     for one in found.estimates:
         assert abs(one.value - getattr(FittedFriction(), one.name)) < 4.0 * one.standard_error
 

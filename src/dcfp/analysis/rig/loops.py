@@ -1,10 +1,10 @@
 """The result of a virtual test: histories of force, friction and temperature; its remarks, its data set and its rows."""
 
 import json
-import math
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -16,6 +16,9 @@ from dcfp.kernels.drive import TEMPERATURE
 from dcfp.schema.citations import citations_of
 from dcfp.schema.nomenclature import quantity
 from dcfp.schema.notebook import card, with_units
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.table import Table
+from dcfp.schema.units import DEGC, KN, KN_M, KN_PER_MM, MM, MM_PER_S, N_PER_MM2, NONE, SECOND
 from dcfp.system import Bearing, FrictionLaw, Heating
 from dcfp.system.plates import Profiles, mean_temperature, memory_of, profile_variables
 from dcfp.system.validity import History, assumption_remarks
@@ -155,7 +158,7 @@ class Loops:
 
     def _repr_html_(self) -> str:
 
-        rows = [with_units(row) for row in cycle_rows(self)]
+        rows = [with_units(row) for row in cycle_objects(cycles_of_tests([self]))]
         return card(f"Virtual test {self.test.name}", rows=rows, remarks=self.remarks)
 
 
@@ -180,62 +183,94 @@ def validity_remarks(loops: "Loops") -> list[str]:
     )
 
 
-# The measures of each cycle with their units in their names.
+# The measures of each cycle with what they are of.
 
 
-def cycle_rows(loops: "Loops") -> list[dict[str, float | str | None]]:
-    """Return what the command line's JSON holds for each cycle of a test."""
-    shared = {
-        "test": loops.test.name,
-        "friction": loops.friction_law.name,
-        "heating": loops.heating.name,
-        "waveform": loops.test.waveform.kind,
-        "peak_velocity_mm_s": loops.test.waveform.peak_velocity,
-        "period_s": loops.test.waveform.period,
-    }
-    pressure = 1.0 / loops.bearing.slider_area
+@dataclass(frozen=True)
+class ToldCycle:
+    """One cycle and the test that it is of.
+
+    Attributes
+    ----------
+    cycle
+        Its measures.
+    test
+        Name of the test.
+    area
+        Of the slider [mm2].
+    loops
+        The virtual test; None for a measured one.
+    file
+        Name of a measured test; None for a virtual one.
+    """
+
+    cycle: Cycle
+    test: str
+    area: float
+    loops: "Loops | None" = None
+    file: str | None = None
+
+
+def cycles_of_tests(tests: Sequence[Loops]) -> list[ToldCycle]:
+    """Return every cycle of virtual tests."""
     return [
-        {**shared, **measures(cycle), "pressure_N_mm2": cycle.load * pressure, "elapsed_s": loops.elapsed}
-        for cycle in loops.cycles
+        ToldCycle(one, test.test.name, test.bearing.slider_area, test)
+        for test in tests
+        for one in test.cycles
     ]
 
 
-def measured_rows(name: str, measurement: "Measurement") -> list[dict[str, float | str | None]]:
-    """Return the same for each cycle of a measured test beside the test `name`; there is no model, which is said in place of its names."""
-    shared = {
-        "test": name,
-        "friction": "measured",
-        "heating": "measured",
-        "waveform": "recorded",
-        "file": measurement.name,
-    }
-    return [{**shared, **measures(cycle)} for cycle in measurement.cycles]
+def cycles_of_measurement(name: str, measurement: "Measurement", bearing: Bearing) -> list[ToldCycle]:
+    """Return every cycle of a measured test beside the test `name`."""
+    return [ToldCycle(one, name, bearing.slider_area, file=measurement.name) for one in measurement.cycles]
 
 
-def measures(cycle: Cycle) -> dict[str, float | None]:
-    """Return the measures of one cycle; None where one does not exist."""
-    return {
-        "cycle": cycle.number,
-        "displacement_max_mm": cycle.largest,
-        "displacement_min_mm": cycle.least,
-        "force_at_displacement_max_kN": cycle.force_at_largest / 1e3,
-        "force_at_displacement_min_kN": cycle.force_at_least / 1e3,
-        "load_kN": cycle.load / 1e3,
-        "keff_kN_mm": _known(cycle.effective_stiffness / 1e3),
-        "beta_eff": _known(cycle.effective_damping),
-        "post_yield_stiffness_kN_mm": _known(cycle.post_yield_stiffness / 1e3),
-        "strength_kN": _known(cycle.strength / 1e3),
-        "energy_kN_m": cycle.energy / 1e6,
-        "friction_of_loop": _known(cycle.loop_friction),
-        "friction_at_zero": _known(cycle.friction),
-        "friction_at_zero_first": cycle.crossings[0] if cycle.crossings else None,
-        "friction_at_zero_second": cycle.crossings[1] if len(cycle.crossings) > 1 else None,
-        "temperature_max_degC": _known(cycle.peak_temperature),
-    }
+def _of(get: Callable[[Loops], Any], measured: object = None) -> Callable[[ToldCycle], Any]:
+    return lambda one: measured if one.loops is None else get(one.loops)
 
 
-def _known(value: float) -> float | None:
-    return None if math.isnan(value) else value
+def _pressure(one: ToldCycle) -> float:
+    return one.cycle.load * (1.0 / one.area)
+
+
+#: What is told of each cycle of a test; of a measured one there is no model, which is said in place of its names.
+CYCLES = [
+    Quantity("Test", "name of the test", get=lambda one: one.test if one.loops else "  measured", stored=False),
+    Quantity("test", "name of the test", get="test", printed=False),
+    Quantity("friction", "friction law", get=_of(lambda test: test.friction_law.name, "measured"), printed=False),
+    Quantity("heating", "heating model", get=_of(lambda test: test.heating.name, "measured"), printed=False),
+    Quantity("waveform", "waveform", get=_of(lambda test: test.test.waveform.kind, "recorded"), printed=False),
+    Quantity("file", "measured file", get="file", printed=False),
+    Quantity("peak_velocity_mm_s", "largest velocity of the test", MM_PER_S, name="peak_velocity", get=_of(lambda test: test.test.waveform.peak_velocity), printed=False),
+    Quantity("period_s", "period of the test", SECOND, name="period", get=_of(lambda test: test.test.waveform.period), printed=False),
+    Quantity("cycle", "number of the cycle in its test", NONE, head="Cycle\n", get="cycle.number"),
+    Quantity("p", "mean pressure on the slider", N_PER_MM2, decimals=1, get=_pressure, stored=False),
+    Quantity("v_max", "largest velocity of the test", MM_PER_S, decimals=0, get=_of(lambda test: test.test.waveform.peak_velocity), stored=False),
+    Quantity("displacement_max_mm", "largest displacement d+", MM, decimals=1, name="displacement_max", head="d+", get="cycle.largest"),
+    Quantity("displacement_min_mm", "smallest displacement d-", MM, name="displacement_min", get="cycle.least", printed=False),
+    Quantity("force_at_displacement_max_kN", "force at d+", KN, name="force_at_displacement_max", get="cycle.force_at_largest", printed=False),
+    Quantity("force_at_displacement_min_kN", "force at d-", KN, name="force_at_displacement_min", get="cycle.force_at_least", printed=False),
+    Quantity("load_kN", "mean vertical force", KN, name="load", get="cycle.load", printed=False),
+    Quantity("keff_kN_mm", "effective stiffness", KN_PER_MM, decimals=3, name="keff", head="k_eff", get="cycle.effective_stiffness"),
+    Quantity("beta_eff", "effective damping", NONE, decimals=3, head="b_eff", get="cycle.effective_damping"),
+    Quantity("post_yield_stiffness_kN_mm", "post-yield stiffness", KN_PER_MM, decimals=3, name="post_yield_stiffness", head="k_d", get="cycle.post_yield_stiffness"),
+    Quantity("strength_kN", "characteristic strength", KN, decimals=0, name="strength", head="Q_d", get="cycle.strength"),
+    Quantity("energy_kN_m", "energy per cycle", KN_M, decimals=1, name="energy", head="E", get="cycle.energy"),
+    Quantity("friction_of_loop", "coefficient of the Coulomb loop of the same area", NONE, get="cycle.loop_friction", printed=False),
+    Quantity("friction_at_zero", "coefficient of friction at zero displacement", NONE, decimals=4, head="mu_0", get="cycle.friction"),
+    Quantity("friction_at_zero_first", "the same at the start of the cycle", NONE, get=lambda one: next(iter(one.cycle.crossings), None), printed=False),
+    Quantity("friction_at_zero_second", "the same in its middle", NONE, get=lambda one: next(iter(one.cycle.crossings[1:]), None), printed=False),
+    Quantity("temperature_max_degC", "highest temperature of the contact", DEGC, decimals=0, name="temperature_max", head="T_max", get="cycle.peak_temperature"),
+    Quantity("pressure_N_mm2", "mean pressure on the slider", N_PER_MM2, name="pressure", get=_pressure, printed=False),
+    Quantity("elapsed_s", "computing time of the test", SECOND, name="elapsed", get=_of(lambda test: test.elapsed), printed=False),
+    Quantity("remarks", "what a reader must know", get=_of(lambda test: test.remarks, ()), printed=False),
+]  # fmt: skip
+
+
+def cycle_objects(cycles: Sequence[ToldCycle]) -> list[dict[str, Any]]:
+    """Return what JSON holds of cycles; only those of a measured test have a file."""
+    rows = Table(tuple(CYCLES), cycles).objects()
+    return [{key: value for key, value in row.items() if key != "file" or value is not None} for row in rows]
 
 
 # As a data set with units and provenance.
@@ -274,7 +309,7 @@ def _provenance(loops: "Loops") -> dict[str, str | float]:
         "test": test.name,
         "waveform": test.waveform.kind,
         "begins_s": loops.begins,
-        "cycles": json.dumps(cycle_rows(loops)),
+        "cycles": json.dumps(cycle_objects(cycles_of_tests([loops]))),
         "vertical_load": json.dumps(None if test.load is None else asdict(test.load)),
         "bearing": json.dumps(asdict(loops.bearing)),
         "friction_law": repr(loops.friction_law),

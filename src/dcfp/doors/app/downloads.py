@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from dcfp.analysis import Response
 from dcfp.analysis.rig import Loops
 from dcfp.doors.app.analysis import Task, scenario_of
-from dcfp.present import tables
+from dcfp.present.tables import write_responses, write_tests
 from dcfp.study.scenario import calculate
 
 if TYPE_CHECKING:
@@ -18,22 +18,22 @@ if TYPE_CHECKING:
 
 def responses_netcdf(responses: list[Response]) -> bytes:
     """Return analyses as NetCDF."""
-    return _file(lambda path: tables.write_netcdf(path, responses))
+    return _file(lambda path: write_responses(path, responses, ".nc"))
 
 
 def responses_csv(responses: list[Response]) -> bytes:
     """Return the histories of one analysis as CSV, or the peaks of several."""
-    return tables.csv_text(responses).encode()
+    return _file(lambda path: write_responses(path, responses, ".csv"))
 
 
 def tests_netcdf(tests: list[Loops]) -> bytes:
     """Return tests as NetCDF."""
-    return _file(lambda path: tables.write_tests_netcdf(path, tests))
+    return _file(lambda path: write_tests(path, tests, ".nc"))
 
 
 def tests_csv(tests: list[Loops]) -> bytes:
     """Return the history of one test as CSV, or the measures of several."""
-    return tables.cycles_csv(tests).encode()
+    return _file(lambda path: write_tests(path, tests, ".csv"))
 
 
 def response_png(response: Response) -> bytes:

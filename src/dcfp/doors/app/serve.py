@@ -78,7 +78,7 @@ def check_address(host: str, port: int) -> None:
             test.bind(address)
     except (OSError, OverflowError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        msg = f"{host}, port {port}: the page cannot be served there ({reason}); choose another with --port."
+        msg = f"{host}, port {port}: the page cannot be served there ({reason}); choose another (port)."
         raise InputError(msg) from error
 
 

@@ -1,126 +1,215 @@
-"""Predictions against response history analysis, for any set of records and PGVs."""
+"""``dcfp compare``: predictions against response history analysis."""
 
 import argparse
-import json
-from pathlib import Path
+import math
+import re
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from dcfp.doors.cli import inputs, options
-from dcfp.doors.cli.outputs import Outputs
-from dcfp.doors.cli.parser import Parser
-from dcfp.errors import InputError
+from dcfp.doors.cli import inputs
+from dcfp.doors.cli.console import Block, Page, grid, grouped
+from dcfp.doors.cli.outputs import Answer
+from dcfp.doors.cli.predict import SYMBOLS, labels, pulse_figure, setting_of
+from dcfp.doors.cli.progress import progress
+from dcfp.inference import Case, Setting, compare
+from dcfp.inference.case import CHANGE, DISPLACEMENT, VIEWS, Basis, Method, Quantity, View
+from dcfp.inference.forecast import setting_remarks
+from dcfp.inference.held_out import Refit, check_enough, coverages, refits
+from dcfp.inference.intervals import Coverage
+from dcfp.inference.statistics import displacement_over_change, ratios, scatter, scatters
+from dcfp.inference.told import REFITS, case_lines, case_objects, coverage_table, scatter_table
+from dcfp.motion.ground_motion import GroundMotion
+from dcfp.schema.quantities import NOTHING
+from dcfp.schema.quantities import Quantity as Column
+from dcfp.schema.table import Table
+from dcfp.schema.units import M_PER_S, MM, NONE
 
 if TYPE_CHECKING:
-    from dcfp.inference import Case, Setting
-    from dcfp.inference.case import Quantity, View
-    from dcfp.inference.held_out import Refit
-    from dcfp.inference.intervals import Coverage
-    from dcfp.motion.ground_motion import GroundMotion
+    from matplotlib.figure import Figure
 
-    HeldOut: TypeAlias = tuple[dict[tuple[View | None, Quantity], Coverage], list[Refit]]
+HeldOut: TypeAlias = tuple[dict[tuple[View | None, Quantity], Coverage], list[Refit]]
 
-
-def add_arguments(parser: Parser) -> None:
-    """Add the options of the command."""
-    options.add_records(
-        parser,
-        "+",
-        "name of a record or a file, FILE::COMPONENT; or of a set: P695 (100 components), P695-FF, P695-NF",
-    )
-    parser.add_argument(
-        "--held-out",
-        action="store_true",
-        help="also constants and intervals from half of the earthquakes, judged on the other half",
-    )
-    options.add_treatment(parser)
-    inputs.add_method(parser)
-    options.add_bearing(parser)
-    options.add_output(parser, "every prediction and analysis as CSV (.csv)")
+#: Most cases that are printed one by one.
+_MOST_ROWS = 40
+#: Heads of columns: methods, and what they know.
+_SHORT = {"simplified": "simpl.", "pulse march": "march", "PGV only": "PGV"}
+#: Marks of a ratio by whether a case is within the limits of a method, and whether any limits are known.
+_MARKS: dict[tuple[bool | None, bool], str] = {(False, True): "*", (None, True): "?"}
+#: A number in a remark, by which two remarks of one kind may differ.
+_NUMBER = re.compile(r"\d+(?:\.\d+)?")
 
 
-def run(chosen: argparse.Namespace) -> int:
+def run(chosen: argparse.Namespace) -> Answer:
     """Analyse and predict every record at every PGV."""
-    inputs.record_names(chosen)
-    if chosen.held_out and chosen.pgv is None:
-        msg = "--held-out compares records at the same PGV; say which with --pgv, for example --pgv 0.25 0.5 0.75 1.0."
-        raise InputError(msg)
-    outputs = Outputs.checked(chosen, inputs.input_files(chosen), (".csv",))
-    # late, so that a slip in the command is answered at once
-    from dcfp.doors.cli.predict_table import print_cases
-    from dcfp.inference.statistics import scatters
-
-    setting, nominal = inputs.setting(chosen, inputs.model(chosen))
-    cases = _compare(chosen, setting)
-    held_out = _held_out(cases, len(chosen.pgv), setting) if chosen.held_out else None
-    _write(cases, setting, outputs)
-    if chosen.json:
-        print(json.dumps(_document(cases, setting, held_out), indent=2, allow_nan=False))
-    else:
-        print_cases(cases, scatters(cases), setting, nominal, held_out)
-    return 0
-
-
-def _compare(chosen: argparse.Namespace, setting: "Setting") -> "list[Case]":
-    from dcfp.doors.cli.progress import progress
-    from dcfp.inference import compare
-    from dcfp.motion.measures import refuse_a_drift
-
+    setting, friction = setting_of(chosen, inputs.system(chosen))
     motions = inputs.scaled(_different(inputs.load_motions(chosen)), chosen.pgv)
-    for motion in motions:
-        refuse_a_drift(motion)
+    keep = chosen.plot is not None and len(motions) == 1
     cases: list[Case] = []
     with progress("comparisons", len(motions)) as advance:
         for motion in motions:
-            cases.append(
-                compare(
-                    motion, setting, codes=True, keep_response=chosen.plot is not None and len(motions) == 1
-                )
-            )
+            cases.append(compare(motion, setting, codes=True, keep_response=keep))
             advance()
-    return cases
+    found = _held_out(cases, len(chosen.pgv), setting) if chosen.held_out else None
+    table = scatter_table(scatters(cases), cases)
+
+    def document() -> dict[str, Any]:
+        judged = None if found is None else {
+            "coverage": coverage_table(found[0]).objects(),
+            "refits": Table(tuple(REFITS), found[1]).objects(),
+        }  # fmt: skip
+        return {"cases": case_objects(cases, setting), "scatter": table.objects(), "held_out": judged}
+
+    def page() -> Page:
+        blocks: list[Block] = [labels(setting, friction)]
+        if len(cases) <= _MOST_ROWS:
+            blocks += [_ratios(cases), _codes(cases)]
+        words = (
+            "Prediction over analysis, blind and PGV on the cases in which each of them predicts a motion:"
+        )
+        blocks.append((words, grid(table, repeated=2)))
+        blocks += [] if found is None else _judged(*found)
+        return Page(blocks, [*_remarks(cases, setting), *_notes(cases)])
+
+    def figure() -> "Figure":
+        from dcfp.present.figures import plot_comparison  # late: Matplotlib takes long to import
+
+        return pulse_figure(cases[0], setting) if len(cases) == 1 else plot_comparison(cases)
+
+    return Answer(document, page, lambda part, kind: case_lines(cases).csv(), figure)
 
 
-def _different(motions: "list[GroundMotion]") -> "list[GroundMotion]":
+def _different(motions: list[GroundMotion]) -> list[GroundMotion]:
     """Return the motions without those that are there twice, under whatever name: a case must not count twice."""
     found = {motion.digest: motion for motion in reversed(motions)}
     return list(reversed(found.values()))
 
 
-def _held_out(cases: "list[Case]", pgvs: int, setting: "Setting") -> "HeldOut":
-    from dcfp.inference.held_out import check_enough, coverages, refits
-
+def _held_out(cases: list[Case], pgvs: int, setting: Setting) -> HeldOut:
     # the motions follow each other record by record, at all PGVs each
     groups = [cases[first::pgvs] for first in range(pgvs)]
     check_enough(groups)
     return coverages(groups), refits(cases, setting.constants)
 
 
-def _document(cases: "list[Case]", setting: "Setting", held_out: "HeldOut | None") -> dict[str, Any]:
-    from dcfp.inference.statistics import scatters
-    from dcfp.present.tables.comparisons import case_objects, held_out_object, scatter_objects
-
-    return {
-        "cases": case_objects(cases, setting),
-        "scatter": scatter_objects(scatters(cases), cases),
-        "held_out": None if held_out is None else held_out_object(*held_out),
-    }
+def _of_case() -> tuple[Column, ...]:
+    return (
+        Column("record", "name of the ground motion", head="Record", get="record"),
+        Column("pgv", "peak ground velocity", M_PER_S, decimals=3, head="PGV", get="pgv"),
+    )
 
 
-def _write(cases: "list[Case]", setting: "Setting", outputs: Outputs) -> None:
-    def data(part: Path, kind: str) -> None:
-        from dcfp.present.tables.comparisons import cases_csv
+def _ratios(cases: Sequence[Case]) -> Block:
+    """Return ratios of prediction to analysis, case by case."""
 
-        del kind
-        part.write_text(cases_csv(cases), encoding="utf-8")
+    def column(view: View, quantity: Quantity, head: str) -> Column:
+        return Column(
+            head,
+            "ratio",
+            NONE,
+            decimals=2,
+            head=head,
+            get=lambda case: float(ratios([case], view, quantity)[0]),
+        )
 
-    def figure(part: Path, form: str) -> None:
-        from dcfp.present.figures import plot_comparison, save_figure  # late: Matplotlib takes long to import
+    def short(word: str) -> str:
+        return _SHORT.get(word, word)
 
-        if len(cases) == 1:
-            from dcfp.doors.cli.predict import pulse_figure
+    columns = (
+        *_of_case(),
+        Column("dy", "change of displacement", MM, decimals=1, get="analysed.whole.displacement_change"),
+        Column("y_max", "largest displacement", MM, decimals=1, get="analysed.whole.bound"),
+        *(
+            column(view, CHANGE, "\n".join(map(short, view)))
+            for view in VIEWS
+            if view[1] is not Basis.SPECTRUM
+        ),
+        column((Method.MARCH, Basis.BLIND), DISPLACEMENT, "march\ny_max"),
+    )
+    words = "dy and y_max of the analysis, dy of each prediction over it, and y_max of the march over it:"
+    return words, grid(Table(columns, cases))
 
-            save_figure(pulse_figure(cases[0], setting), part, form)
-        else:
-            save_figure(plot_comparison(cases), part, form)
 
-    outputs.write_with(data, figure)
+def _codes(cases: Sequence[Case]) -> Block:
+    """Return ratios of the methods of codes to the analysis, with the marks of their verdicts."""
+
+    def column(name: str) -> Column:
+        def get(case: Case) -> str | None:
+            said = case.answers.get(name)
+            if said is None:
+                return None
+            ratio = said.displacement / case.analysed.whole.bound
+            shown = f"{ratio:.2f}" if math.isfinite(ratio) else NOTHING
+            return f"{shown}{_MARKS.get((said.valid, bool(said.conditions)), ' ')}"
+
+        head, _, tail = name.partition(" ")
+        return Column(name, "ratio", NONE, head=f"{head}\n{tail}", get=get)
+
+    columns = (
+        *_of_case(),
+        Column("y_max", "largest displacement", MM, decimals=1, get="analysed.whole.bound"),
+        *map(column, dict.fromkeys(name for case in cases for name in case.answers)),
+    )
+    words = "y_max of the methods of codes, under the record's own spectrum, over that of the analysis:"
+    return words, grid(Table(columns, cases))
+
+
+def _judged(found: dict[tuple[View | None, Quantity], Coverage], fitted: Sequence[Refit]) -> list[Block]:
+    return [
+        (
+            "Intervals that ought to hold 90 %, from half of the earthquakes, on the other half (200 random halves):",
+            grid(coverage_table(found)),
+        ),
+        (
+            "Constants fitted to all cases; bias and dispersion of dy on held-out halves (20 random halves):",
+            grid(Table(tuple(REFITS), fitted)),
+        ),
+    ]
+
+
+def _remarks(cases: Sequence[Case], setting: Setting) -> list[str]:
+    """Return what must be known of the analyses, if they are few, and of the methods."""
+    of_methods = [remark for case in cases for remark in setting_remarks(case.pgv, setting)]
+    of_analyses = [
+        (case.record, remark) for case in cases for remark in case.remarks if remark not in of_methods
+    ]
+    told = grouped(of_analyses) if len(cases) <= _MOST_ROWS else _counted(of_analyses, len(cases))
+    return [*told, *of_methods]
+
+
+def _counted(remarks: Sequence[tuple[str, str]], cases: int) -> list[str]:
+    """Return each kind of remark once, with its first case and the number of cases that have one of its kind."""
+    kinds: dict[str, list[str]] = {}
+    for record, remark in remarks:
+        words = remark.removeprefix(f"{record}: ")
+        kinds.setdefault(_NUMBER.sub("#", words), []).append(remark)
+    return [f"{len(those)} of {cases} analyses, such as {those[0]}" for those in kinds.values()]
+
+
+def _notes(cases: Sequence[Case]) -> list[str]:
+    notes = [
+        "blind: the largest of all pulses, from the record alone; informed: the pulse behind the largest swing of the analysis;"
+        " a method without a y_max of its own offers dy for it.",
+        "Bias: geometric mean; Dispersion: standard deviation of the natural logarithm; Below: share of all cases with a prediction below the"
+        " analysis; Without: no pulse was found, or nothing moves by the method, which counts as below and nowhere else.",
+        "*: outside of the limits of the method; ?: within those that could be checked; the methods of AIJ state none that are known here."
+        f" {_verdicts(cases)}",
+        SYMBOLS,
+    ]
+    over = displacement_over_change(cases)
+    if over.size:
+        found = scatter(over)
+        notes.append(
+            f"y_max over dy_max of the analyses: {found.least:.2f} to {found.largest:.2f}, median {found.median:.2f};"
+            f" above 1 in {100.0 * float((over > 1.0).mean()):.0f} % of the cases."
+        )
+    return notes
+
+
+def _verdicts(cases: Sequence[Case]) -> str:
+    """Return in how many cases each method is outside of its limits."""
+    names = dict.fromkeys(name for case in cases for name, said in case.answers.items() if said.conditions)
+    told = [
+        f"{name}: {sum(case.answers[name].valid is False for case in cases if name in case.answers)} of {len(cases)} cases outside of its limits"
+        for name in names
+    ]
+    return f"{'; '.join(told)}."

@@ -2,38 +2,24 @@
 
 import os
 import sys
-from collections.abc import Callable, Mapping, Sequence
-from difflib import get_close_matches
-from importlib import import_module
-from types import ModuleType
+from collections.abc import Mapping, Sequence
+from textwrap import fill
 
-from dcfp.doors.cli.parser import Parser
+from dcfp.doors.cli import study_commands
+from dcfp.doors.cli.commands import COMMANDS, Command
+from dcfp.doors.cli.outputs import Outputs, deliver
+from dcfp.doors.cli.parser import nearest
 from dcfp.errors import DcfpError, InputError
-
-#: Each sub-command, the module of this package that it is in, and what it does.
-COMMANDS = {
-    "app": "the web page: response, test machine and design chart in a browser",
-    "building": "a multi-storey shear building on the bearing, beside the rigid structure",
-    "codes": "what ASCE 7, Eurocode 8 and the AIJ say, with their verdicts",
-    "compare": "predictions against response history analysis: ratios, scatter, refitted constants",
-    "export": "a scenario for OpenSees, for spreadsheets, or as NetCDF and CSV",
-    "identify": "friction law from measured tests",
-    "predict": "displacement and energy from velocity pulses, or from the PGV alone",
-    "records": "named records, or what is in a record file",
-    "report": "calculation report of a scenario, as PDF or HTML",
-    "reproduce": "the findings and figures of Li et al. (2020), section 6, beside our own",
-    "respond": "response history analysis",
-    "spectrum": "elastic response and input energy spectra of records",
-    "study": "many analyses: records, intensities and bearings, and what follows from them",
-    "test": "virtual test machine: test programs, measures per cycle, checks of codes",
-    "verify": "what is checked against what, and by how much it differs",
-}
 
 #: Set this in the environment to see the whole traceback of an unexpected error.
 TRACEBACK = "DCFP_TRACEBACK"
 
 INTERRUPTED = 130
+ABOUT = "Double concave friction pendulum bearings under recorded earthquakes."
+#: Commands that have commands of their own, and the modules that these are in.
+GROUPS = {"study": study_commands}
 _ASK_HELP = ("-h", "--help", "help")
+_WIDTH = 100
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -68,54 +54,83 @@ def main(argv: Sequence[str] | None = None) -> int:
     return status
 
 
+def commands(group: str = "") -> dict[str, str]:
+    """Return the names of the commands, or of those of a group, and what each does."""
+    found = {
+        name.removeprefix(f"{group} "): one.words
+        for name, one in COMMANDS.items()
+        if name.rpartition(" ")[0] == group
+    }
+    about = {} if group else {name: module.ABOUT.partition("\n")[0] for name, module in GROUPS.items()}
+    return found if group else dict(sorted((found | about).items()))
+
+
+def command_of(words: Sequence[str]) -> tuple[Command, list[str]]:
+    """Return the command that words name, and the words behind its name; a file alone is for the usual command of a group.
+
+    Raises
+    ------
+    InputError
+        If there is no such command.
+    """
+    group = words[0] if words[0] in GROUPS else ""
+    name, *rest = words[1:] if group else words
+    known = commands(group)
+    if name not in known and group and ("." in name or "/" in name or name.startswith("-")):
+        name, rest = GROUPS[group].USUAL, [name, *rest]
+    if name not in known:
+        near = nearest(name, known)
+        meant = f"did you mean {near!r}?" if near else f"the commands are {', '.join(known)}."
+        msg = f"there is no command {name!r}; {meant}"
+        raise InputError(msg)
+    return COMMANDS[f"{group} {name}".strip()], rest
+
+
 def _run(words: list[str]) -> int:
     if words and words[0] in ("-V", "--version"):
         from dcfp.version import version
 
         print(f"dcfp {version()}")
         return 0
-    if not words or words[0] in _ASK_HELP:
-        print(
-            _help("dcfp", "Double concave friction pendulum bearings under recorded earthquakes.", COMMANDS)
-        )
-        print("--version shows the version.")
+    group = words[0] if words and words[0] in GROUPS else ""
+    rest = words[1:] if group else words
+    if not rest or rest[0] in _ASK_HELP:
+        print(_help(f"dcfp {group}".strip(), GROUPS[group].ABOUT if group else ABOUT, commands(group)))
+        if not group:
+            print("--version shows the version.")
         return 0
-    return _dispatch("dcfp", "dcfp.doors.cli", COMMANDS, words)
+    return _carry_out(*command_of(words))
 
 
-def _dispatch(program: str, package: str, commands: Mapping[str, str], words: list[str]) -> int:
-    """Run the command that the first word names, with the other words; a command may have commands of its own."""
-    command = words[0]
-    if command not in commands:
-        near = get_close_matches(command, commands, n=1)
-        meant = f"did you mean {near[0]!r}?" if near else f"the commands are {', '.join(commands)}."
-        msg = f"there is no command {command!r}; {meant}"
-        raise InputError(msg)
-    module = import_module(f"{package}.{command}")  # only the one that is asked for
-    own: Mapping[str, str] | None = getattr(module, "COMMANDS", None)
-    if own is not None:
-        return _dispatch_group(f"{program} {command}", module, own, words[1:])
-    parser = Parser(prog=f"{program} {command}", description=module.__doc__)
-    module.add_arguments(parser)
-    run: Callable[[object], int] = module.run
+def _carry_out(command: Command, words: list[str]) -> int:
+    parser = command.parser
     try:
-        options = parser.parse_intermixed_args(words[1:])
+        chosen = parser.parse_intermixed_args(words)
     except SystemExit:  # --help was printed
         return 0
-    return run(options)
+    command.check(chosen)
+    if chosen.needs_records and not chosen.records and not chosen.later_records:
+        msg = "name at least one RECORD, for example NCC or a file; dcfp records lists the named ones."
+        raise InputError(msg)
+    try:
+        outputs = Outputs.checked(chosen)
+        return deliver(command.run(chosen), outputs, parser.spoken, as_json=getattr(chosen, "json", False))
+    except DcfpError as error:
+        error.args = (parser.spoken(str(error)),)
+        raise
 
 
-def _dispatch_group(program: str, module: ModuleType, commands: Mapping[str, str], words: list[str]) -> int:
-    """Run a command of a group; a word that looks like a file is for the group's usual command."""
-    if not words or words[0] in _ASK_HELP:
-        print(_help(program, str(module.__doc__), commands))
-        return 0
-    is_file = words[0] not in commands and ("." in words[0] or "/" in words[0] or words[0].startswith("-"))
-    return _dispatch(program, module.__name__, commands, [module.USUAL, *words] if is_file else words)
-
-
-def _help(program: str, about: str, commands: Mapping[str, str]) -> str:
-    lines = [f"  {name:<11} {words}" for name, words in commands.items()]
+def _help(program: str, about: str, known: Mapping[str, str]) -> str:
+    column = max(map(len, known)) + 2
+    lines = [
+        fill(
+            f"{words.rstrip('.')}",
+            _WIDTH,
+            initial_indent=f"  {name:<{column}}",
+            subsequent_indent=" " * (column + 2),
+        )
+        for name, words in known.items()
+    ]
     return "\n".join(
         [
             f"usage: {program} COMMAND ...",

@@ -1,22 +1,43 @@
-"""Where a command's results go besides standard output."""
+"""What a command has found, and where it goes: standard output as text or JSON, a file of data, a figure."""
 
 import argparse
-from collections.abc import Callable, Iterable, Sequence
+import json
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
-from dcfp.files import (
-    DATA_EXTENSIONS,
-    FIGURE_EXTENSIONS,
-    check_outputs,
-    known_extension,
-    whole_files,
-    write_data,
-)
+from dcfp.files import FIGURE_EXTENSIONS, check_outputs, known_extension, whole_files
 
 if TYPE_CHECKING:
-    from dcfp.analysis import Response
+    from matplotlib.figure import Figure
+
+    from dcfp.doors.cli.console import Page
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a command has found, in the forms that it may be asked for; each is made when it is wanted.
+
+    Attributes
+    ----------
+    document
+        What ``--json`` prints.
+    page
+        What is printed otherwise.
+    data
+        Writes the file of ``--out``: its path for now, and its format such as ``".csv"``; or returns its text.
+    figure
+        Draws the figure of ``--plot``.
+    status
+        Exit status.
+    """
+
+    document: Callable[[], Any]
+    page: "Callable[[], Page]"
+    data: Callable[[Path, str], str | None] | None = None
+    figure: "Callable[[], Figure] | None" = None
+    status: int = 0
 
 
 @dataclass(frozen=True)
@@ -31,40 +52,26 @@ class Outputs:
         Whether files may be there already.
     """
 
-    data: Path | None = None
-    figure: Path | None = None
-    overwrite: bool = False
+    data: Path | None
+    figure: Path | None
+    overwrite: bool
 
     @classmethod
-    def checked(
-        cls,
-        chosen: argparse.Namespace,
-        reads: Iterable[Path] = (),
-        data_extensions: tuple[str, ...] = DATA_EXTENSIONS,
-    ) -> "Outputs":
-        """Return the outputs of a command's options --out, --plot and --overwrite once it is known that each can be written in a known format.
-
-        Parameters
-        ----------
-        chosen
-            The options; a command may have no figure.
-        reads
-            Files that the command reads, and must not write over.
-        data_extensions
-            Formats of --out.
+    def checked(cls, chosen: argparse.Namespace) -> "Outputs":
+        """Return the outputs of a command's options ``--out``, ``--plot`` and ``--overwrite`` once it is known that each can be written in a known format.
 
         Raises
         ------
         InputError
-            If not.
+            If not, or if one of them is a file that the command reads.
         """
-        data, figure = chosen.out, getattr(chosen, "plot", None)
+        data, figure = getattr(chosen, "out", None), getattr(chosen, "plot", None)
         outputs = cls(
-            known_extension(data, data_extensions, "data") if data is not None else None,
+            known_extension(data, chosen.kinds, chosen.noun) if data is not None else None,
             known_extension(figure, FIGURE_EXTENSIONS, "a figure") if figure is not None else None,
-            chosen.overwrite,
+            getattr(chosen, "overwrite", False),
         )
-        check_outputs(outputs.paths, overwrite=chosen.overwrite, inputs=reads)
+        check_outputs(outputs.paths, overwrite=outputs.overwrite, inputs=_inputs(chosen))
         return outputs
 
     @property
@@ -72,42 +79,72 @@ class Outputs:
         """Every file that is wanted."""
         return [path for path in (self.data, self.figure) if path is not None]
 
-    def write(self, responses: "Sequence[Response]", data: Callable[[Path, str], None] | None = None) -> None:
-        """Write the analyses into every file, or leave all files as they were; `data` as for `write_with`, where a command knows more formats."""
-        self.write_with(
-            data or (lambda part, kind: write_data(part, responses, kind)),
-            lambda part, form: write_figure(part, responses, form),
-        )
-
-    def write_with(self, data: Callable[[Path, str], None], figure: Callable[[Path, str], None]) -> None:
-        """Write every file that is wanted, or leave all files as they were.
-
-        Parameters
-        ----------
-        data
-            Writes a path as ``".nc"`` or ``".csv"``.
-        figure
-            Writes a path as ``"png"``, ``"pdf"`` or ``"svg"``.
-        """
+    def write(self, answer: Answer) -> None:
+        """Write every file that is wanted, or leave all files as they were."""
         writers: list[Callable[[Path], None]] = []
         if self.data is not None:
-            kind = self.data.suffix.lower()
-            writers.append(lambda part: data(part, kind))
+            writers.append(lambda part: _write_data(answer, part, cast("Path", self.data).suffix.lower()))
         if self.figure is not None:
-            form = self.figure.suffix.lower()[1:]
-            writers.append(lambda part: figure(part, form))
+            writers.append(lambda part: _write_figure(answer, part, cast("Path", self.figure).suffix.lower()))
         with whole_files(self.paths, overwrite=self.overwrite) as parts:
             for writer, part in zip(writers, parts, strict=True):
                 writer(part)
 
 
-def write_figure(path: Path, responses: "Sequence[Response]", form: str) -> None:
-    """Draw one analysis, or an overview of several, into `path` as ``"png"``, ``"pdf"`` or ``"svg"``."""
-    from dcfp.present.figures import (  # late: Matplotlib takes long to import
-        plot_overview,
-        plot_response,
-        save_figure,
-    )
+def deliver(answer: Answer | None, outputs: Outputs, said: Callable[[str], str], *, as_json: bool) -> int:
+    """Write and print what a command has found; return the exit status.
 
-    figure = plot_response(responses[0]) if len(responses) == 1 else plot_overview(responses)
-    save_figure(figure, path, form)
+    Parameters
+    ----------
+    answer
+        None where there is nothing to say.
+    outputs
+        The files that are wanted.
+    said
+        Puts sentences in the words of the command line.
+    as_json
+        Whether one document is printed instead of text.
+    """
+    if answer is None:
+        return 0
+    outputs.write(answer)
+    if as_json:
+        print(json.dumps(_spoken(answer.document(), said), indent=2, allow_nan=False))
+    else:
+        answer.page().show(said)
+    return answer.status
+
+
+def _spoken(document: Any, said: Callable[[str], str]) -> Any:
+    """Return a document whose sentences are put in the words of the command line."""
+    if isinstance(document, dict):
+        return {key: _spoken(one, said) for key, one in cast("dict[str, Any]", document).items()}
+    if isinstance(document, (list, tuple)):
+        return [_spoken(one, said) for one in cast("list[Any]", document)]
+    return said(document) if isinstance(document, str) else document
+
+
+def _inputs(chosen: argparse.Namespace) -> Iterator[Path]:
+    """Give every word of a command that may be the name of a file that it reads, alone or in ``FILE::COMPONENT`` and ``NAME=FILE``."""
+    for name, value in vars(chosen).items():
+        if name in ("out", "plot"):
+            continue
+        for word in cast("list[Any]", value) if isinstance(value, list) else [value]:
+            if isinstance(word, str):
+                file = word.rpartition("::")[0] or word
+                yield Path(word)
+                yield Path(file.partition("=")[2] or file)
+
+
+def _write_data(answer: Answer, part: Path, kind: str) -> None:
+    assert answer.data is not None
+    text = answer.data(part, kind)
+    if text is not None:
+        part.write_text(text, encoding="utf-8", newline="\n")
+
+
+def _write_figure(answer: Answer, part: Path, kind: str) -> None:
+    from dcfp.present.figures import save_figure  # late: Matplotlib takes long to import
+
+    assert answer.figure is not None
+    save_figure(answer.figure(), part, kind.removeprefix("."))

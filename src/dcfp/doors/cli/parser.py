@@ -1,18 +1,23 @@
-"""An argument parser whose complaints are one sentence, and the numbers that it accepts."""
+"""An argument parser whose complaints are one sentence, and options made from declared parameters."""
 
 import argparse
-import math
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from difflib import get_close_matches
 from typing import Any, NoReturn
 
 from dcfp.errors import InputError
+from dcfp.schema.parameters import Parameter
+from dcfp.schema.units import split_number
 
 _SAID_BETTER = {
     "expected one argument": "needs a value",
     "expected at least one argument": "needs at least one value",
 }
+#: How much of a word must be right for it to be taken as the one that was meant [-].
+_NEAR = 0.7
+_SWITCHES = {"yes": True, "true": True, "no": False, "false": False}
 
 
 class Parser(argparse.ArgumentParser):
@@ -24,19 +29,135 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """Raise what argparse would have printed."""
-        text = re.sub(r"^argument (\S+): ", r"\1 ", message)
         for words, better in _SAID_BETTER.items():
-            text = text.replace(words, better)
+            message = re.sub(rf"^argument (\S+): {words}", rf"\1 {better}", message)
+        text = re.sub(r"^argument (\S+): ", r"\1: ", message)
         unknown = re.fullmatch(r"unrecognized arguments: (.*)", text)
         if unknown is not None:
             text = self._unknown(unknown[1].split()[0])
         raise InputError(text if text.endswith((".", "?")) else f"{text}.")
 
+    @property
+    def options(self) -> list[str]:
+        """Every option, such as ``"--pgv"``."""
+        return [option for option in self._option_string_actions if option.startswith("--")]
+
+    def spoken(self, sentence: str) -> str:
+        """Return a sentence in which the parameters that it names in parentheses are called as the options are."""
+
+        def named(found: re.Match[str]) -> str:
+            option = f"--{found[1].replace('_', '-')}"
+            return f"({option}{found[2]})" if option in self.options else found[0]
+
+        return re.sub(r"\((\w+)((?: [\w.]+=[\w.]+)*)\)", named, sentence)
+
     def _unknown(self, given: str) -> str:
-        options = [option for option in self._option_string_actions if option.startswith("--")]
-        near = get_close_matches(given.partition("=")[0], options, n=1)
-        meant = f"did you mean {near[0]}?" if near else f"{self.prog} --help lists the options."
+        near = nearest(given.partition("=")[0].lstrip("-"), (one[2:] for one in self.options))
+        meant = f"did you mean --{near}?" if near else f"{self.prog} --help lists the options."
         return f"{given} is not an option of {self.prog}; {meant}"
+
+
+def nearest(given: str, known: Iterable[str]) -> str | None:
+    """Return the word that is probably meant: the one that begins so, or one with hardly another letter."""
+    words = list(known)
+    longer = [one for one in words if one.startswith(given)] if len(given) > 1 else []
+    near = longer or get_close_matches(given, words, n=1, cutoff=_NEAR)
+    return near[0] if near else None
+
+
+def add_parameter(
+    group: Any,
+    parameter: Parameter,
+    name: str = "",
+    *,
+    several: bool = False,
+    required: bool = False,
+    default: bool = False,
+    more: str = "",
+) -> None:
+    """Add a declared parameter as an option, to be kept in the package's units.
+
+    Parameters
+    ----------
+    group
+        Parser, or group of options.
+    parameter
+        As it is declared.
+    name
+        Of the option; by default its key.
+    several
+        Whether any number of values may be given.
+    required
+        Whether it must be given.
+    default
+        Whether its default stands where it is not given; else None does, so that a file may say it.
+    more
+        What else its help says.
+    """
+    if more:
+        parameter = replace(parameter, more=more)
+    settings: dict[str, Any] = {"required": required, **_settings(name or parameter.key, parameter)}
+    if default:
+        settings["default"] = parameter.default
+    if several or parameter.counts:
+        group.add_argument(
+            *settings.pop("names"),
+            action=Numbers,
+            read=[_reader(parameter)],
+            most=max(parameter.counts, default=None),
+            repeat=parameter.repeat,
+            **settings,
+        )
+    else:
+        group.add_argument(*settings.pop("names"), type=_reader(parameter), **settings)
+
+
+def add_parameters(group: Any, parameters: Sequence[Parameter], name: str, least: int) -> None:
+    """Add an option that takes several parameters, one after the other, `least` of them at least."""
+    settings = _settings(name, *parameters)
+    group.add_argument(
+        *settings.pop("names"),
+        action=Numbers,
+        read=[_reader(one) for one in parameters],
+        least=least,
+        most=len(parameters),
+        words=", ".join(one.words for one in parameters),
+        **settings,
+    )
+
+
+def _settings(name: str, *parameters: Parameter) -> dict[str, Any]:
+    words = "; ".join(one.help for one in parameters)
+    return {
+        "names": [f"--{name.replace('_', '-')}"],
+        "dest": name,
+        "metavar": metavar(parameters[0]),
+        "help": words.replace("%", "%%"),
+    }
+
+
+def _reader(parameter: Parameter) -> Callable[[str], Any]:
+    """Return a type that reads the words behind an option."""
+    one = replace(parameter, counts=())
+
+    def read(text: str) -> Any:
+        value: Any = _SWITCHES.get(text.lower(), text) if one.kind is bool else text
+        try:
+            return one.read(value, one.words)
+        except InputError as error:
+            raise argparse.ArgumentTypeError(str(error)) from None
+
+    return read
+
+
+def metavar(parameter: Parameter) -> str:
+    """Return what stands for the value in the help."""
+    if not parameter.is_number:
+        return "NAME" if parameter.choices else "YES_OR_NO" if parameter.kind is bool else "TEXT"
+    if parameter.kind is int:
+        return "N"
+    unit = parameter.unit.text if parameter.unit.has_dimension else "value"
+    return unit.upper().replace("/", "_PER_").translate(str.maketrans(" ()*", "____")).strip("_")
 
 
 class Numbers(argparse.Action):
@@ -48,14 +169,17 @@ class Numbers(argparse.Action):
     def __init__(
         self,
         *args: Any,
-        check: Callable[[str], float],
+        read: Sequence[Callable[[str], float]],
+        least: int = 1,
         most: int | None = None,
         repeat: int = 1,
+        words: str = "",
         **kwargs: Any,
     ) -> None:
         super().__init__(*args, nargs="+", **kwargs)
-        self.check = check
-        self.most = most
+        self.words = words
+        self.read = read
+        self.least, self.most = least, most
         self.repeat = repeat
 
     def __call__(
@@ -68,71 +192,25 @@ class Numbers(argparse.Action):
         """Sort the tokens into numbers and records."""
         tokens = [str(value) for value in values or ()]
         count = next((i for i, token in enumerate(tokens) if not _is_number(token)), len(tokens))
+        given = tokens[: max(count, 1)]
+        if len(given) < self.least or (self.most is not None and len(given) > self.most):
+            few = len(given) < self.least
+            wanted = f"at least {self.least} numbers" if few else f"at most {self.most} numbers"
+            msg = f"it takes {wanted}{f' ({self.words})' if self.words else ''}, not {len(given)}"
+            raise argparse.ArgumentError(self, msg)
         try:
-            numbers = [self.check(token) for token in tokens[: max(count, 1)]]
+            numbers = [self.read[min(i, len(self.read) - 1)](token) for i, token in enumerate(given)]
         except argparse.ArgumentTypeError as error:
             raise argparse.ArgumentError(self, str(error)) from None
-        if self.most is not None and len(numbers) > self.most:
-            msg = f"takes at most {self.most} numbers, not {len(numbers)}"
-            raise argparse.ArgumentError(self, msg)
         setattr(namespace, self.dest, numbers * self.repeat if len(numbers) == 1 else numbers)
-        later = [*getattr(namespace, "later_records", ()), *tokens[len(numbers) :]]
+        later = [*getattr(namespace, "later_records", ()), *tokens[len(given) :]]
         namespace.later_records = later
 
 
-def positive(unit: str, least: float = 0.0, most: float = math.inf) -> Callable[[str], float]:
-    """Return a type for a positive number of `unit`, within limits that a wrong unit would pass."""
-    limits = f" from {least:g} to {most:g}" if math.isfinite(most) else ""
-    return _number(
-        f"must be a positive number of {unit}{limits}", lambda value: value > 0.0 and least <= value <= most
-    )
-
-
-def not_negative(unit: str, most: float) -> Callable[[str], float]:
-    """Return a type for zero or a positive number of `unit`, up to `most`."""
-    return _number(
-        f"must be zero or a positive number of {unit} up to {most:g}", lambda value: 0.0 <= value <= most
-    )
-
-
-def any_number(unit: str, least: float, most: float) -> Callable[[str], float]:
-    """Return a type for a number of `unit` between limits."""
-    return _number(
-        f"must be a number of {unit} from {least:g} to {most:g}", lambda value: least <= value <= most
-    )
-
-
-def number_from(least: float, most: float) -> Callable[[str], float]:
-    """Return a type for a number without a unit between limits."""
-    return _number(f"must be a number from {least:g} to {most:g}", lambda value: least <= value <= most)
-
-
-def whole_number(least: int, most: int) -> Callable[[str], int]:
-    """Return a type for a whole number between limits."""
-    rule = f"must be a whole number from {least} to {most}"
-    number = _number(rule, lambda value: value.is_integer() and least <= value <= most)
-    return lambda text: int(number(text))
-
-
-def fraction() -> Callable[[str], float]:
-    """Return a type for a number above 0 and below 1."""
-    return _number("must lie between 0 and 1", lambda value: 0.0 < value < 1.0)
-
-
-def _number(rule: str, holds: Callable[[float], bool]) -> Callable[[str], float]:
-    def check(text: str) -> float:
-        value = float(text) if _is_number(text) else math.nan
-        if not (math.isfinite(value) and holds(value)):
-            msg = f"{rule}, not {text!r}"
-            raise argparse.ArgumentTypeError(msg)
-        return value
-
-    return check
-
-
 def _is_number(text: str) -> bool:
+    """Whether a word is a number, or one with a unit behind a space; ``1994.txt`` is a file."""
     try:
         float(text)
     except ValueError:
-        return False
+        return " " in text.strip() and split_number(text) is not None
     return True

@@ -1,176 +1,202 @@
-"""Displacement and energy from the velocity pulses of a record, or from the PGV alone, without a response history analysis."""
+"""``dcfp predict``: displacement and energy from velocity pulses, or from the PGV alone, with intervals or as a design."""
 
 import argparse
-import json
-from pathlib import Path
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from dcfp.doors.cli import design, inputs, options
-from dcfp.doors.cli.outputs import Outputs
-from dcfp.doors.cli.parser import Numbers, Parser, positive
-from dcfp.errors import InputError
+from dcfp.doors.cli import inputs
+from dcfp.doors.cli.console import Page, grid, grouped
+from dcfp.doors.cli.outputs import Answer
+from dcfp.doors.cli.progress import progress
+from dcfp.inference import Case, Setting, compare
+from dcfp.inference.calibration import SET, calibration_set, cases_at
+from dcfp.inference.case import march
+from dcfp.inference.design_space import COEFFICIENTS, RADII, held_table, survey
+from dcfp.inference.forecast import Forecast, forecast, forecast_from_pgv
+from dcfp.inference.nominal import Nominal, nominal_coefficient
+from dcfp.inference.told import forecast_lines, forecast_objects, interval_lines
+from dcfp.methods.li_2020 import LI_2020
+from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.measures import motion_remarks
+from dcfp.system import System
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from matplotlib.figure import Figure
 
-    from dcfp.inference import Case, Setting
-    from dcfp.inference.forecast import Forecast
-    from dcfp.motion.ground_motion import GroundMotion
+#: What the columns are.
+SYMBOLS = (
+    "dy: largest change of displacement from one peak to the next; y_max: largest displacement; V_dE, V_dEhr: equivalent velocity sqrt(2E/m) of"
+    " the energy put in and dissipated meanwhile; V_E: of all the energy put in."
+)
 
 
-_KILO = 1000.0
-#: Options that mean something for a record only.
-_OF_RECORDS = ("component", "units", "time_step", "baseline", "high_pass", "threshold")
+def nominal(chosen: argparse.Namespace, system: System) -> Nominal:
+    """Return the nominal coefficient and where it comes from."""
+    if chosen.nominal_mu is not None:
+        return Nominal(chosen.nominal_mu, "as given")
+    return nominal_coefficient(system.bearing, system.friction, system.heating)
 
 
-def add_arguments(parser: Parser) -> None:
-    """Add the options of the command."""
-    options.add_records(parser, "*", "name of a record (dcfp records lists them) or a file, FILE::COMPONENT")
-    parser.add_argument(
-        "--pgv-only",
-        action=Numbers,
-        check=positive("m/s", 1e-3, 20.0),
-        metavar="M_PER_S",
-        help="instead of records: the design method for these PGVs",
-    )
-    parser.add_argument(
-        "--interval",
-        action="store_true",
-        help="also where 90 %% of analyses lie, from the 100 components of FEMA P-695 at the same PGV",
-    )
-    parser.add_argument(
-        "--allow",
-        type=positive("mm", 1.0, 1e4),
-        metavar="MM",
-        help="with --pgv-only: which friction and radius hold y_max to this displacement [mm]; --plot draws the chart",
-    )
-    options.add_treatment(parser)
-    inputs.add_method(parser)
-    options.add_bearing(parser)
-    options.add_output(parser, "predictions as CSV (.csv)")
+def setting_of(chosen: argparse.Namespace, system: System) -> tuple[Setting, Nominal]:
+    """Return how records are predicted, and where the nominal coefficient comes from."""
+    found = nominal(chosen, system)
+    constants = {"fall_ratio": chosen.eps, "change_ratio": chosen.zeta, "average_slope": chosen.average_slope}
+    known = {name: value for name, value in constants.items() if value is not None}
+    made = replace(LI_2020, nominal_friction=found.value, **known)
+    of_pulses = inputs.given(chosen, "threshold")
+    return Setting(system.bearing, system.friction, system.heating, made, **of_pulses), found
 
 
-def run(chosen: argparse.Namespace) -> int:
-    """Predict every record at every PGV, or every PGV."""
-    _check(chosen)
-    outputs = Outputs.checked(chosen, inputs.input_files(chosen), (".csv",))
-    # late, so that a slip in the command is answered at once
-    from dcfp.doors.cli.predict_table import print_forecasts
-    from dcfp.present.tables.comparisons import forecast_objects
-
-    setting, nominal = inputs.setting(chosen, inputs.model(chosen))
+def run(chosen: argparse.Namespace) -> Answer:
+    """Predict every record at every PGV, or every PGV; or find which bearings hold a displacement."""
+    setting, friction = setting_of(chosen, inputs.system(chosen))
     if chosen.allow is not None:
-        return design.run(chosen, setting, outputs)
+        return _design(chosen.pgv_only, chosen.allow, setting)
     forecasts = _forecasts(chosen, setting)
-    _write(forecasts, setting, outputs)
-    if chosen.json:
-        print(json.dumps(forecast_objects(forecasts, setting), indent=2, allow_nan=False))
-    else:
-        print_forecasts(forecasts, setting, nominal)
-    return 0
+
+    def page() -> Page:
+        blocks = [
+            labels(setting, friction),
+            grid(forecast_lines(forecasts, setting, with_others=False), _heads(forecasts)),
+        ]
+        if any(one.intervals for one in forecasts):
+            blocks.append(grid(interval_lines(forecasts, setting), _heads(forecasts)))
+        return Page(blocks, _remarks(forecasts))
+
+    return Answer(
+        lambda: forecast_objects(forecasts, setting),
+        page,
+        lambda part, kind: forecast_lines(forecasts, setting).csv(),
+        lambda: _figure(forecasts, setting),
+    )
 
 
-def _check(chosen: argparse.Namespace) -> None:
-    if chosen.allow is not None:
-        design.check(chosen)
-    if chosen.pgv_only is None:
-        chosen.needs_records = True
-        inputs.record_names(chosen)
-        return
-    names = inputs.record_names(chosen)
-    if names:
-        msg = f"--pgv-only takes no record; leave out {names[0]}, or say --pgv."
-        raise InputError(msg)
-    for name in _OF_RECORDS:
-        if getattr(chosen, name):
-            msg = f"--{name.replace('_', '-')} is for records; with --pgv-only there is none."
-            raise InputError(msg)
-    if chosen.pgv is not None:
-        msg = "--pgv scales records, and --pgv-only is for PGVs without one; give one of the two."
-        raise InputError(msg)
+def labels(setting: Setting, friction: Nominal) -> list[tuple[str, str]]:
+    """Return what stands above the tables: the bearing, its law, and the constants of the methods."""
+    constants, law = setting.constants, setting.friction
+    return [
+        ("Bearing", str(setting.bearing)),
+        (
+            "Friction",
+            f"{law.name}, reference coefficient {law.reference:g}, heating {setting.heating.name} from {setting.heating.ambient:g} °C;"
+            f" nominal coefficient mu_n {friction.value:.4g} ({friction.source})",
+        ),
+        (
+            "Constants",
+            f"eps {constants.fall_ratio:g}, zeta {constants.change_ratio:g}, kg_ave {constants.average_slope:g} mm/s²;"
+            f" pulses where the ground velocity turns back by {setting.threshold:g} PGV,"
+            f" for the march by {setting.march_threshold:g} PGV",
+        ),
+    ]
 
 
-def _forecasts(chosen: argparse.Namespace, setting: "Setting") -> "list[Forecast]":
-    from dcfp.inference.forecast import forecast, forecast_from_pgv
-    from dcfp.motion.measures import refuse_a_drift
+def _heads(forecasts: Sequence[Forecast]) -> int:
+    """Return how many columns say what a forecast is of."""
+    return 1 if forecasts[0].motion is None else 2
 
+
+def _forecasts(chosen: argparse.Namespace, setting: Setting) -> list[Forecast]:
     if chosen.pgv_only is not None:
-        pgvs = [pgv * _KILO for pgv in chosen.pgv_only]
-        calibrations = _calibrations(pgvs, setting) if chosen.interval else {}
-        return [forecast_from_pgv(pgv, setting, calibrations.get(pgv)) for pgv in pgvs]
+        known = _calibrations(chosen.pgv_only, setting) if chosen.interval else {}
+        return [forecast_from_pgv(pgv, setting, known.get(pgv)) for pgv in chosen.pgv_only]
     motions = inputs.scaled(inputs.load_motions(chosen), chosen.pgv)
-    for motion in motions:
-        refuse_a_drift(motion)
-    calibrations = _calibrations([_pgv(motion) for motion in motions], setting) if chosen.interval else {}
-    return [forecast(motion, setting, calibrations.get(_pgv(motion))) for motion in motions]
+    known = _calibrations([_pgv(motion) for motion in motions], setting) if chosen.interval else {}
+    return [forecast(motion, setting, known.get(_pgv(motion))) for motion in motions]
 
 
-def _pgv(motion: "GroundMotion") -> float:
+def _pgv(motion: GroundMotion) -> float:
     """PGV of a motion [mm/s], the same for all that were scaled to the same."""
     return float(f"{motion.peak_velocity:.9g}")
 
 
-def _calibrations(pgvs: list[float], setting: "Setting") -> "dict[float, list[Case]]":
-    from dcfp.doors.cli.progress import progress
-    from dcfp.inference.calibration import calibration_set, cases_at
-
+def _calibrations(pgvs: Sequence[float], setting: Setting) -> dict[float, list[Case]]:
     wanted = list(dict.fromkeys(pgvs))
     with progress("analyses for the intervals", len(wanted) * len(calibration_set())) as advance:
         return {pgv: cases_at(pgv, setting, advance) for pgv in wanted}
 
 
-def _write(forecasts: "list[Forecast]", setting: "Setting", outputs: Outputs) -> None:
-    def data(part: Path, kind: str) -> None:
-        from dcfp.present.tables.comparisons import forecasts_csv
+def _remarks(forecasts: Sequence[Forecast]) -> list[str]:
+    told = grouped(
+        (one.motion.name if one.motion else "", remark)
+        for one in forecasts
+        for remark in (*(motion_remarks(one.motion, with_scale=False) if one.motion else ()), *one.remarks)
+    )
+    notes = [SYMBOLS]
+    if forecasts[0].motion is not None:
+        notes.append(
+            "Pulse: from which peak to which the governing pulse rises. A method without a y_max of its own offers dy for it: of the analyses of"
+            " FEMA P-695 dy is the larger in 9 of 10, but a dy predicted too small is not."
+        )
+    if any(one.intervals for one in forecasts):
+        notes.append(
+            f"Intervals hold 90 % of response history analyses of this bearing: from {SET} at the same PGV."
+        )
+    return [*told, *notes]
 
-        del kind
-        part.write_text(forecasts_csv(forecasts), encoding="utf-8")
 
-    def figure(part: Path, form: str) -> None:
-
-        from dcfp.present.figures import save_figure
-
-        save_figure(forecast_figure(forecasts, setting), part, form)
-
-    outputs.write_with(data, figure)
-
-
-# Which figure belongs to a prediction.
-
-
-def forecast_figure(forecasts: "Sequence[Forecast]", setting: "Setting") -> "Figure":
+def _figure(forecasts: Sequence[Forecast], setting: Setting) -> "Figure":
     """Draw one record with its pulses and, beside them, the analysis; several records or PGVs beside each other."""
-    from dcfp.inference import compare
-    from dcfp.present.figures.forecasts import plot_forecasts
+    from dcfp.present.figures.forecasts import plot_forecasts  # late: Matplotlib takes long to import
 
-    if forecasts[0].motion is None:
+    first = forecasts[0].motion
+    if first is None:
         return _pgv_figure(forecasts)
     if len(forecasts) == 1:
-        return pulse_figure(compare(forecasts[0].motion, setting, keep_response=True), setting)
+        return pulse_figure(compare(first, setting, keep_response=True), setting)
     return plot_forecasts(forecasts)
 
 
-def pulse_figure(case: "Case", setting: "Setting") -> "Figure":
+def _pgv_figure(forecasts: Sequence[Forecast]) -> "Figure":
+    from dcfp.present.figures.forecasts import DRAWN, plot_pgv_prediction
+
+    said = [next(iter(one.predicted.values())) for one in forecasts]
+    known: dict[str, list[tuple[float, float, float]]] = {name: [] for name in DRAWN}
+    for one in forecasts:
+        for quantity, interval in one.intervals.get(None, {}).items():
+            if quantity.name in known:
+                known[quantity.name].append((interval.low, interval.median, interval.high))
+    complete = all(None in one.intervals for one in forecasts)
+    return plot_pgv_prediction([one.pgv for one in forecasts], said, known if complete else None)
+
+
+def pulse_figure(case: Case, setting: Setting) -> "Figure":
     """Draw a case that kept its analysis, with the march through the pulses."""
-    from dcfp.inference.case import march
-    from dcfp.present.figures import plot_pulses
+    from dcfp.present.figures import plot_pulses  # late: Matplotlib takes long to import
     from dcfp.present.figures.pulses import response_of
 
     marched = march(response_of(case).motion, setting, with_path=True)
     return plot_pulses(case, marched, constants=setting.constants)
 
 
-def _pgv_figure(forecasts: "Sequence[Forecast]") -> "Figure":
-    from dcfp.present.figures.forecasts import DRAWN, plot_pgv_prediction
+def _design(pgvs: Sequence[float], allowed: float, setting: Setting) -> Answer:
+    """Look at a grid of bearings for every PGV, and tell and draw which of them hold a displacement [mm]."""
+    with progress("radii", len(pgvs) * RADII.size) as advance:
+        spaces = [survey(calibration_set(), pgv, setting, report=advance) for pgv in pgvs]
+    table = held_table(spaces, allowed, constants=setting.constants)
+    lines = [
+        ("Bearing", f"{setting.bearing}; its radii are varied"),
+        ("Question", f"which reference coefficient of {setting.friction.name} holds y_max to {allowed:g} mm"),
+        ("Answer from", f"analyses of {SET} at each PGV, on a grid of bearings"),
+    ]
+    remarks = [
+        "mu: the least reference coefficient from which on y_max stays below for half and for 95 % of the components, and the"
+        f" horizontal force over the weight that goes with it; – where no coefficient of the grid, up to {COEFFICIENTS[-1]:g}, is enough.",
+        *(
+            f"At {one['pgv_m_s']:g} m/s other earthquakes of the same kind would give a mu, 95 % between {one['spread_low']:.2f} and {one['spread_high']:.2f}"
+            " (19 earthquakes drawn with replacement, 5 to 95 %): trends with the radius within that are chance."
+            for one in {row["pgv_m_s"]: row for row in table.objects()}.values()
+        ),
+        "Eq. (33) of Li et al. (2020) gives a nominal coefficient for dy, and does not know the radius.",
+    ]
 
-    said = [next(iter(one.predicted.values())) for one in forecasts]
-    if not all(None in one.intervals for one in forecasts):
-        return plot_pgv_prediction([one.pgv for one in forecasts], said)
-    known: dict[str, list[tuple[float, float, float]]] = {name: [] for name in DRAWN}
-    for one in forecasts:
-        for quantity, interval in one.intervals[None].items():
-            if quantity.name in known:
-                known[quantity.name].append((interval.low, interval.median, interval.high))
-    return plot_pgv_prediction([one.pgv for one in forecasts], said, known)
+    def figure() -> "Figure":
+        from dcfp.present.figures.design_chart import (
+            plot_design_chart,
+        )  # late: Matplotlib takes long to import
+
+        return plot_design_chart(spaces, allowed)
+
+    return Answer(
+        table.objects, lambda: Page([lines, grid(table)], remarks), lambda part, kind: table.csv(), figure
+    )

@@ -1,15 +1,24 @@
-"""Progress bars for work that takes long, on a terminal only; that of a study shows analyses, their rate and the time left."""
+"""A progress bar for work that takes long, on a terminal only."""
 
 import sys
 import time
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from threading import Timer
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+from rich.console import Console
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    TextColumn,
+    TimeElapsedColumn,
+    TimeRemainingColumn,
+)
 
 if TYPE_CHECKING:
     from dcfp.study import Plan
-
 
 #: Time before a bar appears [s].
 PATIENCE = 2.0
@@ -21,17 +30,7 @@ def progress(words: str, total: int | None) -> Generator[Callable[[], None]]:
     if not sys.stderr.isatty():
         yield lambda: None
         return
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
-
-    bar = Progress(
-        TextColumn(words),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TimeElapsedColumn(),
-        console=Console(stderr=True),
-        transient=True,
-    )
+    bar = _bar(TextColumn(words), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     task = bar.add_task(words, total=total)
     # a timer, because the first piece of work may be the one that takes long: the kernels are compiled in it
     timer = Timer(PATIENCE, bar.start)
@@ -44,33 +43,24 @@ def progress(words: str, total: int | None) -> Generator[Callable[[], None]]:
         bar.stop()
 
 
-# The progress of a study: analyses, their rate and the time left.
-
-
 @contextmanager
-def study_bar(plan: "Plan") -> Generator[Callable[[int, float], None]]:
-    """Show how much of a plan is done, on a terminal only; call what it gives with the analyses and the cost of each block.
+def study_progress(plan: "Plan") -> Generator[Callable[[int, float], None]]:
+    """Show how much of a plan is done; call what it gives with the analyses and the cost of each block.
 
     The bar goes by the cost, since analyses of long records take longer; so does the time left.
     """
     if not sys.stderr.isatty():
         yield lambda _, __: None
         return
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
-
-    total = sum(plan.cost(block) for block in plan.blocks())
-    bar = Progress(
+    bar = _bar(
         TextColumn("{task.fields[done]:,} of " + f"{plan.count:,} analyses"),
         BarColumn(),
         TextColumn("{task.fields[rate]}"),
         TimeElapsedColumn(),
         TextColumn("left"),
         TimeRemainingColumn(elapsed_when_finished=False),
-        console=Console(stderr=True),
-        transient=True,
     )
-    task = bar.add_task("", total=total, done=0, rate="")
+    task = bar.add_task("", total=sum(plan.cost(block) for block in plan.blocks()), done=0, rate="")
     began = time.perf_counter()
     done = 0
 
@@ -82,3 +72,7 @@ def study_bar(plan: "Plan") -> Generator[Callable[[int, float], None]]:
 
     with bar:
         yield report
+
+
+def _bar(*columns: Any) -> Progress:
+    return Progress(*columns, console=Console(stderr=True), transient=True)

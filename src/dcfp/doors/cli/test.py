@@ -1,134 +1,101 @@
-"""The virtual test machine: a bearing through the tests of a program, and what is measured on every cycle."""
+"""``dcfp test``: a bearing through the tests of a program on the virtual machine."""
 
 import argparse
-import json
-from dataclasses import asdict
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, TypeAlias
 
-from dcfp.doors.cli import inputs, options
-from dcfp.doors.cli.outputs import Outputs
-from dcfp.doors.cli.parser import Parser, fraction, positive
+from dcfp.analysis.rig import Loops, Measurement, Program, load_program, read_measurement, run_program
+from dcfp.analysis.rig.codes import (
+    CRITERIA,
+    PrototypeDesign,
+    judge_tests,
+    property_factors,
+    prototype_program,
+    prototype_programs,
+)
+from dcfp.analysis.rig.codes.prototype import FACTORS
+from dcfp.analysis.rig.loops import (
+    CYCLES,
+    ToldCycle,
+    cycle_objects,
+    cycles_of_measurement,
+    cycles_of_tests,
+)
+from dcfp.analysis.rig.run import TOLERANCE, paper_models, run_models
+from dcfp.doors.cli import inputs
+from dcfp.doors.cli.console import Block, Page, grid, grouped
+from dcfp.doors.cli.outputs import Answer
+from dcfp.doors.cli.progress import progress
 from dcfp.errors import InputError
+from dcfp.present.tables import write_tests
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.table import Table
+from dcfp.schema.units import NONE
+from dcfp.system import System
+from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
 
 if TYPE_CHECKING:
-    from dcfp.analysis.rig import Loops, Measurement, Program
+    from matplotlib.figure import Figure
+
+Runs: TypeAlias = Mapping[str, Sequence[Loops]]
 
 #: Frames of the plates' temperature that a NetCDF file or a figure holds, about.
 FRAMES = 200
+#: Of a test with more cycles than this the first few and the last are shown.
+_MOST_CYCLES = 4
+#: What is shown of every model side by side.
+_SIDE_BY_SIDE = ("keff_kN_mm", "beta_eff", "energy_kN_m")
+_LEGEND = (
+    "k_eff, b_eff: effective stiffness and damping; k_d: post-yield stiffness; Q_d, mu_0: force and coefficient of friction at zero"
+    " displacement; E: energy of the cycle"
+)
 
 
-def add_arguments(parser: Parser) -> None:
-    """Add the options of the command."""
-    parser.add_argument(
-        "program",
-        metavar="PROGRAM",
-        help="dependency or asce (Li et al. 2020, Tables 1 and 2); asce7-16 or en15129 (prototype tests of a design); or a file: a program as "
-        ".toml, a measured displacement as .csv",
-    )
-    parser.add_argument("--tests", nargs="+", metavar="NAME", help="only these tests of the program")
-    parser.add_argument(
-        "--compare",
-        action="store_true",
-        help="precise and simplified heating and the constant nominal coefficient, side by side",
-    )
-    parser.add_argument(
-        "--checks",
-        action="store_true",
-        help="instead of the cycles: the checks of the program's code and the property modification factors",
-    )
-    parser.add_argument(
-        "--measured",
-        nargs="+",
-        metavar="TEST=FILE",
-        help="measured tests (CSV with time, displacement, force and load) to put beside those of the program",
-    )
-    parser.add_argument("--tolerance", type=fraction(), metavar="VALUE", help="as for respond; default 0.02")
-    _add_design(parser)
-    options.add_bearing(parser)
-    options.add_output(
-        parser,
-        "results as NetCDF (.nc) or CSV (.csv): histories of one test; of several a CSV holds the measures of every cycle",
-    )
-    parser.set_defaults(later_records=[])
-
-
-def _add_design(parser: Parser) -> None:
-    group = parser.add_argument_group("design, for asce7-16 and en15129")
-    group.add_argument(
-        "--displacement",
-        type=positive("mm", 1.0, 1e4),
-        metavar="MM",
-        help="maximum displacement D_M or d_bd [mm]",
-    )
-    group.add_argument(
-        "--period",
-        type=positive("s", 0.1, 100.0),
-        metavar="S",
-        help="effective period at that displacement [s]",
-    )
-    group.add_argument(
-        "--total-displacement",
-        type=positive("mm", 1.0, 1e4),
-        metavar="MM",
-        help="with torsion [mm]; default 1.15 times the displacement",
-    )
-
-
-def run(chosen: argparse.Namespace) -> int:
+def run(chosen: argparse.Namespace) -> Answer:
     """Run the tests of a program."""
-    if chosen.later_records:
-        msg = f"{chosen.later_records[0]!r} is one PROGRAM too many; name one."
-        raise InputError(msg)
-    outputs = Outputs.checked(chosen, _input_files(chosen))
-    # late, so that a slip in the command is answered at once
-    from dcfp.doors.cli import test_table
-
-    model = inputs.model(chosen)
-    program = _program(chosen, model)
+    system = inputs.system(chosen)
+    program = _program(chosen, system)
     measured = _measured(chosen, program)
     if chosen.checks:
-        _refuse_without_checks(program, chosen)
-    runs = _run(program, model, chosen)
-    _write(runs, measured, program, outputs)
+        _refuse_without_checks(program)
+    runs = _run(program, system, chosen)
     loops = [test for tests in runs.values() for test in tests]
+
+    def figure() -> "Figure":
+        from dcfp.present.figures import plot_program  # late: Matplotlib takes long to import
+
+        return plot_program(program, runs, measured)
+
+    def document() -> list[dict[str, Any]]:
+        beside = [
+            one
+            for name, test in measured.items()
+            for one in cycles_of_measurement(name, test, loops[0].bearing)
+        ]
+        return cycle_objects([*cycles_of_tests(loops), *beside])
+
+    def data(part: Path, kind: str) -> None:
+        write_tests(part, loops, kind)
+
     if chosen.checks:
-        _show_checks(program, runs, as_json=chosen.json)
-    elif chosen.json:
-        from dcfp.analysis.rig.loops import cycle_rows, measured_rows
-
-        rows = [{**row, "remarks": list(test.remarks)} for test in loops for row in cycle_rows(test)]
-        rows += [row for name, test in measured.items() for row in measured_rows(name, test)]
-        print(json.dumps(rows, indent=2, allow_nan=False))
-    elif len(runs) > 1:
-        test_table.print_models(program, runs, measured)
-    else:
-        test_table.print_tests(program, loops, measured)
-    return 0
+        return _checked(program, loops, data, figure)
+    page = _page_of_models if len(runs) > 1 else _page
+    return Answer(document, lambda: page(program, runs, measured), data, figure)
 
 
-def _input_files(chosen: argparse.Namespace) -> list[Path]:
-    words = [chosen.program, *([chosen.bearing] if chosen.bearing else [])]
-    words += [pair.partition("=")[2] or pair for pair in chosen.measured or ()]
-    return [Path(word) for word in words]
-
-
-def _program(chosen: argparse.Namespace, model: "inputs.System") -> "Program":
-    from dcfp.analysis.rig import load_program
-    from dcfp.analysis.rig.codes import PrototypeDesign, prototype_program, prototype_programs
-
+def _program(chosen: argparse.Namespace, system: System) -> Program:
     name = chosen.program.strip().lower()
-    design = {key: getattr(chosen, key) for key in ("displacement", "period", "total_displacement")}
+    design = inputs.given(chosen, "displacement", "period", "total_displacement")
     if name in prototype_programs():
         if chosen.displacement is None or chosen.period is None:
             msg = f"{name} needs --displacement and --period of the design."
             raise InputError(msg)
-        program = prototype_program(name, PrototypeDesign(pressure=model.bearing.pressure, **design))
+        program = prototype_program(name, PrototypeDesign(pressure=system.bearing.pressure, **design))
     else:
-        for key, value in design.items():
-            if value is not None:
-                msg = f"--{key.replace('_', '-')} is for {' and '.join(prototype_programs())}; the tests of {chosen.program} have their own."
-                raise InputError(msg)
+        for key in design:
+            msg = f"--{key.replace('_', '-')} is for {' and '.join(prototype_programs())}; the tests of {chosen.program} have their own."
+            raise InputError(msg)
         program = load_program(chosen.program)
         if chosen.pressure is not None and all(test.load is not None for test in program.tests):
             msg = f"--pressure has no effect: the tests of {chosen.program} have their own loads."
@@ -136,13 +103,11 @@ def _program(chosen: argparse.Namespace, model: "inputs.System") -> "Program":
     return program if chosen.tests is None else program.only(chosen.tests)
 
 
-def _measured(chosen: argparse.Namespace, program: "Program") -> "dict[str, Measurement]":
+def _measured(chosen: argparse.Namespace, program: Program) -> dict[str, Measurement]:
     """Return the measured tests by the name of the test that they are put beside."""
-    from dcfp.analysis.rig import read_measurement
-
     names = [test.name for test in program.tests]
     found: dict[str, Measurement] = {}
-    for pair in chosen.measured or ():
+    for pair in chosen.measured:
         name, _, file = pair.partition("=")
         if not file:
             if len(names) > 1:
@@ -160,10 +125,7 @@ def _measured(chosen: argparse.Namespace, program: "Program") -> "dict[str, Meas
     return found
 
 
-def _refuse_without_checks(program: "Program", chosen: argparse.Namespace) -> None:
-    if chosen.compare or chosen.measured:
-        msg = f"--checks is made with one model and without measured tests; leave out {'--compare' if chosen.compare else '--measured'}."
-        raise InputError(msg)
+def _refuse_without_checks(program: Program) -> None:
     if not program.code:
         msg = f"{program.name} belongs to no code whose checks could be made; asce, asce7-16 and en15129 do."
         raise InputError(msg)
@@ -173,69 +135,142 @@ def _refuse_without_checks(program: "Program", chosen: argparse.Namespace) -> No
         raise InputError(msg)
 
 
-def _run(
-    program: "Program", model: "inputs.System", chosen: argparse.Namespace
-) -> "dict[str, tuple[Loops, ...]]":
-    from dcfp.analysis.rig import run_program
-    from dcfp.analysis.rig.run import TOLERANCE, paper_models, run_models
-    from dcfp.doors.cli.progress import progress
-
+def _run(program: Program, system: System, chosen: argparse.Namespace) -> Runs:
     finely = TOLERANCE if chosen.tolerance is None else chosen.tolerance
-    models = paper_models(model.friction, model.heating) if chosen.compare else ()
+    models = paper_models(system.friction, system.heating) if chosen.compare else ()
     with progress("tests", len(program.tests) * max(len(models), 1)) as advance:
         if models:
-            return run_models(program, model.bearing, models, tolerance=finely, report=advance)
+            return run_models(program, system.bearing, models, tolerance=finely, report=advance)
         every = None
         wanted = str(chosen.out or "").lower().endswith(".nc") or chosen.plot is not None
-        if model.heating.name == "precise" and wanted and len(program.tests) == 1:
+        if system.heating.name == "precise" and wanted and len(program.tests) == 1:
             every = max(1, program.tests[0].waveform.travel().lengths.size // FRAMES)
         loops = run_program(
             program,
-            model.bearing,
-            model.friction,
-            model.heating,
+            system.bearing,
+            system.friction,
+            system.heating,
             tolerance=finely,
             profile_every=every,
             report=advance,
         )
-    return {model.heating.name: loops}
+    return {system.heating.name: loops}
 
 
-def _write(
-    runs: "dict[str, tuple[Loops, ...]]",
-    measured: "dict[str, Measurement]",
-    program: "Program",
-    outputs: Outputs,
-) -> None:
-    loops = [test for tests in runs.values() for test in tests]
-
-    def data(part: Path, kind: str) -> None:
-        from dcfp.present.tables import cycles_csv, write_tests_netcdf  # late: xarray takes long to import
-
-        if kind == ".csv":
-            part.write_text(cycles_csv(loops), encoding="utf-8")
-        else:
-            write_tests_netcdf(part, loops)
-
-    def figure(part: Path, form: str) -> None:
-        from dcfp.present.figures import plot_program, save_figure  # late: Matplotlib takes long to import
-
-        save_figure(plot_program(program, runs, measured), part, form)
-
-    outputs.write_with(data, figure)
+def _shown(cycles: Sequence[ToldCycle]) -> list[ToldCycle]:
+    return list(cycles) if len(cycles) <= _MOST_CYCLES else [*cycles[: _MOST_CYCLES - 1], cycles[-1]]
 
 
-def _show_checks(program: "Program", runs: "dict[str, tuple[Loops, ...]]", *, as_json: bool) -> None:
-    from dcfp.analysis.rig.codes import CRITERIA, judge_tests, property_factors
-    from dcfp.doors.cli.test_table import print_checks
-    from dcfp.schema.table import Table
+def _page(program: Program, runs: Runs, measured: Mapping[str, Measurement]) -> Page:
+    """Return the measures of every cycle, those measured in reality below them."""
+    loops = next(iter(runs.values()))
+    rows: list[ToldCycle] = []
+    for test in loops:
+        rows += _shown(cycles_of_tests([test]))
+        if test.test.name in measured:
+            rows += _shown(cycles_of_measurement(test.test.name, measured[test.test.name], test.bearing))
+    left_out = any(len(test.cycles) > _MOST_CYCLES for test in loops)
+    legend = _LEGEND + ("; cycles between the third and the last are left out" if left_out else "") + "."
+    lines = _lines(program, loops[0], loops[0].heating.name)
+    table = grid(Table(tuple(CYCLES), rows))
+    return Page([lines, table], [legend, *_nominal(program, loops), *_remarks(loops)])
 
-    name, loops = next(iter(runs.items()))
-    criteria, factors = judge_tests(program, loops), property_factors(loops)
-    if not as_json:
-        print_checks(program, loops, criteria, factors)
-        return
-    rows = Table(CRITERIA, criteria).objects()
-    remarks = list(dict.fromkeys(remark for test in loops for remark in test.remarks))
-    told = {"heating": name, "criteria": rows, "factors": [asdict(f) for f in factors], "remarks": remarks}
-    print(json.dumps(told, indent=2, allow_nan=False))
+
+def _page_of_models(program: Program, runs: Runs, measured: Mapping[str, Measurement]) -> Page:
+    """Return stiffness, damping and energy of every cycle with each model, and the models' energies over that of the first."""
+    names = list(runs)
+    rows: list[list[ToldCycle]] = []
+    for tests in zip(*runs.values(), strict=True):
+        rows += [list(one) for one in zip(*(_shown(cycles_of_tests([test])) for test in tests), strict=True)]
+        name = tests[0].test.name
+        if name in measured:
+            rows += [[one] for one in _shown(cycles_of_measurement(name, measured[name], tests[0].bearing))]
+    by_key = {one.key: one for one in CYCLES}
+
+    def of_model(one: Quantity, place: int) -> Quantity:
+        head = f"{one.head}\n{names[place][:6]}."
+        return Quantity(one.key, one.words, one.unit, one.shown, one.decimals, head=head,
+                        get=lambda row: one.of(row[place]) if place < len(row) else None)  # fmt: skip
+
+    def over_first(place: int) -> Quantity:
+        head = f"E/E_{names[0][0]}\n{names[place][:6]}."
+        return Quantity("ratio", "energy over that of the first model", NONE, decimals=3, head=head,
+                        get=lambda row: row[place].cycle.energy / row[0].cycle.energy if place < len(row) else None)  # fmt: skip
+
+    columns = (
+        *(Quantity(one.key, one.words, one.unit, head=one.head or one.key, get=lambda row, one=one: one.of(row[0])) for one in (by_key["Test"], by_key["cycle"])),
+        *(of_model(by_key[key], place) for key in _SIDE_BY_SIDE for place in range(len(names))),
+        *map(over_first, range(1, len(names))),
+    )  # fmt: skip
+    legend = (
+        f"k_eff [kN/mm], b_eff [-] and E [kN m]; E/E_{names[0][0]}: energy over that of the {names[0]} model."
+    )
+    every = [test for tests in runs.values() for test in tests]
+    nominal = [remark for tests in runs.values() for remark in _nominal(program, tests)]
+    lines = _lines(program, next(iter(runs.values()))[0], ", ".join(names))
+    return Page([lines, grid(Table(columns, rows))], [legend, *nominal, *_remarks(every)])
+
+
+def _checked(program: Program, loops: Sequence[Loops], data: Any, figure: Any) -> Answer:
+    """Return what a code wants and whether it is so, and the property modification factors."""
+    criteria = Table(tuple(CRITERIA), judge_tests(program, loops))
+    factors = Table(tuple(FACTORS), property_factors(loops))
+    heating = loops[0].heating.name
+
+    def page() -> Page:
+        blocks: list[Block] = [_lines(program, loops[0], heating)]
+        notes: list[str] = []
+        if criteria.results:
+            blocks.append(grid(criteria))
+        if factors.results:
+            blocks.append(grid(factors))
+            notes.append(
+                "lambda_test as the model predicts it: first and last of the first three cycles at the maximum displacement over their mean"
+                " (nominal); after all: last cycle of the endurance tests over the mean of their first three."
+            )
+        if any(not one.confirmed for one in criteria.results):
+            notes.append(
+                "An unconfirmed limit is from memory of the code, whose text could not be read; look it up before relying on it."
+            )
+        return Page(blocks, [*notes, *_remarks(loops)])
+
+    def document() -> dict[str, Any]:
+        remarks = list(dict.fromkeys(remark for test in loops for remark in test.remarks))
+        return {
+            "heating": heating,
+            "criteria": criteria.objects(),
+            "factors": factors.objects(),
+            "remarks": remarks,
+        }
+
+    return Answer(document, page, data, figure)
+
+
+def _lines(program: Program, first: Loops, heating: str) -> list[tuple[str, str]]:
+    bearing = first.bearing
+    radii = " + ".join(f"{radius:g}" for radius in bearing.radii)
+    return [
+        ("Program", f"{program.name} ({program.source})" if program.source else program.name),
+        (
+            "Bearing",
+            f"{bearing.name}: radius {radii} mm, slider {bearing.slider_diameter:g} mm, {bearing.elastic_stiffness / 1e3:g} kN/mm",
+        ),
+        ("Friction", f"{first.friction_law.name}, reference coefficient {first.friction_law.reference:g}"),
+        ("Heating", f"{heating}, from {first.heating.ambient:g} °C"),
+    ]
+
+
+def _nominal(program: Program, loops: Sequence[Loops]) -> list[str]:
+    """Return how the friction of dependency test T01 compares with the nominal coefficient that was measured in it."""
+    test = loops[0]
+    if program.citation != "li_2020" or test.test.purpose != "velocity dependency" or len(test.cycles) < 2:
+        return []
+    found = test.cycles[1].friction
+    return [
+        f"{test.test.name}, {test.friction_law.name}, {test.heating.name} heating: friction at zero displacement in the second cycle {found:.4f};"
+        f" the tests of Li et al. (2020) gave {NOMINAL_COEFFICIENT:g}, from which it is {100.0 * (found / NOMINAL_COEFFICIENT - 1.0):+.0f} % away."
+    ]
+
+
+def _remarks(loops: Sequence[Loops]) -> list[str]:
+    return grouped((test.test.name, remark) for test in loops for remark in test.remarks)

@@ -1,60 +1,48 @@
-"""What is checked against what, and by how much it differs."""
+"""``dcfp verify``: what is checked against what, and by how much it differs."""
 
 import argparse
-import json
-from pathlib import Path
-from typing import Any
+from itertools import groupby
+from typing import TYPE_CHECKING
 
-from dcfp.doors.cli import options
-from dcfp.doors.cli.outputs import Outputs
-from dcfp.doors.cli.parser import Parser
+from rich.text import Text
 
+from dcfp.doors.cli.console import Block, Page, grid
+from dcfp.doors.cli.outputs import Answer
+from dcfp.doors.cli.progress import progress
+from dcfp.schema.table import Table
+from dcfp.verify import CHECKS, run_checks
 
-def add_arguments(parser: Parser) -> None:
-    """Add the options of the command."""
-    parser.add_argument("--full", action="store_true", help="also the checks that take minutes")
-    options.add_output(
-        parser, "every check as CSV (.csv)", "differences over what is allowed as .png, .pdf or .svg"
-    )
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 
-def run(chosen: argparse.Namespace) -> int:
+def run(chosen: argparse.Namespace) -> Answer:
     """Run the checks that come with the package; one that fails makes the status 1."""
-    outputs = Outputs.checked(chosen, data_extensions=(".csv",))
-    # late, so that a slip in the command is answered at once
-    from dcfp.doors.cli.progress import progress
-    from dcfp.verify import run_checks
-
     with progress("checks", None) as advance:
-        checks: list[Any] = run_checks(chosen.full, lambda check: advance())
-    outputs.write_with(
-        lambda part, kind: _write_table(part, checks), lambda part, form: _write_figure(part, checks, form)
+        checks = run_checks(chosen.full, lambda check: advance())
+    table = Table(tuple(CHECKS), checks)
+    verdicts = [check.passed for check in checks]
+
+    def page() -> Page:
+        blocks: list[Block] = []
+        for group, members in groupby(checks, key=lambda check: check.of):
+            own = list(members)
+            blocks.append((Text(group, style="bold"), grid(Table(table.columns, own))))
+            sources = dict.fromkeys(check.source for check in own if check.source)
+            blocks += [[("Against", "; ".join(sources))]] if sources else []
+        blocks.append(
+            f"{verdicts.count(True)} passed, {verdicts.count(False)} failed, {verdicts.count(None)} skipped; "
+            "dcfp verify --json has a note on each check"
+        )
+        return Page(
+            blocks, [f"{check.name}: {check.remark}" for check in checks if check.remark and not check.passed]
+        )
+
+    def figure() -> "Figure":
+        from dcfp.present.figures import plot_checks  # late: Matplotlib takes long to import
+
+        return plot_checks(checks)
+
+    return Answer(
+        table.objects, page, lambda part, kind: table.csv(), figure, status=1 if False in verdicts else 0
     )
-    if chosen.json:
-        from dcfp.schema.table import Table
-        from dcfp.verify import CHECKS
-
-        print(json.dumps(Table(CHECKS, checks).objects(), indent=2))
-    else:
-        from dcfp.doors.cli.test_table import print_verification
-
-        print_verification(checks)
-    return 1 if any(check.passed is False for check in checks) else 0
-
-
-def _write_table(path: Path, checks: list[Any]) -> None:
-    from dcfp.schema.table import Table
-    from dcfp.verify import CHECKS
-
-    columns = {one.key: one for one in CHECKS}
-    names = (
-        "group", "name", "computed", "expected", "unit", "difference", "tolerance", "ratio", "passed", "note", "source",
-    )  # fmt: skip
-    text = Table(tuple(columns[name] for name in names), checks).csv()
-    path.write_text(text, encoding="utf-8")
-
-
-def _write_figure(path: Path, checks: list[Any], form: str) -> None:
-    from dcfp.present.figures import plot_checks, save_figure  # late: Matplotlib takes long to import
-
-    save_figure(plot_checks(checks), path, form)

@@ -4,8 +4,8 @@ import math
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from dcfp.analysis.response import PEAKS
 from dcfp.exchange.excel.sheet import Head, Sheet, shown_unit
-from dcfp.present.tables.responses import COLUMNS
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:
@@ -106,8 +106,8 @@ def write_summary(sheet: Sheet, calculation: "Calculation", cases: "Sequence[str
         f"Bearing: {model.bearing.name}; friction: {model.friction.name}; heating: {model.heating.name}."
     )
     sheet.skip()
-    columns = [column for column in COLUMNS if column.key not in _LEFT_OUT]
-    numbers = [Head(one.name, shown_unit(one.unit), 12, _FEW.get(one.key, "")) for one in columns]
+    columns = [one for one in PEAKS.values() if one.stored and one.is_number and one.key not in _LEFT_OUT]
+    numbers = [Head(one.title, shown_unit(one.unit.udunits), 12, _FEW.get(one.key, "")) for one in columns]
     heads = [Head("Case", width=18), Head("Record", width=14), *numbers, Head("Status", width=18)]
     rows = [
         [case, row["record"], *(row[column.key] for column in columns), row["status"]]

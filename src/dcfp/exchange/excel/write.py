@@ -8,7 +8,7 @@ from dcfp.exchange.excel.histories import write_histories, write_summary
 from dcfp.exchange.excel.inputs import write_inputs, write_provenance
 from dcfp.exchange.excel.methods import write_conditions, write_methods
 from dcfp.exchange.excel.sheet import Formats, Sheet, sheet_names
-from dcfp.present.tables.responses import group_names
+from dcfp.present.tables import group_names
 from dcfp.version import version
 
 if TYPE_CHECKING:

@@ -300,7 +300,7 @@ def why_not(name: str, names: Sequence[str], samples: Samples, constants: Consta
     if need is None:
         return None
     if need is _HEAT and constants.heating.name == "none":
-        return f"without a heating model the temperature is the same throughout; choose --heating simplified or precise, or {_fix(name)}"
+        return f"without a heating model the temperature is the same throughout; choose the simplified or the precise one (heating), or {_fix(name)}"
     if name == "conductivity" and "temperature_rate" in names:
         return (
             "where every test starts at the same temperature it acts only through its ratio to temperature_rate; fix one of the two"
@@ -368,4 +368,4 @@ def _fix(name: str) -> str:
 
 
 def _option(name: str) -> str:
-    return f"--fix {name}=VALUE"
+    return f"fix {name}=VALUE"

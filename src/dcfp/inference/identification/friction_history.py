@@ -135,7 +135,7 @@ def friction_history(measurement: Measurement, bearing: Bearing, heating: Heatin
     if np.count_nonzero(used) < _FEWEST_SAMPLES:
         msg = (
             f"{measurement.name}: only {np.count_nonzero(used)} samples are of steady sliding, and {_FEWEST_SAMPLES} are needed; the stroke must go"
-            " beyond the elastic deformation of the bearing (look at its --stiffness and at the unit of the force), and be sampled finely."
+            " beyond the elastic deformation of the bearing (look at its stiffness before sliding and at the unit of the force), and be sampled finely."
         )
         raise InputError(msg)
     _check_size(coefficient[used], (coefficient * load.values * side * motion.slope)[used], measurement.name)

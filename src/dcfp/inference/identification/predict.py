@@ -1,8 +1,9 @@
 """Tests that were held out, predicted by the law that was found without them."""
 
-import itertools
-from collections.abc import Callable
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -11,14 +12,26 @@ from dcfp.analysis.rig.measures import measured_cycles
 from dcfp.arrays import FloatArray
 from dcfp.inference.identification.friction_history import FrictionHistory
 from dcfp.schema.notebook import card, with_units
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.table import Table
+from dcfp.schema.units import KN_M, KN_PER_MM, NONE
 from dcfp.system import Bearing, FrictionLaw, Heating
 
-#: What is compared of each cycle, its unit, and where it is found.
-_MEASURES: tuple[tuple[str, Callable[[Cycle], float]], ...] = (
-    ("keff_kN_mm", lambda cycle: cycle.effective_stiffness / 1e3),
-    ("energy_kN_m", lambda cycle: cycle.energy / 1e6),
-    ("friction_at_zero", lambda cycle: cycle.friction),
-)
+#: What is compared of each cycle.
+COMPARED = [
+    Quantity(
+        "keff_kN_mm", "effective stiffness", KN_PER_MM, decimals=3, head="k_eff", get="effective_stiffness"
+    ),
+    Quantity("energy_kN_m", "energy per cycle", KN_M, decimals=1, head="E", get="energy"),
+    Quantity(
+        "friction_at_zero",
+        "coefficient at zero displacement",
+        NONE,
+        decimals=4,
+        head="mu at 0",
+        get="friction",
+    ),
+]
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,32 +79,64 @@ class Prediction:
         measured = self.history.measurement.force
         return float(np.sqrt(np.mean((self.force - measured) ** 2)) / np.abs(measured).max())
 
-    def rows(self) -> list[dict[str, str | float | None]]:
+    def rows(self) -> list[dict[str, Any]]:
         """Return for each cycle its measures: measured, predicted and the ratio of predicted to measured."""
-        return [
-            {
-                "test": self.name,
-                "cycle": number,
-                "force_error": self.force_error,
-                **_compared(measured, predicted),
-            }
-            for number, (measured, predicted) in enumerate(
-                zip(self.measured, self.predicted, strict=True), start=1
-            )
-        ]
+        return predicted_table([self]).objects()
 
     def _repr_html_(self) -> str:
         rows = [with_units(row) for row in self.rows()]
         return card(f"Test {self.name} by the law", {"force_error": self.force_error}, rows=rows)
 
 
-def _compared(measured: Cycle, predicted: Cycle) -> dict[str, float | None]:
-    pairs = {name: (of(measured), of(predicted)) for name, of in _MEASURES}
-    values = itertools.chain.from_iterable(
-        ((f"{name}_measured", m), (f"{name}_predicted", p), (f"{name}_ratio", p / m if m else np.nan))
-        for name, (m, p) in pairs.items()
+class PredictedCycle(NamedTuple):
+    """A cycle that was measured, and the same by the law."""
+
+    of: Prediction
+    number: int
+    measured: Cycle
+    predicted: Cycle
+
+
+def predicted_table(predictions: Sequence[Prediction]) -> Table:
+    """Return a line for each cycle of the tests that were held out."""
+    cycles = [
+        PredictedCycle(one, number, *pair)
+        for one in predictions
+        for number, pair in enumerate(zip(one.measured, one.predicted, strict=True), 1)
+    ]
+    columns = (
+        Quantity("test", "name of the test", head="Held out", get="of.name"),
+        Quantity("cycle", "number of the cycle", NONE, head="Cycle\n", get="number"),
+        Quantity(
+            "force_error",
+            "difference of the forces over the largest",
+            NONE,
+            get="of.force_error",
+            printed=False,
+        ),
+        *(column for one in COMPARED for column in _beside(one)),
     )
-    return {name: float(value) if np.isfinite(value) else None for name, value in values}
+    return Table(columns, cycles)
+
+
+def _beside(one: Quantity) -> tuple[Quantity, ...]:
+    """Return a measure as it was measured, as it is predicted, and the ratio of the latter to the former."""
+
+    def measured(cycle: PredictedCycle) -> float:
+        return one.of(cycle.measured)
+
+    def predicted(cycle: PredictedCycle) -> float:
+        return one.of(cycle.predicted)
+
+    def ratio(cycle: PredictedCycle) -> float:
+        before, after = one.datum(cycle.measured), one.datum(cycle.predicted)
+        return after / before if before and after is not None else math.nan
+
+    return (
+        replace(one, key=f"{one.key}_measured", get=measured),
+        replace(one, key=f"{one.key}_predicted", head="predicted\n", get=predicted),
+        Quantity(f"{one.key}_ratio", "predicted over measured", NONE, decimals=3, head="ratio\n", get=ratio),
+    )
 
 
 def predict(history: FrictionHistory, bearing: Bearing, law: FrictionLaw, heating: Heating) -> Prediction:

@@ -11,6 +11,9 @@ from dcfp.inference.identification.friction_history import FrictionHistory
 from dcfp.inference.identification.intervals import CONFIDENCE
 from dcfp.inference.identification.predict import Prediction
 from dcfp.schema.notebook import card
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.table import Table, csv_text
+from dcfp.schema.units import DEGC, MM_PER_S, N_PER_MM2, NONE, PERCENT
 from dcfp.system import Bearing, FrictionLaw, Heating, UserFriction
 from dcfp.system.friction import FittedFriction
 
@@ -86,6 +89,44 @@ class ResidualStatistics:
     load_window: int
 
 
+#: What is told of an estimate, of a constant that was held, and of what the law leaves unexplained of a test; each number in its own unit.
+ESTIMATES = [
+    Quantity("name", "parameter", head="Fitted", get="name"),
+    Quantity("unit", "its unit", get="unit", printed=False),
+    Quantity("words", "what it is", get="words", printed=False),
+    Quantity("value", "estimate", NONE, digits=5, head="Estimate\n", get="value"),
+    Quantity("standard_error", "standard error", NONE, digits=5, head="Std. error\n", get="standard_error"),
+    Quantity("lower", "lower end of the interval", NONE, digits=5, head="95 % from\n", get="lower"),
+    Quantity("upper", "upper end of the interval", NONE, digits=5, head="to\n", get="upper"),
+    Quantity("Unit", "its unit", get=lambda one: one.unit or "-", stored=False),
+]  # fmt: skip
+HELD = [
+    Quantity("name", "constant", head="Held", get="name"),
+    Quantity("unit", "its unit", get="unit", printed=False),
+    Quantity("value", "value", NONE, digits=5, head="Value\n", get="value"),
+    Quantity("Unit", "its unit", get=lambda one: one.unit or "-", stored=False),
+    Quantity("reason", "why it was not fitted", head="Why", get="reason"),
+]
+RESIDUALS = [
+    Quantity("name", "test", head="Test", get="name"),
+    Quantity("p", "mean pressure", N_PER_MM2, decimals=1, get="pressure", stored=False),
+    Quantity("v_max", "largest speed", MM_PER_S, decimals=0, get="peak_speed", stored=False),
+    Quantity("T_max", "highest temperature", DEGC, decimals=0, get="peak_temperature", stored=False),
+    Quantity("samples", "samples that were used", NONE, head="used\n", get="samples"),
+    Quantity("left_out", "samples that were not", NONE, head="left out\n", get="left_out"),
+    Quantity("scatter", "root mean square of measured less fitted", NONE, decimals=5, get="scatter"),
+    Quantity("of mu", "the same over the mean coefficient", NONE, PERCENT, 2, get="relative_scatter", stored=False),
+    Quantity("bias", "mean of measured less fitted", NONE, decimals=5, head="mean", get="bias", signed=True),
+    Quantity("relative_scatter", "root mean square over the mean coefficient", NONE, get="relative_scatter", printed=False),
+    Quantity("correlation", "correlation of each residual with the next", NONE, decimals=2, head="lag-1 corr.", get="correlation"),
+    Quantity("pressure", "mean pressure", N_PER_MM2, get="pressure", printed=False),
+    Quantity("peak_speed", "largest speed", MM_PER_S, get="peak_speed", printed=False),
+    Quantity("peak_temperature", "highest temperature", DEGC, get="peak_temperature", printed=False),
+    Quantity("speed_window", "length of the filter of the speed", NONE, get="speed_window", printed=False),
+    Quantity("load_window", "length of the filter of the load", NONE, get="load_window", printed=False),
+]  # fmt: skip
+
+
 @dataclass(frozen=True, eq=False)
 class Identification:
     """A law of friction from measured tests.
@@ -139,21 +180,33 @@ class Identification:
     def summary(self) -> dict[str, object]:
         """Return what JSON holds."""
         return {
-            "estimates": [asdict(one) for one in self.estimates],
-            "held": [asdict(one) for one in self.held],
+            "estimates": Table(tuple(ESTIMATES), self.estimates).objects(),
+            "held": Table(tuple(HELD), self.held).objects(),
             "confidence": CONFIDENCE,
             "blocks": self.blocks,
             "correlation": {
                 one.name: dict(zip((other.name for other in self.estimates), row, strict=True))
                 for one, row in zip(self.estimates, np.asarray(self.correlation).tolist(), strict=True)
             },
-            "residuals": [asdict(one) for one in self.residuals],
+            "residuals": Table(tuple(RESIDUALS), self.residuals).objects(),
             "predictions": [row for one in self.predictions for row in one.rows()],
             "bearing": asdict(self.bearing),
             "friction": {"law": self.law.name, **asdict(self.law)},
             "heating": {"model": self.heating.name, **asdict(self.heating)},
             "remarks": list(self.remarks),
         }
+
+    def csv(self) -> str:
+        """Return a line for each constant, fitted or held."""
+        heads = ("name", "unit", "value", "standard_error", "lower", "upper", "held", "words")
+        rows = [
+            (one.name, one.unit or "-", one.value, one.standard_error, one.lower, one.upper, None, one.words)
+            for one in self.estimates
+        ]
+        held = [
+            (one.name, one.unit or "-", one.value, None, None, None, one.reason, None) for one in self.held
+        ]
+        return csv_text(heads, [*rows, *held])
 
     def _repr_html_(self) -> str:
         rows = [

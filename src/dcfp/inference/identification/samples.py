@@ -84,7 +84,7 @@ def parameter(name: str) -> Parameter:
         )
         raise InputError(msg)
     if name in REFERENCES:
-        msg = f"The {name} cannot be fitted, it is where mu_0 stands; choose it with --fix {name}=VALUE."
+        msg = f"The {name} cannot be fitted, it is where mu_0 stands; choose it (fix {name}=VALUE)."
         raise InputError(msg)
     names = [one.name for one in PARAMETERS]
     near = difflib.get_close_matches(name, names, n=1)

@@ -1,9 +1,11 @@
 """Elastic response spectra and input energy spectra of records: Akiyama (1985), Uang and Bertero (1988)."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,6 +16,8 @@ from dcfp.kernels import oscillators as k
 from dcfp.methods.spectra.elastic import TabulatedSpectrum
 from dcfp.motion.ground_motion import GroundMotion, refined
 from dcfp.schema.notebook import fields_card
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.units import M_PER_S, M_PER_S2, MM, MM_PER_S, MM_PER_S2, SECOND
 
 # From periods and damping to what the kernel of the oscillators takes.
 
@@ -300,3 +304,46 @@ def input_energy_spectrum(
         total_acceleration=freeze(found[k.PEAK_A]),
         name=motion.name,
     )
+
+
+# What is told of the spectra of a motion, period by period.
+
+
+class Ordinates(NamedTuple):
+    """The spectra of a ground motion at one period."""
+
+    motion: GroundMotion
+    spectrum: EnergySpectrum
+    place: int
+
+    @property
+    def period(self) -> float:
+        """Period [s]."""
+        return float(self.spectrum.periods[self.place])
+
+    @property
+    def displacement(self) -> float:
+        """S_d [mm]."""
+        return float(self.spectrum.displacement[self.place])
+
+    @property
+    def frequency(self) -> float:
+        """Circular frequency [1/s]."""
+        return 2.0 * math.pi / self.period
+
+
+def ordinates(motion: GroundMotion, spectrum: EnergySpectrum) -> list[Ordinates]:
+    """Return the spectra of a motion at every period."""
+    return [Ordinates(motion, spectrum, place) for place in range(spectrum.periods.size)]
+
+
+ORDINATES = [
+    Quantity("record", "name of the ground motion", head="Record", get="motion.name"),
+    Quantity("pgv_m_s", "peak ground velocity", M_PER_S, decimals=3, places=12, name="pgv", head="PGV", get="motion.peak_velocity"),
+    Quantity("period_s", "period", SECOND, digits=3, name="period", head="T", get="period"),
+    Quantity("S_d_mm", "spectral displacement", MM, decimals=1, name="S_d", get="displacement"),
+    Quantity("S_v_mm_s", "pseudo-velocity", MM_PER_S, M_PER_S, 3, name="S_v", get=lambda one: one.displacement * one.frequency),
+    Quantity("S_a_mm_s2", "pseudo-acceleration", MM_PER_S2, M_PER_S2, 3, name="S_a", get=lambda one: one.displacement * one.frequency**2),
+    Quantity("V_E_mm_s", "equivalent velocity of the relative input energy", MM_PER_S, M_PER_S, 3, name="V_E", get=lambda one: (2.0 * float(one.spectrum.relative[one.place])) ** 0.5),
+    Quantity("V_E_absolute_mm_s", "equivalent velocity of the absolute input energy", MM_PER_S, M_PER_S, 3, name="V_E_absolute", head="V_E abs.", get=lambda one: (2.0 * float(one.spectrum.absolute[one.place])) ** 0.5),
+]  # fmt: skip

@@ -6,11 +6,11 @@ from importlib import metadata
 from typing import Any
 
 from dcfp.analysis.response import remarks_on
+from dcfp.inference.told import case_objects
 from dcfp.kernels._jit import source_digest
 from dcfp.methods import aij_2016, asce_2016, eurocode_8, iwan_1980
 from dcfp.present.report.checks import checks_of
 from dcfp.present.report.document import DECIMALS
-from dcfp.present.tables.comparisons import case_objects
 from dcfp.schema.check import COLUMNS
 from dcfp.schema.citations import bibliography, citation
 from dcfp.schema.formulas import Formula
@@ -163,6 +163,7 @@ def _case(one: Result, row: dict[str, Any], compared: dict[str, Any]) -> dict[st
         "record_treatment": list(motion.treatment),
         "energies": energies_of(one),
         "checks": [
-            {"of": check.of, **{one.key: one.datum(check) for one in COLUMNS}} for check in checks_of(one)
+            {"of": check.of, **{one.key: one.datum(check) for one in COLUMNS if one.stored}}
+            for check in checks_of(one)
         ],
     }

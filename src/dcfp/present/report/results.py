@@ -9,7 +9,7 @@ from dcfp.inference.case import CHANGE, Basis, View
 from dcfp.inference.statistics import ratios
 from dcfp.methods import Prediction, iwan_1980
 from dcfp.methods.panel import NAMES
-from dcfp.methods.result import Answer
+from dcfp.methods.result import Answer, answer_objects
 from dcfp.present.report.checks import label_of
 from dcfp.present.report.document import (
     Block,
@@ -27,7 +27,6 @@ from dcfp.present.report.document import (
     written,
 )
 from dcfp.present.report.references import energies_of
-from dcfp.present.tables.comparisons import answer_object
 from dcfp.schema.check import Verdict
 from dcfp.study.scenario import Calculation, Result
 
@@ -194,7 +193,7 @@ def _codes(one: Result, y: float) -> Table:
     rows: list[tuple[Cell, ...]] = []
     for said in one.case.answers.values():
         ratio = said.displacement / y if y > 0.0 else None
-        numbers = answer_object(said)
+        numbers = answer_objects([said])[0]
         keys = ("displacement_mm", "base_shear_over_weight", "effective_period_s", "effective_damping")
         rows.append(
             (

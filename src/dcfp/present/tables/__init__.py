@@ -1,16 +1,181 @@
-"""Results as NetCDF groups and as lines of text, with units."""
+"""Results as files: NetCDF with a group for each of several, and lines of text, with units."""
 
-from dcfp.present.tables.columns import Column as Column
-from dcfp.present.tables.columns import table_text as table_text
-from dcfp.present.tables.motions import MEASURES as MEASURES
-from dcfp.present.tables.motions import motion_csv as motion_csv
-from dcfp.present.tables.motions import motion_dataset as motion_dataset
-from dcfp.present.tables.motions import motion_names as motion_names
-from dcfp.present.tables.motions import write_motions_netcdf as write_motions_netcdf
-from dcfp.present.tables.responses import COLUMNS as COLUMNS
-from dcfp.present.tables.responses import csv_text as csv_text
-from dcfp.present.tables.responses import cycles_csv as cycles_csv
-from dcfp.present.tables.responses import group_names as group_names
-from dcfp.present.tables.responses import summary_dataset as summary_dataset
-from dcfp.present.tables.responses import write_netcdf as write_netcdf
-from dcfp.present.tables.responses import write_tests_netcdf as write_tests_netcdf
+import csv
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+
+from dcfp.analysis.response import PEAKS, Response
+from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.measures import MEASURES
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.table import Table, csv_head_of, csv_text
+from dcfp.version import version
+
+if TYPE_CHECKING:
+    import xarray
+
+    from dcfp.analysis.rig import Loops
+
+REMARKS = Quantity("remarks", "what a reader must know", get="remarks", printed=False)
+
+
+class Result(Protocol):
+    """What has histories."""
+
+    def to_dataset(self) -> "xarray.Dataset":
+        """Return them over time."""
+        ...
+
+
+def write_responses(path: Path, responses: Sequence[Response], kind: str) -> None:
+    """Write analyses as ``".nc"`` or ``".csv"``: the histories of one, or the peaks of several and in NetCDF a group for each."""
+    table = Table(
+        (*PEAKS.values(), REMARKS),
+        responses,
+        "Peaks of several response history analyses; the histories are in a group for each",
+    )
+    _write(path, kind, responses, group_names(responses), table, "analysis")
+
+
+def write_tests(path: Path, loops: Sequence["Loops"], kind: str) -> None:
+    """Write virtual tests as ``".nc"`` or ``".csv"``: the histories of one, or the measures of every cycle of several and in NetCDF a group for each."""
+    from dcfp.analysis.rig.loops import CYCLES, cycles_of_tests
+
+    table = Table(
+        tuple(CYCLES),
+        cycles_of_tests(loops),
+        "Measures of every cycle of several virtual tests; the histories are in a group for each",
+    )
+    names = _different(
+        [[one.test.name, f"{one.test.name}_{one.friction_law.name}_{one.heating.name}"] for one in loops]
+    )
+    _write(path, kind, loops, names, table, "row", named=False)
+
+
+def write_motions(path: Path, motions: Sequence[GroundMotion], kind: str) -> None:
+    """Write ground motions as ``".nc"`` or ``".csv"``: the histories of one, or the measures of several and in NetCDF a group for each."""
+    table = Table(
+        tuple(MEASURES), motions, "Measures of several ground motions; the histories are in a group for each"
+    )
+    given = [motion.name for motion in motions]
+    names = _different(
+        [
+            [
+                f"{one.name}_{one.origin.component}"
+                if one.origin.component and given.count(one.name) > 1
+                else one.name
+            ]
+            for one in motions
+        ]
+    )
+    measured = {key: value for key, value in table.objects()[0].items() if not isinstance(value, list)}
+    remarks = {"remarks": " ".join(table.objects()[0]["remarks"])}
+    _write(path, kind, motions, names, table, "motion", attributes=measured | remarks)
+
+
+def write_study(path: Path, dataset: "xarray.Dataset", kind: str) -> None:
+    """Write the results of a study as ``".nc"`` with everything, or as ``".csv"`` with a line for each analysis; the latter leaves out histories."""
+    if kind == ".csv":
+        _study_csv(path, dataset)
+        return
+    whole = dataset.load().copy()
+    for name in (*whole.coords, *whole.data_vars):
+        whole[name].encoding = {}
+        if whole[name].dtype.kind == "T":  # NetCDF knows strings as objects
+            whole[name] = whole[name].astype(object)
+    compressed(whole).to_netcdf(path, engine="h5netcdf")
+
+
+def _study_csv(path: Path, dataset: "xarray.Dataset") -> None:
+    from dcfp.study.results import parts_of  # late: a layer below, which imports what stores are read with
+
+    quantities = [str(name) for name in dataset.data_vars if not str(name).startswith("history_")]
+    dimensions = [str(name) for name in dataset[quantities[0]].dims]
+    beside = [
+        str(name) for name in dataset.coords if name not in dimensions and dataset[name].dims == ("sample",)
+    ]
+    names = [*dimensions, *beside, *quantities]
+    units = [str(dataset[name].attrs.get("units", "")) for name in names]
+    with path.open("w", encoding="utf-8", newline="") as stream:
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow([csv_head_of(*one) if one[1] else one[0] for one in zip(names, units, strict=True)])
+        for part in parts_of(dataset):
+            like = part[quantities[-1]].transpose(*dimensions)
+            columns = [_words(part[name].broadcast_like(like).transpose(*dimensions)) for name in names]
+            writer.writerows(zip(*columns, strict=True))
+
+
+def _words(array: "xarray.DataArray") -> list[str]:
+    values: np.ndarray[Any, Any] = array.to_numpy().ravel()
+    if "flag_meanings" in array.attrs:
+        meanings = str(array.attrs["flag_meanings"]).split()
+        return [meanings[int(value)] for value in values.tolist()]
+    if values.dtype.kind == "f":
+        return ["" if np.isnan(value) else f"{value:.9g}" for value in values.tolist()]
+    return [str(value) for value in values.tolist()]
+
+
+def group_names(responses: Sequence[Response]) -> list[str]:
+    """Return a name for each analysis, such as ``NCC_0.50``: the record and the PGV [m/s]."""
+    return _different(
+        [
+            [f"{one.motion.name}_{one.motion.peak_velocity / 1e3:{form}}" for form in (".2f", ".6g")]
+            for one in responses
+        ]
+    )
+
+
+def _different(choices: Sequence[Sequence[str]]) -> list[str]:
+    """Return for each the first of its names that no other has, or its last with a number."""
+    names: list[str] = []
+    for own in choices:
+        plain = [re.sub(r"[^\w.-]+", "-", one) for one in own]
+        numbered = (f"{plain[0]}_{number}" for number in range(2, len(choices) + 2))
+        names.append(next(one for one in (*plain, *numbered) if one not in names))
+    return names
+
+
+def _write(
+    path: Path,
+    kind: str,
+    results: Sequence[Result],
+    names: Sequence[str],
+    table: Table,
+    dimension: str,
+    *,
+    named: bool = True,
+    attributes: Mapping[str, Any] | None = None,
+) -> None:
+    if kind == ".csv":
+        text = histories_csv(results[0].to_dataset()) if len(results) == 1 else table.csv()
+        path.write_text(text, encoding="utf-8", newline="\n")
+        return
+    import xarray  # late: it takes long to import
+
+    datasets = [compressed(one.to_dataset()) for one in results]
+    if len(datasets) == 1:
+        datasets[0].attrs.update(attributes or {})
+        datasets[0].to_netcdf(path, engine="h5netcdf")
+        return
+    about = {"Conventions": "CF-1.11", "title": table.title, "source": f"dcfp {version()}"}
+    root = table.dataset(dimension, names if named else None, about)
+    groups = {f"/{name}": data for name, data in zip(names, datasets, strict=True)}
+    xarray.DataTree.from_dict({"/": root, **groups}).to_netcdf(path, engine="h5netcdf")
+
+
+def compressed(data: "xarray.Dataset") -> "xarray.Dataset":
+    """Return a data set whose variables will be written compressed."""
+    for variable in data.variables.values():
+        variable.encoding.update(zlib=True, complevel=1, shuffle=True)
+    return data
+
+
+def histories_csv(data: "xarray.Dataset") -> str:
+    """Return the variables of a data set over ``time`` alone as CSV, with units in the head."""
+    names = ["time", *(str(name) for name, one in data.data_vars.items() if one.dims == ("time",))]
+    columns = np.column_stack([data[name].to_numpy() for name in names])
+    return csv_text([csv_head_of(name, str(data[name].attrs["units"])) for name in names], columns.tolist())

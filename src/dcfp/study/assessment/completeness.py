@@ -46,7 +46,7 @@ def usable(
     whole = found["status"].size
     missing, failed = counts["not_run"], counts["failed"]
     if missing and not unfinished:
-        instead = "" if unfinished is None else ", or leave them out (unfinished=True, --unfinished)"
+        instead = "" if unfinished is None else ", or leave them out (unfinished)"
         msg = f"{missing} of the {whole} analyses have not been run; finish the study first{instead}."
         raise InputError(msg)
     if missing + failed == whole:

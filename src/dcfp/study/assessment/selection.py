@@ -110,7 +110,7 @@ def only(dataset: xarray.Dataset, names: Sequence[str], what: str) -> xarray.Dat
         example = " ".join(f"{name}=..." for name in others)
         msg = (
             f"{what} is {about}, and {told} {_is(others)} left over; choose one value of each first"
-            f" (on the command line: --at {example})."
+            f" (at {example})."
         )
         raise InputError(msg)
     return dataset.transpose(*names)

@@ -3,7 +3,6 @@
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from operator import attrgetter
 
 from dcfp.analysis.rig.loops import Loops
 from dcfp.analysis.rig.measures import Cycle
@@ -106,19 +105,21 @@ def criterion(
     )
 
 
-#: A requirement as data have it.
-CRITERIA = (
-    Quantity("code", "code that requires it", get=attrgetter("of")),
-    Quantity("clause", "where it stands", get=attrgetter("source")),
-    Quantity("test", "name of the test", get=attrgetter("subject")),
-    Quantity("statement", "what must hold", get=attrgetter("name")),
-    Quantity("value", "what was found", NONE, get=attrgetter("found")),
-    Quantity("limit", "what is allowed", NONE, get=attrgetter("limit")),
-    Quantity("unit", "unit of both", get=attrgetter("unit")),
-    Quantity("at_least", "whether the limit is a lower one", get=attrgetter("at_least")),
-    Quantity("confirmed", "whether it was read in the code", get=attrgetter("confirmed")),
-    Quantity("passed", "whether it holds", get=attrgetter("passed")),
-)
+#: What is told of a requirement.
+CRITERIA = [
+    Quantity("code", "code that requires it", head="Code", get="of"),
+    Quantity("clause", "where it stands", head="Clause", get="source"),
+    Quantity("test", "name of the test", head="Test", get="subject"),
+    Quantity("statement", "what must hold", head="What must hold", get="name"),
+    Quantity("value", "what was found", NONE, decimals=3, head="Found\n", get="found"),
+    Quantity("limit", "what is allowed", NONE, get="limit", printed=False),
+    Quantity("Limit", "what is allowed", NONE, head="Limit\n", get=lambda one: f"{'≥' if one.at_least else '≤'} {one.limit:g}", stored=False),
+    Quantity("unit", "unit of both", head="Unit", get="unit"),
+    Quantity("at_least", "whether the limit is a lower one", get="at_least", printed=False),
+    Quantity("confirmed", "whether it was read in the code", get="confirmed", printed=False),
+    Quantity("passed", "whether it holds", get="passed", printed=False),
+    Quantity("Result", "whether it holds", get=lambda one: ("ok" if one.passed else "NOT MET") + ("" if one.confirmed else " (unconfirmed limit)"), stored=False),
+]  # fmt: skip
 
 
 # Property modification factors that tests show: lambda_test of ASCE/SEI 7-16, section 17.2.8.4.
@@ -170,6 +171,20 @@ class PropertyFactor:
     enduring: float | None
     tests: tuple[str, ...]
 
+
+#: What is told of a factor.
+FACTORS = [
+    Quantity("name", "property", head="Property", get="name"),
+    Quantity("nominal", "mean of the first three cycles", NONE, digits=4, head="nominal\n", get="nominal"),
+    Quantity("unit", "unit of it", get="unit", printed=False),
+    Quantity("upper", "first cycle over nominal", NONE, decimals=3, head="lambda_max\n", get="upper"),
+    Quantity("lower", "last cycle over nominal", NONE, decimals=3, head="lambda_min\n", get="lower"),
+    Quantity("first_over_third", "first over third cycle", NONE, decimals=3, head="1st/3rd\n", get="first_over_third"),
+    Quantity("enduring", "last cycle of the endurance tests over nominal", NONE, decimals=3, head="after all\n", get="enduring"),
+    Quantity("Unit", "unit of the nominal value", get="unit", stored=False),
+    Quantity("tests", "tests that it comes from", get="tests", printed=False),
+    Quantity("Tests", "tests that it comes from", get=lambda one: ", ".join(one.tests), stored=False),
+]  # fmt: skip
 
 _PROPERTIES: tuple[tuple[str, str, Callable[[Cycle], float]], ...] = (
     ("friction of the loop", "-", lambda cycle: cycle.loop_friction),

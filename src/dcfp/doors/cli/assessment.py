@@ -1,0 +1,254 @@
+"""``dcfp study ida``, ``fragility``, ``bounds``, ``sensitivity`` and ``chart``: what follows from the results of a study."""
+
+import argparse
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from dcfp.doors.cli.console import Block, Page, grid
+from dcfp.doors.cli.outputs import Answer
+from dcfp.doors.cli.study import values_of_pairs
+from dcfp.errors import InputError
+from dcfp.inference.design_space import PARTS, DesignSpace, held_table
+from dcfp.schema.table import Table
+from dcfp.study import assessment
+from dcfp.study.assessment.bounds import NOMINAL, QUANTITIES
+from dcfp.study.assessment.completeness import remarks_of
+from dcfp.study.assessment.design_chart import at_pgv
+from dcfp.study.assessment.selection import described, select
+from dcfp.study.assessment.told import (
+    bounds_table,
+    document,
+    fragility_curves,
+    fragility_observed,
+    fragility_table,
+    ida_table,
+    lines_of,
+    nested,
+    sensitivity_table,
+)
+from dcfp.study.results import INTENSITIES, open_store
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.figure import Figure
+
+#: Capacities up to which the observed fractions are printed.
+_MOST_PRINTED = 4
+
+
+def _opened(chosen: argparse.Namespace) -> "xarray.Dataset":
+    """Return what is chosen of a study."""
+    dataset = open_store(Path(chosen.store))
+    return select(dataset, values_of_pairs(dataset, chosen.at), keep=("record", "sample", *INTENSITIES))
+
+
+def _answer(
+    found: "xarray.Dataset",
+    question: Sequence[tuple[str, str]],
+    tables: Sequence[Block],
+    rows: Sequence[dict[str, Any]],
+    csv: Table,
+    draw: "Callable[[], Figure]",
+    remarks: Sequence[str] = (),
+    **more: Any,
+) -> Answer:
+    """Return an answer about a study: the lines above its tables, the tables, the rows of JSON and of CSV, and the figure."""
+    lines = [*lines_of(found), *question]
+    return Answer(
+        lambda: document(found, rows, **more),
+        lambda: Page([lines, *tables], [*remarks_of(found), *remarks]),
+        lambda part, kind: csv.csv(),
+        draw,
+    )
+
+
+def ida(chosen: argparse.Namespace) -> Answer:
+    """Make the curves of the records, and their quantiles."""
+    parts = {} if chosen.quantiles is None else {"quantiles": chosen.quantiles}
+    found = assessment.ida(_opened(chosen), chosen.quantity, **parts, unfinished=chosen.unfinished)
+    table = ida_table(found, chosen.quantity)
+    values: xarray.DataArray = found[str(chosen.quantity)]
+    words = described(values).words
+    question = [("Question", f"{words}: what parts of {found.sizes['record']} records do not exceed")]
+
+    def draw() -> "Figure":
+        from dcfp.present.figures.assessment import plot_ida  # late: Matplotlib takes long to import
+
+        figure: Any = plot_ida(found).figure
+        return figure
+
+    rows = nested(table.objects())
+    return _answer(found, question, [grid(table)], rows, table, draw, quantity=chosen.quantity)
+
+
+def fragility(chosen: argparse.Namespace) -> Answer:
+    """Fit the fragilities."""
+    further: list[float] = chosen.further_dispersion or []
+    found = assessment.fragility(
+        _opened(chosen),
+        chosen.capacity,
+        chosen.quantity,
+        further_dispersions={f"given {i + 1}": value for i, value in enumerate(further)},
+        confidence=chosen.confidence,
+        seed=chosen.seed,
+        unfinished=chosen.unfinished,
+    )
+    about = found.attrs
+    table = fragility_table(found)
+    question = [
+        ("Question", f"at which intensity {about['quantity'].replace('_', ' ')} exceeds the capacity"),
+        ("From", f"{about['records']} records of {about['earthquakes']} earthquakes"),
+    ]
+    few = found.sizes["capacity"] <= _MOST_PRINTED
+    bounds = f"Bounds hold {100.0 * about['confidence']:g} % of {about['draws']} draws of whole earthquakes with replacement."
+
+    def draw() -> "Figure":
+        from dcfp.present.figures.assessment import plot_fragility  # late: Matplotlib takes long to import
+
+        figure: Any = plot_fragility(found).figure
+        return figure
+
+    return _answer(
+        found,
+        question,
+        [grid(table), *([grid(fragility_observed(found))] if few else [])],
+        table.objects(),
+        fragility_curves(found),
+        draw,
+        [bounds],
+        quantity=chosen.quantity,
+        confidence=chosen.confidence,
+        draws=about["draws"],
+        seed=chosen.seed,
+        records=about["records"],
+        earthquakes=about["earthquakes"],
+    )
+
+
+def bounds(chosen: argparse.Namespace) -> Answer:
+    """Make the envelopes over property factors and temperatures."""
+    dataset = _opened(chosen)
+    found = assessment.bounds(
+        dataset,
+        chosen.over,
+        {**NOMINAL, **values_of_pairs(dataset, chosen.nominal)},
+        chosen.quantities or QUANTITIES,
+        chosen.quantiles or (0.5, 0.84),
+        unfinished=chosen.unfinished,
+    )
+    table = bounds_table(found)
+    over, nominal = str(found.attrs["over"]), str(found.attrs["nominal"])
+    question = [
+        ("Question", f"between which bounds the results are over {over.replace(', ', ' and ')}"),
+        ("Nominal", nominal),
+    ]
+
+    def draw() -> "Figure":
+        from dcfp.present.figures.assessment import plot_bounds  # late: Matplotlib takes long to import
+
+        return plot_bounds(found)
+
+    shown = grid(table, repeated=2)
+    return _answer(
+        found, question, [shown], table.objects(), table, draw, over=over.split(", "), nominal=nominal
+    )
+
+
+def sensitivity(chosen: argparse.Namespace) -> Answer:
+    """Estimate the indices."""
+    found = assessment.sensitivity(
+        _opened(chosen),
+        chosen.quantity,
+        chosen.over_records,
+        logarithm=chosen.logarithm,
+        confidence=chosen.confidence,
+        seed=chosen.seed,
+    )
+    table = sensitivity_table(found)
+    of = "the logarithm of " if found.attrs["logarithm"] else ""
+    words = str(found.attrs["quantity"]).replace("_", " ")
+    question = [
+        ("Question", f"from which factor the variance of {of}{words} comes"),
+        ("Records", str(found.attrs["over_records"])),
+    ]
+
+    def draw() -> "Figure":
+        from dcfp.present.figures.assessment import plot_sensitivity  # late: Matplotlib takes long to import
+
+        return plot_sensitivity(found)
+
+    left = found["S1"].ndim - 1
+    return _answer(
+        found,
+        question,
+        [grid(table, repeated=left)],
+        table.objects(),
+        table,
+        draw,
+        quantity=chosen.quantity,
+        over_records=found.attrs["over_records"],
+        logarithm=chosen.logarithm,
+        confidence=chosen.confidence,
+    )
+
+
+def chart(chosen: argparse.Namespace) -> Answer:
+    """Find which bearings hold the displacement."""
+    dataset = at_pgv(_opened(chosen), chosen.pgv)
+    space = assessment.design_space(dataset, unfinished=chosen.unfinished)
+    # what a part of the records do not exceed needs enough of them
+    parts = [part for part in PARTS if part * (space.records + 1) <= space.records]
+    table = held_table([space], chosen.allow, parts)
+    question = [
+        ("Question", f"which friction and radius hold y_max to {chosen.allow:g} mm"),
+        ("From", f"{space.records} records of {len(set(space.events))} earthquakes"),
+    ]
+    remarks = _chart_remarks(dataset, space, chosen.allow, parts)
+
+    def draw() -> "Figure":
+        from dcfp.present.figures.design_chart import (
+            plot_design_chart,
+        )  # late: Matplotlib takes long to import
+
+        return plot_design_chart([space], chosen.allow)
+
+    told = {"allowed_mm": chosen.allow, "records": space.records}
+    answer = _answer(dataset, question, [grid(table)], table.objects(), table, draw, remarks, **told)
+    every = [*remarks_of(dataset), *remarks]
+    return Answer(lambda: {**answer.document(), "remarks": every}, answer.page, answer.data, answer.figure)
+
+
+def _chart_remarks(
+    dataset: "xarray.Dataset", space: DesignSpace, allowed: float, parts: Sequence[float]
+) -> list[str]:
+    left_out = dataset.sizes.get("record", 1) - space.records
+    remarks = [f"{left_out} records without a result on every bearing are left out."] if left_out else []
+    remarks.append(
+        "mu: the least reference coefficient from which on y_max stays below for that part of the records, between the bearings of the study on straight"
+        f" lines, and the horizontal force over the weight that goes with it; – where no coefficient, up to {space.coefficients[-1]:g}, is enough."
+    )
+    if PARTS[-1] in parts:
+        remarks.append(_spread(space, allowed))
+    else:
+        remarks.append(f"What 95 % do not exceed needs more than {space.records} records.")
+    if "lambda" in dataset.coords and float(dataset["lambda"]) != 1.0:
+        remarks.append(f"mu is before the property factor lambda of {float(dataset['lambda']):g}.")
+    return remarks
+
+
+def _spread(space: DesignSpace, allowed: float) -> str:
+    """Return how sure the coefficients are."""
+    try:
+        low, high = space.spread(allowed, PARTS[-1])
+    except InputError:  # a draw of earthquakes has fewer records than the study
+        return f"How sure mu, 95 %, is cannot be said from {space.records} records."
+    told = (
+        f"Other earthquakes of the same kind would give a mu, 95 %, mean of the radii, between {low:.3g} and {high:.3g} (earthquakes drawn"
+        " with replacement, 5 to 95 %)"
+    )
+    most = float(space.coefficients[-1])
+    enough = np.isfinite(space.holding(allowed, PARTS[-1])[0]).all() and high < most
+    return f"{told}." if enough else f"{told}; where none is enough, {most:g} counts, which is too low."

@@ -1,0 +1,255 @@
+"""The commands of ``dcfp study``: what each is called, does and may be told."""
+
+import argparse
+from dataclasses import replace
+
+from dcfp.doors.cli import options
+from dcfp.doors.cli.commands import ALLOWED, FIGURE, command
+from dcfp.doors.cli.parser import Parser, add_parameter
+from dcfp.errors import InputError
+from dcfp.files import DATA_EXTENSIONS
+from dcfp.schema.parameters import Parameter
+from dcfp.schema.units import FRACTION, MM, NONE
+
+ABOUT = """Studies: many analyses over records, intensities and bearings, into a store that survives an interruption.
+
+dcfp study STUDY.toml is short for dcfp study run STUDY.toml."""
+#: The command that a study file alone asks for.
+USUAL = "run"
+STUDY = "study file; dcfp study new writes one"
+
+THREADS = Parameter(
+    "analyses at the same time", NONE, 1, 1024, kind=int, more="by default one for each processor"
+)
+PROCESSES = Parameter("Dask workers to start on this machine", NONE, 1, 1024, kind=int)
+PART = Parameter("parts of the records that do not exceed", FRACTION, 0.0, 0.9999, above=True)
+CAPACITY = Parameter(
+    "capacities, or other values of the result",
+    MM,
+    0.0,
+    above=True,
+    more="default the displacement capacity of the study's bearing",
+)
+DISPERSION = Parameter(
+    "further dispersions, of design and model for example, added as the root of the sum of squares",
+    NONE,
+    0.0,
+    2.0,
+)
+SEED = Parameter("seed of the draws", NONE, 0, 2**31 - 1, kind=int)
+
+
+def store(parser: Parser, *, may_be_unfinished: bool = True) -> None:
+    """Add the store of the study and what is chosen of it."""
+    parser.add_argument("store", metavar="STORE", help="results of a study: a folder .zarr, or a file .nc")
+    selection(parser)
+    if may_be_unfinished:
+        parser.add_argument(
+            "--unfinished",
+            action="store_true",
+            help="leave out the analyses that have not been run, rather than refuse the study",
+        )
+
+
+def selection(parser: Parser) -> None:
+    """Add which value of each factor is meant."""
+    parser.add_argument(
+        "--at",
+        action="extend",
+        nargs="+",
+        type=pair,
+        default=[],
+        metavar="FACTOR=VALUE",
+        help="one value of each factor that is not looked at: pgv in m/s, the others in the units of the tables",
+    )
+
+
+def pair(text: str) -> tuple[str, str]:
+    """Return the name and the value of ``FACTOR=VALUE``."""
+    name, sign, value = text.partition("=")
+    if not (name.strip() and sign and value.strip()):
+        msg = f"write FACTOR=VALUE, for example radius=4500, not {text!r}"
+        raise argparse.ArgumentTypeError(msg)
+    return name.strip(), value.strip()
+
+
+def quantity(parser: Parser) -> None:
+    """Add which result is looked at."""
+    parser.add_argument(
+        "--quantity",
+        default="peak_displacement",
+        metavar="NAME",
+        help="the result: peak_displacement (default), force_ratio, peak_temperature, residual_displacement, ...",
+    )
+
+
+@command("study new", "study:new")
+def new(parser: Parser) -> None:
+    """Write a study file to start from, with every kind of factor in it and words beside each."""
+    parser.add_argument("out", metavar="STUDY.toml", help="file to write")
+    parser.add_argument("--overwrite", action="store_true", help="replace a file that exists")
+    parser.set_defaults(json=False, kinds=(".toml",), noun="a study")
+
+
+@command("study plan", "study:plan")
+def plan(parser: Parser) -> None:
+    """How many analyses a study has and how long they will take, from some that are timed; nothing is written."""
+    parser.add_argument("study", metavar="STUDY.toml", help=STUDY)
+    add_parameter(parser, THREADS, "threads")
+    options.add_output(parser)
+
+
+def check_run(chosen: argparse.Namespace) -> None:
+    """Refuse two ways of dealing with a store, or two places to run at."""
+    if chosen.resume and chosen.overwrite:
+        msg = "--resume goes on with a store and --overwrite replaces it; give one of the two."
+        raise InputError(msg)
+    places = [name for name in ("threads", "dask", "processes") if getattr(chosen, name) is not None]
+    if len(places) > 1:
+        msg = f"--{places[0]} and --{places[1]} say where the analyses run in two ways; give one."
+        raise InputError(msg)
+
+
+@command("study run", "study:run", check_run)
+def run(parser: Parser) -> None:
+    """Run a study, or what is left of it: every combination of its factors, into a store."""
+    parser.add_argument("study", metavar="STUDY.toml", help=STUDY)
+    # a store is no file: it is checked where it is written
+    parser.add_argument(
+        "--out",
+        dest="store",
+        metavar="STORE",
+        help="folder of the store; by default that of the study file, as .zarr, here",
+    )
+    parser.add_argument("--resume", action="store_true", help="go on with a store that is there")
+    parser.add_argument("--overwrite", action="store_true", help="replace a store that is there")
+    group = parser.add_argument_group("machine")
+    add_parameter(group, THREADS, "threads")
+    group.add_argument(
+        "--dask", metavar="ADDRESS", help="Dask scheduler whose workers run the analyses, tcp://HOST:PORT"
+    )
+    add_parameter(group, PROCESSES, "processes")
+    parser.add_argument("--json", action="store_true", help="one JSON document on standard output")
+
+
+@command("study show", "study:show")
+def show(parser: Parser) -> None:
+    """Show what is in a store: its dimensions, what is done, and the peaks by intensity."""
+    parser.add_argument("store", metavar="STORE", help="store of a study, or the NetCDF it was exported to")
+    options.add_output(parser)
+
+
+@command("study histories", "study:histories")
+def histories(parser: Parser) -> None:
+    """Response history analysis behind one case of a study: made again in a moment, with its histories and its figure."""
+    parser.add_argument("study", metavar="STUDY.toml", help="the study file")
+    selection(parser)
+    options.add_output(parser, "results as NetCDF (.nc) or CSV (.csv)", FIGURE, DATA_EXTENSIONS)
+
+
+@command("study export", "study:export")
+def export(parser: Parser) -> None:
+    """Write a store as one file: NetCDF with everything, or CSV with a line for each analysis."""
+    parser.add_argument("store", metavar="STORE", help="store of a study")
+    options.add_output(parser, "file to write, .nc or .csv", kinds=DATA_EXTENSIONS, required=True)
+
+
+@command("study ida", "assessment:ida")
+def ida(parser: Parser) -> None:
+    """Incremental dynamic analysis from the results of a study: the curves of the records, and what parts of them do not exceed."""
+    store(parser)
+    quantity(parser)
+    add_parameter(parser, PART, "quantiles", several=True, more="default 0.16 0.5 0.84")
+    options.add_output(parser, "the quantiles and every record by intensity as CSV (.csv)", FIGURE)
+
+
+@command("study fragility", "assessment:fragility")
+def fragility(parser: Parser) -> None:
+    """Fragility from the results of a study: how probable it is that a capacity is exceeded, over the intensity."""
+    store(parser)
+    add_parameter(parser, CAPACITY, "capacity", several=True)
+    quantity(parser)
+    add_parameter(parser, DISPERSION, "further_dispersion", several=True)
+    inside = replace(PART, words="part of the draws of earthquakes inside the bounds", default=0.9)
+    add_parameter(parser, inside, "confidence", default=True)
+    add_parameter(parser, replace(SEED, default=2015), "seed", default=True)
+    options.add_output(parser, "the curve of every capacity with its bounds as CSV (.csv)", FIGURE)
+
+
+@command("study bounds", "assessment:bounds")
+def bounds(parser: Parser) -> None:
+    """Property bounds from the results of a study: the envelope over property factors and ambient temperatures, and what governs it."""
+    store(parser)
+    parser.add_argument(
+        "--over",
+        nargs="+",
+        metavar="FACTOR",
+        help="the property factors; default those of lambda and ambient that vary",
+    )
+    parser.add_argument(
+        "--nominal",
+        action="extend",
+        nargs="+",
+        type=pair,
+        default=[],
+        metavar="FACTOR=VALUE",
+        help="the nominal value of each; default lambda=1 ambient=20",
+    )
+    parser.add_argument(
+        "--quantities",
+        nargs="+",
+        metavar="NAME",
+        help="the results; default peak_displacement force_ratio residual_displacement peak_temperature",
+    )
+    add_parameter(
+        parser, PART, "quantiles", several=True, more="the figure shows the first; default 0.5 0.84"
+    )
+    options.add_output(
+        parser, "least, nominal and largest by result, quantile and intensity as CSV (.csv)", FIGURE
+    )
+
+
+@command("study sensitivity", "assessment:sensitivity")
+def sensitivity(parser: Parser) -> None:
+    """Sobol indices from the results of a study: which sampled factor the variance of a result comes from."""
+    store(parser, may_be_unfinished=False)
+    quantity(parser)
+    parser.add_argument(
+        "--over-records",
+        type=reduction,
+        metavar="WAY",
+        help="how the records are taken together: geometric-mean (default), or a quantile between 0 and 1",
+    )
+    parser.add_argument(
+        "--logarithm", action="store_true", help="the variance of the logarithm of the result"
+    )
+    add_parameter(
+        parser, replace(PART, words="confidence of the intervals", default=0.95), "confidence", default=True
+    )
+    add_parameter(
+        parser, replace(SEED, words="seed of the intervals", least=1, default=2010), "seed", default=True
+    )
+    options.add_output(parser, "the indices by factor and intensity as CSV (.csv)", FIGURE)
+
+
+def reduction(text: str) -> str | float:
+    """Return a way of taking records together: its name, or a quantile."""
+    if text == "geometric-mean":
+        return text
+    try:
+        return PART.read(text, "")
+    except InputError as error:
+        msg = f"write geometric-mean or a quantile between 0 and 1, not {text!r}"
+        raise argparse.ArgumentTypeError(msg) from error
+
+
+@command("study chart", "assessment:chart")
+def chart(parser: Parser) -> None:
+    """Design chart from the results of a study: which radius and friction hold a displacement at a PGV."""
+    store(parser)
+    which = replace(
+        options.PGV, words="which peak ground velocity of the study", more="not needed where it has only one"
+    )
+    add_parameter(parser, which, "pgv")
+    add_parameter(parser, ALLOWED, "allow", required=True)
+    options.add_output(parser, "the least coefficient for every radius as CSV (.csv)", FIGURE)
