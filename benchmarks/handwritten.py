@@ -15,8 +15,8 @@ from stopwatch import in_turn, microseconds, once, ratio
 from analysis import SINGLE, Analysis, motion_at
 from dcfp.analysis.kernel_input import heat_of
 from dcfp.arrays import FloatArray
-from dcfp.kernels.friction import Law
 from dcfp.kernels.heat_state import RATES, WEIGHTS
+from dcfp.kernels.law import Law
 from dcfp.kernels.memory import MODES
 from dcfp.kernels.motion import Structure as KernelStructure
 from dcfp.system import LI_2020, Bearing, FrictionLaw, Kumar2015, Li2020

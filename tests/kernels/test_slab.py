@@ -85,9 +85,9 @@ def test_an_insulated_plate_keeps_its_heat():
 @pytest.mark.parametrize(
     ("plates", "words"),
     [
-        ({"thickness": 5.0}, "from 10 to 200 mm"),
-        ({"thickness": 500.0}, "from 10 to 200 mm"),
-        ({"thickness": -1.0}, "positive number of mm"),
+        ({"thickness": 5.0}, "a number of mm from 10 to 200"),
+        ({"thickness": 500.0}, "a number of mm from 10 to 200"),
+        ({"thickness": -1.0}, "a number of mm from 10 to 200"),
         ({"thickness": 50.0, "back": "wet"}, "must be one of insulated, ambient"),
         ({"back": "ambient"}, "needs the thickness"),
     ],

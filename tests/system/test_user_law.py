@@ -12,7 +12,8 @@ import pytest
 
 import dcfp
 from dcfp import AnalysisError, UserFriction
-from dcfp.kernels.friction import Law, coefficient, law_by_address
+from dcfp.kernels.friction import coefficient
+from dcfp.kernels.law import Law, law_by_address
 from dcfp.kernels.user_law import compile_law
 from dcfp.schema.parameters import declared
 from dcfp.system import FrictionLaw

@@ -12,8 +12,9 @@ from dcfp.analysis.response import Histories, Response, Settings
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import AnalysisError, InputError
 from dcfp.kernels import march as m
-from dcfp.kernels.friction import Law, mean_coefficient
+from dcfp.kernels.friction import mean_coefficient
 from dcfp.kernels.heat_state import FINEST_LEVEL, NO_HEATING, PRESENT
+from dcfp.kernels.law import Law
 from dcfp.kernels.march import AT_REST, NO_NUMBER, NO_PROGRESS, OUT_OF_CELLS, TEMPERATURE, march
 from dcfp.kernels.motion import Structure
 from dcfp.motion.ground_motion import GroundMotion, check_step_and_tail, parts_in, refined, with_tail

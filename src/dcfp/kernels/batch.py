@@ -7,8 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.friction import Law, mean_coefficient
+from dcfp.kernels.friction import mean_coefficient
 from dcfp.kernels.heat_state import DOSE, LEFT_CELL, PLATE_NOTE, PLATE_NOTES, PRESENT, RATES, WEIGHTS, Heat
+from dcfp.kernels.law import Law
 from dcfp.kernels.march import (
     LEAST_FRICTION,
     PEAK_CHANGE,

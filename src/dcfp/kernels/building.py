@@ -13,9 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.friction import Law, mean_coefficient, note_ratios
+from dcfp.kernels.friction import mean_coefficient, note_ratios
 from dcfp.kernels.heat_state import EXPECTED, ODD_LENGTH, POINT, PRESENT, RATIO, Heat
 from dcfp.kernels.heating import cool_down, expect, heat_up, prepare, prepare_cooling
+from dcfp.kernels.law import Law
 from dcfp.kernels.motion import Structure, share
 from dcfp.kernels.oscillator import squared_speed
 

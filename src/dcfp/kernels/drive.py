@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 from dcfp.kernels._jit import kernel
 from dcfp.kernels.driven_sliding import slide_driven
 from dcfp.kernels.driven_sticking import stick_driven
-from dcfp.kernels.friction import Law
 from dcfp.kernels.grip import Grip, Rig
 from dcfp.kernels.heat_state import PRESENT, Heat
+from dcfp.kernels.law import Law
 from dcfp.kernels.motion import Structure
 from dcfp.kernels.path import Piece, displacement_at, load_at, velocity_at
 

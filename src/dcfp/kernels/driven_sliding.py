@@ -3,10 +3,11 @@
 import math
 
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.friction import Law, note_ratios, with_reference
+from dcfp.kernels.friction import note_ratios, with_reference
 from dcfp.kernels.grip import GAUSS_PARTS, GAUSS_POINTS, Grip, Rig, Stroke, available, pendulum_work, under
 from dcfp.kernels.heat_state import BETWEEN, EXPECTED, FINEST_LEVEL, ODD_LENGTH, POINT, RATIO, Heat
 from dcfp.kernels.heating import expect, heat_up, mix, prepare
+from dcfp.kernels.law import Law
 from dcfp.kernels.motion import Structure, share
 from dcfp.kernels.path import Piece, displacement_at, load_at, next_turn, reference_at, time_at, velocity_at
 from dcfp.kernels.sliding import HALVES, next_length

@@ -3,10 +3,10 @@
 import math
 
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.friction import Law
 from dcfp.kernels.grip import Grip, Rig, Stroke, available, pendulum_work
 from dcfp.kernels.heat_state import BETWEEN, ODD_LENGTH, PRESENT, Heat
 from dcfp.kernels.heating import cool_down, expect_cooling, mix, prepare_cooling
+from dcfp.kernels.law import Law
 from dcfp.kernels.motion import Structure
 from dcfp.kernels.path import Piece, displacement_at, load_at, next_turn
 

@@ -3,8 +3,9 @@
 from typing import NamedTuple
 
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.friction import Law, mean_coefficient, with_reference
+from dcfp.kernels.friction import mean_coefficient, with_reference
 from dcfp.kernels.heat_state import Heat
+from dcfp.kernels.law import Law
 from dcfp.kernels.motion import Structure
 from dcfp.kernels.path import Piece, displacement_at, load_at, reference_at, velocity_at
 

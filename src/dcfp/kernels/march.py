@@ -7,8 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.friction import Law, mean_coefficient
+from dcfp.kernels.friction import mean_coefficient
 from dcfp.kernels.heat_state import PRESENT, Heat
+from dcfp.kernels.law import Law
 from dcfp.kernels.motion import Advance, Motion, Push, Structure
 from dcfp.kernels.sliding import slide_step
 from dcfp.kernels.sticking import stick_step

@@ -11,9 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.friction import Law, mean_coefficient
+from dcfp.kernels.friction import mean_coefficient
 from dcfp.kernels.heat_state import BETWEEN, ODD_LENGTH, PRESENT, Heat
 from dcfp.kernels.heating import cool_down, expect, heat_up, mix, prepare
+from dcfp.kernels.law import Law
 from dcfp.kernels.motion import Structure
 from dcfp.kernels.oscillator import swing
 

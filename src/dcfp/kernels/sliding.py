@@ -7,9 +7,10 @@ How far the middle is from the chord tells whether the step is short enough. All
 import math
 
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.friction import Law, mean_coefficient, note_ratios
+from dcfp.kernels.friction import mean_coefficient, note_ratios
 from dcfp.kernels.heat_state import BETWEEN, EXPECTED, FINEST_LEVEL, ODD_LENGTH, POINT, RATIO, Heat
 from dcfp.kernels.heating import expect, heat_up, mix, prepare
+from dcfp.kernels.law import Law
 from dcfp.kernels.motion import Advance, Motion, Push, Structure, share
 from dcfp.kernels.oscillator import squared_speed, swing, work
 

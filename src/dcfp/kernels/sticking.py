@@ -3,9 +3,10 @@
 import math
 
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.friction import Law, mean_coefficient
+from dcfp.kernels.friction import mean_coefficient
 from dcfp.kernels.heat_state import BETWEEN, ODD_LENGTH, PRESENT, Heat
 from dcfp.kernels.heating import cool_down, expect_cooling, mix, prepare_cooling
+from dcfp.kernels.law import Law
 from dcfp.kernels.motion import Advance, Motion, Push, Structure
 from dcfp.kernels.oscillator import Swing, swing, work
 

@@ -15,7 +15,7 @@ from numba.core.ccallback import CFunc
 from numba.extending import is_jitted
 
 from dcfp.kernels._jit import LawCache, cache_folder, caching_in, numba_config
-from dcfp.kernels.friction import LAW_ARGUMENTS
+from dcfp.kernels.law import LAW_ARGUMENTS
 
 # numba makes much of itself at run time, out of sight of a type checker
 numba: Any = _numba

@@ -10,8 +10,8 @@ from dcfp.analysis.respond import halvings
 from dcfp.arrays import FloatArray, IntArray
 from dcfp.kernels import batch as k
 from dcfp.kernels.batch import Ground
-from dcfp.kernels.friction import Law
 from dcfp.kernels.heat_state import BANK_ROWS, Heat
+from dcfp.kernels.law import Law
 from dcfp.kernels.memory import MODES
 from dcfp.motion.ground_motion import LONGEST_TAIL, GroundMotion, check_step_and_tail, parts_in, refined
 from dcfp.system import Heating, System

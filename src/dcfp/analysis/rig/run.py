@@ -13,10 +13,10 @@ from dcfp.analysis.rig.waveform import Travel
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import AnalysisError, InputError
 from dcfp.kernels import drive as d
-from dcfp.kernels.friction import Law
 from dcfp.kernels.grip import Rig, available
 from dcfp.kernels.heat_state import PRESENT, Heat
 from dcfp.kernels.heating import place_slider
+from dcfp.kernels.law import Law
 from dcfp.kernels.path import Piece
 from dcfp.system import (
     LI_2020,

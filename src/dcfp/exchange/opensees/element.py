@@ -12,7 +12,7 @@ from dcfp.exchange.opensees.fit import (
     fit_element_law,
     has_the_elements_temperature_factor,
 )
-from dcfp.kernels.friction import EXPONENTIAL, Law
+from dcfp.kernels.law import EXPONENTIAL, Law
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.system import System
 

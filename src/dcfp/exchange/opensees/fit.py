@@ -14,7 +14,7 @@ from scipy import optimize
 
 from dcfp.analysis import Response, respond
 from dcfp.arrays import FloatArray
-from dcfp.kernels.friction import Law, exponential_law
+from dcfp.kernels.law import Law, exponential_law
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.parameters import declared
 from dcfp.system import Bearing, FrictionLaw, Kumar2015, SimplifiedHeating, System

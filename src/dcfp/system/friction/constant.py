@@ -2,7 +2,7 @@
 
 from typing import Annotated, ClassVar
 
-from dcfp.kernels.friction import Law, exponential_law
+from dcfp.kernels.law import Law, exponential_law
 from dcfp.schema.formulas import Formula
 from dcfp.schema.parameters import Parameter, declared
 from dcfp.schema.units import FRACTION

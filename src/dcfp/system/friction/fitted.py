@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
-from dcfp.kernels.friction import Law, exponential_law
+from dcfp.kernels.law import Law, exponential_law
 from dcfp.schema.formulas import Expression, number
 from dcfp.schema.parameters import Parameter, declared
 from dcfp.schema.units import DEGC, FRACTION, MM_PER_S, N_PER_MM2, NONE, PER_DEGC, S_PER_MM

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import AnalysisError, InputError
-from dcfp.kernels.friction import Law
+from dcfp.kernels.law import Law
 from dcfp.schema.formulas import Expression, Formula, number
 from dcfp.schema.notebook import fields_card
 from dcfp.schema.parameters import Declared

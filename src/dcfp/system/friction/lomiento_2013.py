@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
-from dcfp.kernels.friction import Law, cycling_law
+from dcfp.kernels.law import Law, cycling_law
 from dcfp.schema.formulas import Expression
 from dcfp.schema.parameters import Parameter, declared
 from dcfp.schema.units import FRACTION, MM_PER_S, N_PER_MM2, N_PER_S, NONE

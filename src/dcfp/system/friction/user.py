@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
-from dcfp.kernels.friction import Law, law_by_address
+from dcfp.kernels.law import Law, law_by_address
 from dcfp.schema.identity import globals_of, identity_of
 from dcfp.system.friction.law import FrictionLaw
 
