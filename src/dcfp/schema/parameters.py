@@ -4,15 +4,24 @@ A class says what its fields are with ``Annotated[float, Parameter(...)]`` under
 forms, reports and documentation all loop over the same declarations, so that they have the same names, limits and sentences.
 """
 
+import dataclasses
+import inspect
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from difflib import get_close_matches
 from typing import (
+    Annotated,
     Any,
     ClassVar,
     Self,
     TypeVar,
+    Union,
     cast,
+    dataclass_transform,
+    get_args,
+    get_origin,
+    get_type_hints,
 )
 
 from dcfp.errors import InputError
@@ -355,3 +364,71 @@ def build(kind: type[T], values: Mapping[str, Any], where: str, base: T | None =
     except InputError as error:
         msg = f"{where}: {error}" if where else str(error)
         raise InputError(msg) from error
+
+
+def unknown(given: object, known: Iterable[str], what: str) -> str:
+    """Return the sentence that there is no such thing, `what`, with the name that is probably meant."""
+    known = list(known)
+    near = get_close_matches(str(given), known, n=1)
+    meant = f"did you mean {near[0]!r}?" if near else f"the choices are {', '.join(known)}."
+    return f"there is no {what} {given!r}; {meant}"
+
+
+def parameters(kind: type) -> dict[str, Parameter]:
+    """Return the parameters of a declared class by the names of their fields, in their order."""
+    found = kind.__dict__.get("_parameters")
+    return cast("dict[str, Parameter]", _bind(kind) if found is None else found)
+
+
+@dataclass_transform(frozen_default=True, field_specifiers=(field,))
+def declared(kind: type[T]) -> type[T]:
+    """Make a frozen dataclass of declared parameters; fields without `Parameter` are fields like any other."""
+    hints = get_type_hints(kind, include_extras=True)
+    marks = {name: hint for name, hint in hints.items() if get_origin(hint) is Annotated}
+    # without this every signature prints the whole declaration
+    for name in inspect.get_annotations(kind).keys() & marks.keys():
+        kind.__annotations__[name] = get_args(marks[name])[0]
+    inherited = {
+        name: one
+        for base in reversed(kind.__mro__[1:])
+        for name, one in base.__dict__.get("_parameters", {}).items()
+    }
+    made = dataclass(frozen=True)(kind)
+    defaults: dict[str, Any] = {
+        one.name: None if one.default is dataclasses.MISSING else one.default
+        for one in dataclasses.fields(cast("Any", made))
+    }
+    found: dict[str, Parameter] = {}
+    for name, default in defaults.items():
+        if name in marks:
+            found[name] = _bound(name, marks[name], default)
+        elif name in inherited:
+            found[name] = replace(inherited[name], default=default)
+    cast("Any", made)._parameters = found
+    return made
+
+
+def _bind(kind: type) -> dict[str, Parameter]:
+    msg = f"{kind.__name__} is not declared."
+    raise TypeError(msg)
+
+
+def _bound(name: str, hint: Any, default: Any) -> Parameter:
+    """Return a parameter that knows its field."""
+    inside, *marks = get_args(hint)
+    mark = next(mark for mark in marks if isinstance(mark, Parameter))
+    options = get_args(inside) if get_origin(inside) in (Union, type(int | str)) else (inside,)
+    inner = next(one for one in options if one is not type(None))
+    kind = get_args(inner)[0] if get_origin(inner) is tuple else inner
+    counts = mark.counts
+    if get_origin(inner) is tuple and not counts:
+        counts = (len([one for one in get_args(inner) if one is not Ellipsis]),)
+    return replace(
+        mark,
+        name=name,
+        key=mark.key or name,
+        kind=cast("type", kind),
+        default=default,
+        optional=type(None) in options,
+        counts=counts,
+    )
