@@ -20,7 +20,7 @@ def test_a_store_that_is_there_is_not_touched(study: Study, motions, tmp_path: P
     run_study(study, place)
     before = content(place)
     other = Study(motions=motions, factors={"mu": [0.05]})
-    with pytest.raises(InputError, match=r"the store exists, 100 % of it done; go on with --resume"):
+    with pytest.raises(InputError, match=r"the store exists, 100 % of it done; go on with it \(resume\)"):
         run_study(study, place)
     with pytest.raises(InputError, match=r"this store is of another study; choose another name"):
         run_study(other, place, resume=True)

@@ -62,6 +62,18 @@ def test_other_numbers(run, option: str, value: str) -> None:
     is_refused(run("respond", "NCC", option, value), option, value)
 
 
+def test_a_number_in_another_unit_is_asked_about(run) -> None:
+    sentence = "must be a number of mm from 100 to 1e+06, not '4.5' (were m meant?).\n"
+    assert run("respond", "NCC", "--radius", "4.5").err == (
+        f"dcfp: --radius: effective radius of both plates, or of the lower and the upper one {sentence}"
+    )
+    plain = run("respond", "NCC", "--pgv", "0.5", "--radius", "4500", "--json").out
+    assert (
+        run("respond", "NCC", "--pgv", "500 mm/s", "--radius", "4.5 m", "--json").out.partition("elapsed")[0]
+        == (plain.partition("elapsed")[0])
+    )
+
+
 def test_more_than_two_radii(run) -> None:
     is_refused(run("respond", "NCC", "--radius", "1000", "2000", "3000"), "--radius", "2")
 

@@ -110,6 +110,13 @@ def test_bad_input_is_one_sentence(run, words, told):
     assert told in err
 
 
+def test_the_details_do_not_ask_for_themselves(run):
+    assert "--details says which" in " ".join(run("codes", "--asce", "1.5", "0.6").out.split())
+    told = run("codes", "--asce", "1.5", "0.6", "--details").out
+    assert "--details" not in told
+    assert "they are marked above" in " ".join(told.split())
+
+
 def test_a_set_as_one(run):
     (mean,) = json.loads(run("codes", "P695-FF", "--pgv", "0.5", "--of-set", "mean", "--json").out)
     (most,) = json.loads(run("codes", "P695-FF", "--pgv", "0.5", "--of-set", "84", "--json").out)

@@ -63,6 +63,8 @@ def test_version(run) -> None:
         (["respond"], "dcfp: name at least one RECORD, for example NCC or a file; dcfp records lists the named ones.\n"),
         (["respond", "NCC", "--frction", "x"], "dcfp: --frction is not an option of dcfp respond; did you mean --friction?\n"),
         (["respond", "NCC", "--zzz"], "dcfp: --zzz is not an option of dcfp respond; dcfp respond --help lists the options.\n"),
+        (["respond", "NCC", "--load", "60"], "dcfp: --load is not an option of dcfp respond; dcfp respond --help lists the options.\n"),
+        (["codes", "--weight", "0.8"], "dcfp: --weight is not an option of dcfp codes; did you mean --weight-above?\n"),
         (["respond", "NCC", "--step"], "dcfp: --step needs a value.\n"),
         (["respond", "NCC", "--pgv"], "dcfp: --pgv needs at least one value.\n"),
     ],

@@ -124,7 +124,7 @@ def with_force(test, factor: float, noise: float = 0.0):
     [
         (-1.0, 0.0, "helps the sliding instead of opposing it"),
         (1e-3, 0.0, "is 3.*e-05, and from 0.001 to 1 is possible; look at the units"),
-        (1e3, 0.0, "look at its --stiffness and at the unit of the force"),
+        (1e3, 0.0, "look at its stiffness before sliding and at the unit of the force"),
         (10.0, 0.0, "cannot determine mu_0, the only parameter that is left to fit"),
         (0.1, 0.0, "cannot determine mu_0, the only parameter that is left to fit"),
         (1.0, 5.0, "look at the sign and the unit of the force and at its noise"),
