@@ -50,7 +50,7 @@ def run(chosen: argparse.Namespace) -> Answer:
         return paper_figures(analyses.cases, loops)
 
     def sheet() -> "Figure":
-        from dcfp.present.figures.overview import contact_sheet
+        from dcfp.present.figures.overviews import contact_sheet
 
         return contact_sheet([(f"Figure {one.number}. {one.title}", one.figure) for one in figures()])
 

@@ -1,5 +1,6 @@
-"""The pulses of a ground velocity, and what they do to the structure."""
+"""The pulses of a ground velocity, and what they do to the structure, as Figures 13 and 14 of Li et al. (2020) show them."""
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,11 +17,13 @@ from dcfp.present.figures.style import (
     PAGE_WIDTH,
     RED,
     calm_ticks,
+    draw_line,
+    draw_marks,
     drawable,
     legend_above,
     style,
-)
-from dcfp.present.panels import shown
+)  # fmt: skip
+from dcfp.present.panels import shown, values_of
 from dcfp.schema.digits import metres_per_second, millimetres
 from dcfp.schema.nomenclature import quantity
 
@@ -36,6 +39,11 @@ if TYPE_CHECKING:
     from dcfp.methods import PulseMarch, Pulses
     from dcfp.methods.li_2020 import Constants
     from dcfp.methods.pulses import PulsePrediction
+
+#: Part of the hysteretic energy before and after the strong part of a response [-].
+_WEAK = 0.02
+#: How strongly pulses and swings are shaded in each colour [-].
+_SHADES = {BLUE: 0.16, OCHRE: 0.3}
 
 
 def plot_pulses(
@@ -63,26 +71,24 @@ def plot_pulses(
     InputError
         If there is no analysis to draw.
     """
-    analysis = response_of(case) if response is None else response
-    swing = case.analysed.swing
-    limits = strong_part(analysis, swing)
-    width = history_width(limits)
+    part = StrongPart.of(case, response)
     with style():
         figure = Figure(figsize=(PAGE_WIDTH, 5.6), layout="constrained")
         panels: Any = figure.subplots(3, 1, sharex=True, height_ratios=[1.25, 1.0, 1.0])
-        draw_pulses(panels[0], analysis, case.pulses, width)
+        part.draw_pulses(panels[0], case.pulses)
         _name_pulses(panels[0], case, *_predicted(case, constants))
-        draw_velocities(panels[1], analysis, swing, width)
-        draw_displacement(panels[2], analysis, swing, width)
-        if swing is not None:
-            shade_swing(panels[2], swing)
+        part.draw_velocities(panels[1])
+        part.draw_displacement(panels[2])
+        part.shade(panels[2])
         if march is not None:
-            _draw_march(panels[2], march, float(np.abs(analysis.displacement).max()))
+            label = rf"pulse march, $\Delta y$ {millimetres(march.prediction.displacement_change)}"
+            draw_line(panels[2], march.time, march.displacement, RED, 0.8, linestyle=(0, (4, 2)), label=label)
+            paths = (part.response.displacement, march.displacement)
+            between_equal_limits(panels[2], max(float(np.abs(path).max(initial=0.0)) for path in paths))
         legend_above(panels[1])
         if march is not None:
             legend_above(panels[2])
-        limit_time(list(panels), limits)
-        figure.align_ylabels(list(panels))
+        part.limit_time(list(panels))
         title = f"{drawable(case.record)},  PGV {metres_per_second(case.pgv)}"
         figure.suptitle(title, fontsize=8.5, x=0.01, ha="left", weight="bold", parse_math=False)
     return figure
@@ -131,27 +137,17 @@ def _words(predicted: "PulsePrediction", number: int, friction: float) -> str:
     )
 
 
-def _draw_march(axes: "Axes", march: "PulseMarch", largest: float) -> None:
-    axes.plot(
-        march.time,
-        march.displacement,
-        color=RED,
-        linewidth=0.8,
-        linestyle=(0, (4, 2)),
-        label=rf"pulse march, $\Delta y$ {millimetres(march.prediction.displacement_change)}",
-    )
-    predicted = float(np.abs(march.displacement).max(initial=0.0))
-    between_equal_limits(axes, max(largest, predicted))
+def mark_pulse(axes: "Axes", pulses: "Pulses", number: int, colour: str) -> None:
+    """Shade the time of a pulse, and draw its lines thick; pulses are counted from zero."""
+    places = slice(number, number + 3)
+    times = pulses.times[places]
+    look: dict[str, Any] = {"color": colour, "alpha": _SHADES[colour], "linewidth": 0.0, "zorder": 0}
+    axes.axvspan(float(times[0]), float(times[-1]), **look)
+    velocities = quantity("ground_velocity").display(pulses.velocities[places])
+    draw_line(axes, times, velocities, colour, 1.2, marker="o", markersize=3.0, zorder=4)
 
 
-# Pulses of the ground and swings of the structure over time, as Figures 13 and 14 of Li et al. (2020) show
-# them.
-
-
-#: Part of the hysteretic energy before and after the strong part of a response [-].
-_WEAK = 0.02
-#: How strongly pulses and swings are shaded in each colour [-].
-_SHADES = {BLUE: 0.16, OCHRE: 0.3}
+# What several figures show over the same time.
 
 
 def response_of(case: "Case") -> "Response":
@@ -168,125 +164,139 @@ def response_of(case: "Case") -> "Response":
     return case.response
 
 
-def strong_part(response: "Response", swing: "Swing | None") -> tuple[float, float]:
-    """Return first and last time [s] of the part in which nearly all of the energy is dissipated, and the swing is."""
-    time, dissipated = response.time, response.energy.hysteretic
-    whole = float(dissipated[-1])
-    part = shown(response)
-    if whole == 0.0 or swing is None:
-        return float(time[part.start]), float(time[part.stop - 1])
-    first, last = np.interp((_WEAK * whole, (1.0 - _WEAK) * whole), dissipated, time)
-    first, last = min(float(first), swing.start), max(float(last), swing.end)
-    margin = 0.06 * (last - first)
-    return max(0.0, first - margin), min(float(time[-1]), last + margin)
+@dataclass(frozen=True, eq=False)
+class StrongPart:
+    """The part of an analysis in which nearly all of the energy is dissipated, and its largest swing.
 
+    Attributes
+    ----------
+    response, swing
+        The analysis and the swing; None where the response never turns.
+    limits
+        First and last time [s].
+    """
 
-def limit_time(panels: "Sequence[Axes]", limits: tuple[float, float]) -> None:
-    """Give panels above each other the same times, and only the lowest the name of the axis."""
-    for axes in panels:
-        axes.set_xlim(*limits)
-        calm_ticks(axes, 8, 4)
-    panels[-1].set_xlabel(quantity("time").label)
+    response: "Response"
+    swing: "Swing | None"
+    limits: tuple[float, float]
 
+    @classmethod
+    def of(cls, case: "Case", response: "Response | None" = None) -> "StrongPart":
+        """Return the strong part of an analysis, by default of the one that the case kept."""
+        response, swing = response_of(case) if response is None else response, case.analysed.swing
+        time, dissipated = response.time, response.energy.hysteretic
+        whole = float(dissipated[-1])
+        if whole == 0.0 or swing is None:
+            part = shown(response)
+            return cls(response, swing, (float(time[part.start]), float(time[part.stop - 1])))
+        first, last = np.interp((_WEAK * whole, (1.0 - _WEAK) * whole), dissipated, time)
+        first, last = min(float(first), swing.start), max(float(last), swing.end)
+        margin = 0.06 * (last - first)
+        return cls(response, swing, (max(0.0, first - margin), min(float(time[-1]), last + margin)))
 
-def history_width(limits: tuple[float, float]) -> float:
-    """Return the width [pt] at which the waves between two times stay apart."""
-    span = limits[1] - limits[0]
-    return 0.9 if span < 15.0 else 0.7 if span < 40.0 else 0.5
+    def draw(self, axes: "Axes", name: str, colour: str, label: str | None = None) -> "FloatArray":
+        """Draw a history by its name in a width at which its waves stay apart; return its values as they are shown."""
+        values = quantity(name).display(values_of(self.response, name))
+        span = self.limits[1] - self.limits[0]
+        width = 0.9 if span < 15.0 else 0.7 if span < 40.0 else 0.5
+        draw_line(
+            axes, self.response.time, values, colour, width, label=label or f"${quantity(name).symbol}$"
+        )
+        return values
 
+    def draw_pulses(self, axes: "Axes", pulses: "Pulses") -> None:
+        """Draw the ground velocity and its peaks, joined by straight lines."""
+        entry = quantity("ground_velocity")
+        velocity = self.draw(axes, "ground_velocity", GREY)
+        peaks = entry.display(pulses.velocities)
+        draw_line(axes, pulses.times, peaks, BLUE, 0.6, marker="o", markersize=2.4, zorder=3)
+        axes.set_ylabel(entry.label)
+        between_equal_limits(axes, float(np.abs(velocity).max()))
 
-def draw_pulses(axes: "Axes", response: "Response", pulses: "Pulses", width: float) -> None:
-    """Draw the ground velocity and its peaks, joined by straight lines."""
-    entry = quantity("ground_velocity")
-    velocity = entry.display(response.ground_velocity)
-    axes.plot(response.time, velocity, color=GREY, linewidth=width)
-    axes.plot(
-        pulses.times,
-        entry.display(pulses.velocities),
-        color=BLUE,
-        linewidth=0.6,
-        marker="o",
-        markersize=2.4,
-        zorder=3,
-    )
-    axes.set_ylabel(entry.label)
-    between_equal_limits(axes, float(np.abs(velocity).max()))
+    def draw_velocities(self, axes: "Axes") -> None:
+        """Draw the velocities of ground and structure; the area between them is the displacement, that of the swing filled."""
+        ground, structure = (
+            self.draw(axes, "ground_velocity", GREY),
+            self.draw(axes, "structure_velocity", BLUE),
+        )
+        self._fill(axes, ground, structure)
+        axes.set_ylabel(quantity("velocity").label)
+        between_equal_limits(axes, float(max(np.abs(ground).max(), np.abs(structure).max())))
 
+    def draw_relative_velocity(self, axes: "Axes") -> None:
+        """Draw the relative velocity; the area below it is the displacement, that of the swing filled."""
+        velocity = self.draw(axes, "velocity", BLUE)
+        self._fill(axes, np.zeros_like(velocity), velocity)
+        axes.set_ylabel(quantity("velocity").label)
+        between_equal_limits(axes, float(np.abs(velocity).max()))
 
-def mark_pulse(axes: "Axes", pulses: "Pulses", number: int, colour: str) -> None:
-    """Shade the time of a pulse, and draw its lines thick; pulses are counted from zero."""
-    places = slice(number, number + 3)
-    times = pulses.times[places]
-    axes.axvspan(
-        float(times[0]), float(times[-1]), color=colour, alpha=_SHADES[colour], linewidth=0.0, zorder=0
-    )
-    velocities = quantity("ground_velocity").display(pulses.velocities[places])
-    axes.plot(times, velocities, color=colour, linewidth=1.2, marker="o", markersize=3.0, zorder=4)
+    def draw_displacement(self, axes: "Axes") -> None:
+        """Draw the displacement, with the change of the swing from peak to peak."""
+        displacement = self.draw(axes, "displacement", BLUE, "analysis")
+        if self.swing is not None:
+            swing = self.swing
+            ends = np.interp((swing.start, swing.end), self.response.time, displacement)
+            mark_change(axes, (swing.start, swing.end), (float(ends[0]), float(ends[1])))
+            self.name_swing(axes, rf"$\Delta y$ {millimetres(abs(swing.change))}")
+        axes.set_ylabel(quantity("displacement").label)
+        between_equal_limits(axes, float(np.abs(displacement).max()))
 
+    def draw_energy(self, axes: "Axes") -> None:
+        """Draw hysteretic and input energy, with what is put in from the start of the swing to its largest."""
+        self.draw(axes, "hysteretic_energy", GREY)
+        energy = self.draw(axes, "input_energy", INK)
+        if self.swing is not None:
+            time, inside = self.during(energy)
+            place = int(inside.argmax())
+            mark_change(axes, (float(time[0]), float(time[place])), (float(inside[0]), float(inside[place])))
+            symbol = quantity("swing_input_velocity").symbol
+            self.name_swing(axes, rf"$\Delta E$:  ${symbol}$ {metres_per_second(self.swing.input_velocity)}")
+        axes.set_ylabel(quantity("input_energy").label)
+        lowest = min(0.0, float(energy.min()))
+        axes.set_ylim(lowest, max(1.25 * float(energy.max()), lowest + 1e-3))
+        axes.legend(loc="upper left", borderaxespad=0.7)
 
-def draw_velocities(axes: "Axes", response: "Response", swing: "Swing | None", width: float) -> None:
-    """Draw the velocities of ground and structure; the area between them is the displacement, that of a swing filled."""
-    entry = quantity("velocity")
-    ground, structure = (
-        entry.display(values) for values in (response.ground_velocity, response.structure_velocity)
-    )
-    for name, values, colour in (("ground_velocity", ground, GREY), ("structure_velocity", structure, BLUE)):
-        label = f"${quantity(name).symbol}$"
-        axes.plot(response.time, values, color=colour, linewidth=width, label=label)
-    if swing is not None:
-        time, below, above = during(swing, response.time, ground, structure)
-        area = rf"area $=\Delta y=$ {millimetres(abs(swing.change))}"
-        axes.fill_between(time, below, above, color=OCHRE, alpha=0.7, linewidth=0.0, label=area)
-    axes.set_ylabel(entry.label)
-    between_equal_limits(axes, float(max(np.abs(ground).max(), np.abs(structure).max())))
+    def _fill(self, axes: "Axes", below: "FloatArray", above: "FloatArray") -> None:
+        if self.swing is not None:
+            area = rf"area $=\Delta y=$ {millimetres(abs(self.swing.change))}"
+            time, low, high = self.during(below, above)
+            axes.fill_between(time, low, high, color=OCHRE, alpha=0.7, linewidth=0.0, label=area)
 
+    def during(self, *histories: "FloatArray") -> "tuple[FloatArray, ...]":
+        """Return time and histories from the start of the swing to its end, both of which lie between samples."""
+        time, swing = self.response.time, self.swing
+        assert swing is not None
+        inside = (swing.start < time) & (time < swing.end)
+        times = np.concatenate(([swing.start], time[inside], [swing.end]))
+        return times, *(np.interp(times, time, values) for values in histories)
 
-def draw_displacement(axes: "Axes", response: "Response", swing: "Swing | None", width: float) -> None:
-    """Draw the displacement, with the change of one swing from peak to peak."""
-    axes.plot(response.time, response.displacement, color=BLUE, linewidth=width, label="analysis")
-    if swing is not None:
-        _draw_change(axes, response, swing)
-    axes.set_ylabel(quantity("displacement").label)
-    between_equal_limits(axes, float(np.abs(response.displacement).max()))
+    def shade(self, axes: "Axes") -> None:
+        """Shade the time of the swing."""
+        if self.swing is not None:
+            look: dict[str, Any] = {"color": OCHRE, "alpha": _SHADES[OCHRE], "linewidth": 0.0, "zorder": 0}
+            axes.axvspan(self.swing.start, self.swing.end, **look)
 
+    def name_swing(self, axes: "Axes", words: str) -> None:
+        """Write words at the top of the panel, above the swing."""
+        if self.swing is not None:
+            place = (0.5 * (self.swing.start + self.swing.end), 0.985)
+            look: dict[str, Any] = {"ha": "center", "va": "top", "annotation_clip": True, "zorder": 5}
+            axes.annotate(words, place, xycoords=axes.get_xaxis_transform(), **look)
 
-def shade_swing(axes: "Axes", swing: "Swing") -> None:
-    """Shade the time of a swing."""
-    axes.axvspan(swing.start, swing.end, color=OCHRE, alpha=_SHADES[OCHRE], linewidth=0.0, zorder=0)
-
-
-def during(swing: "Swing", time: "FloatArray", *histories: "FloatArray") -> "tuple[FloatArray, ...]":
-    """Return time and histories from the start of a swing to its end, both of which lie between samples."""
-    inside = (swing.start < time) & (time < swing.end)
-    times = np.concatenate(([swing.start], time[inside], [swing.end]))
-    return times, *(np.interp(times, time, values) for values in histories)
-
-
-def _draw_change(axes: "Axes", response: "Response", swing: "Swing") -> None:
-    first, last = (
-        float(value) for value in np.interp((swing.start, swing.end), response.time, response.displacement)
-    )
-    mark_change(axes, (swing.start, swing.end), (first, last))
-    name_swing(axes, swing, rf"$\Delta y$ {millimetres(abs(swing.change))}")
+    def limit_time(self, panels: "Sequence[Axes]") -> None:
+        """Give panels above each other the same times, and only the lowest the name of the axis."""
+        for axes in panels:
+            axes.set_xlim(*self.limits)
+            calm_ticks(axes, 8, 4)
+        panels[-1].set_xlabel(quantity("time").label)
+        figure: Any = panels[0].get_figure()
+        figure.align_ylabels(list(panels))
 
 
 def mark_change(axes: "Axes", times: tuple[float, float], values: tuple[float, float]) -> None:
     """Mark two points of a history, and with an arrow the difference of their values."""
     (_, end), (first, last) = times, values
-    axes.plot(times, values, color=INK, marker="o", markersize=2.6, linestyle="none", zorder=4)
-    axes.plot(times, (first, first), color=INK, linewidth=0.5, linestyle=(0, (2, 2)), zorder=3)
+    draw_marks(axes, times, values, "o", 2.6, INK, zorder=4)
+    draw_line(axes, times, (first, first), INK, 0.5, linestyle=(0, (2, 2)), zorder=3)
     arrow = {"arrowstyle": "<->", "color": INK, "linewidth": 0.7, "shrinkA": 0.0, "shrinkB": 0.0}
     axes.annotate("", (end, last), (end, first), arrowprops=arrow)
-
-
-def name_swing(axes: "Axes", swing: "Swing", words: str) -> None:
-    """Write words at the top of the panel, above a swing."""
-    axes.annotate(
-        words,
-        (0.5 * (swing.start + swing.end), 0.985),
-        xycoords=axes.get_xaxis_transform(),
-        ha="center",
-        va="top",
-        annotation_clip=True,
-        zorder=5,
-    )

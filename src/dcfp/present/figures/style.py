@@ -169,6 +169,23 @@ def _keep_ticks(axes: "Axes") -> None:
         )
 
 
+def draw_line(axes: "Axes", x: Any, y: Any, colour: str, width: float = 0.7, **look: Any) -> None:
+    """Draw a line of a colour and a width [pt]."""
+    axes.plot(x, y, color=colour, linewidth=width, **look)
+
+
+def draw_marks(axes: "Axes", x: Any, y: Any, marker: str, size: float, colour: str, **look: Any) -> None:
+    """Draw points as marks of a form, a size [pt] and a colour, and no line."""
+    axes.plot(x, y, marker=marker, markersize=size, color=colour, linestyle="none", **look)
+
+
+def label_axes(axes: "Axes", x: str, y: str, along_x: int = 6, along_y: int = 4) -> None:
+    """Name both axes, and give them few ticks at round numbers."""
+    axes.set_xlabel(x)
+    axes.set_ylabel(y)
+    calm_ticks(axes, along_x, along_y)
+
+
 def legend_above(axes: "Axes") -> None:
     """Put the legend in one row above the axes, at the right, where it can hide nothing."""
     handles, labels = axes.get_legend_handles_labels()

@@ -44,6 +44,11 @@ class Mark:
     colour: str
     size: float
 
+    @property
+    def look(self) -> dict[str, Any]:
+        """Form and size, as Matplotlib takes them."""
+        return {"marker": self.marker, "markersize": self.size, "linestyle": "none"}
+
 
 def marks_of(cases: "Sequence[Case]") -> dict[str, Mark]:
     """Return the mark of every record, in the order of the cases; more records than there are marks look all the same."""
@@ -64,28 +69,11 @@ def draw_points(axes: "Axes", cases: "Sequence[Case]", marks: "Mapping[str, Mark
         found = [point(case) for case in cases if case.record == record]
         drawn = np.array([place for place in found if place is not None], dtype=np.float64).reshape(-1, 2)
         zero = drawn[:, 1] == 0.0
-        common: dict[str, Any] = {
-            "marker": mark.marker,
-            "linestyle": "none",
-            "markersize": mark.size,
-            "zorder": 3,
-        }
-        axes.plot(
-            *drawn[~zero].T,
-            color=mark.colour,
-            markeredgewidth=0.0,
-            alpha=0.85 if mark.size > 3.0 else 0.55,
-            **common,
-        )
+        alpha = 0.85 if mark.size > 3.0 else 0.55
+        axes.plot(*drawn[~zero].T, **mark.look, color=mark.colour, markeredgewidth=0.0, alpha=alpha, zorder=3)
         if zero.any():
-            axes.plot(
-                *drawn[zero].T,
-                markerfacecolor="white",
-                markeredgecolor=mark.colour,
-                markeredgewidth=0.8,
-                clip_on=False,
-                **common,
-            )
+            hollow: dict[str, Any] = {"markerfacecolor": "white", "markeredgecolor": mark.colour, "markeredgewidth": 0.8}
+            axes.plot(*drawn[zero].T, **mark.look, **hollow, clip_on=False, zorder=3)
 
 
 def small_figure(columns: int = 1) -> Figure:
@@ -101,16 +89,7 @@ def name_records(figure: Figure, marks: "Mapping[str, Mark]") -> None:
     else:
         entries = {drawable(name): mark for name, mark in marks.items()}
     handles = [
-        Line2D(
-            [],
-            [],
-            marker=mark.marker,
-            color=mark.colour,
-            markersize=mark.size,
-            markeredgewidth=0.0,
-            linestyle="none",
-            label=name,
-        )
+        Line2D([], [], **mark.look, color=mark.colour, markeredgewidth=0.0, label=name)
         for name, mark in entries.items()
     ]
     longest = max((len(name) for name in entries), default=1)
