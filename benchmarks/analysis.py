@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from stopwatch import once
 
+from dcfp.analysis.integration import DEFAULT
 from dcfp.analysis.kernel_input import State, heat_of, state_at_rest
-from dcfp.analysis.respond import LONGEST_STEP, TOLERANCE
+from dcfp.analysis.response_history import LONGEST_STEP
 from dcfp.kernels.march import PEAK_DISPLACEMENT, STEPS, TEMPERATURE, march
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import load_motion
-from dcfp.system import Bearing, FrictionLaw, Heating, SimplifiedHeating
+from dcfp.system import Bearing, FrictionLaw, Heating, SimplifiedHeating, System
 from dcfp.system.plates import structure_of
 
 if TYPE_CHECKING:
@@ -52,14 +53,15 @@ class Analysis:
     bearing: Bearing
     friction: FrictionLaw
     heating: Heating = field(default_factory=SimplifiedHeating)
-    tolerance: float = TOLERANCE
+    tolerance: float = DEFAULT.tolerance
 
     def __post_init__(self) -> None:
         """Make all that a march takes, and run one so that the kernels are compiled."""
-        self.structure = structure_of(self.bearing, self.friction)
+        system = System(self.bearing, self.friction, self.heating)
+        self.structure = structure_of(system)
         self.law = self.friction.at_pressure(self.bearing.pressure)
         self.acceleration: FloatArray = np.array(self.motion.acceleration)
-        self.at_rest = state_at_rest(self.bearing, self.friction, self.heating)
+        self.at_rest = state_at_rest(system)
         self.lines: FloatArray = np.zeros((self.acceleration.size, TEMPERATURE + self.structure.plates))
         self.state: State = self.at_rest
         self.coarsest = max(0, math.ceil(math.log2(self.motion.time_step / LONGEST_STEP * (1.0 - 1e-9))))

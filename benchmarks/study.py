@@ -15,6 +15,7 @@ from stopwatch import in_turn, once, ratio
 import dcfp
 from analysis import SINGLE
 from dcfp.analysis.batch import GroundSet, Lanes, available_threads, respond_in_batch
+from dcfp.analysis.integration import Integration
 from dcfp.inference.calibration import calibration_set
 from dcfp.study import Sampling, Study, Uniform, run_study
 from dcfp.system import System
@@ -131,7 +132,7 @@ def beside_opensees() -> Figure:
 def batch(motions: list[dcfp.GroundMotion], model: System) -> None:
     """Analyse motions on one thread."""
     lanes = Lanes.grid(len(motions), np.ones((len(motions), 1)), [model])
-    respond_in_batch(GroundSet.of(motions, tail=0.0), lanes)
+    respond_in_batch(GroundSet.of(motions, Integration(tail=0.0)), lanes)
 
 
 def opensees(parts: list[list[dcfp.GroundMotion]]) -> float:

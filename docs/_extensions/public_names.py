@@ -58,15 +58,12 @@ PACKAGES = (
 
 
 def public_names(package: str) -> list[str]:
-    """Return the names that a package exports with ``import X as X``, in their order; of the whole, those it imports late."""
-    if package == "dcfp":
-        import dcfp
-
-        return list(dcfp._HOMES)
+    """Return the names that a package exports with ``import X as X``, in their order, in itself or in its stub."""
     module = import_module(package)
     if not hasattr(module, "__path__"):
         return _names_of_module(module)
-    lines = inspect.getsource(module).splitlines()
+    stub = Path(inspect.getfile(module)).with_suffix(".pyi")
+    lines = (stub.read_text() if stub.exists() else inspect.getsource(module)).splitlines()
     found = [line.split()[-1] for line in lines if line.startswith("from ") and " as " in line]
     return [name for name in found if not name.startswith("_")] or _names_of_modules(package)
 
@@ -178,7 +175,7 @@ class TopNames(SphinxDirective):
             value = getattr(dcfp, name)
             full = homes.get(
                 f"{getattr(value, '__module__', '')}.{getattr(value, '__qualname__', '')}",
-                f"{dcfp._HOMES[name]}.{name}",
+                f"dcfp.system.{name}",
             )
             words = summary(value) or "The bearing of Li et al. (2020)."
             rows.append(f"| {{py:obj}}`dcfp.{name} <{full}>` | {words} |")

@@ -11,10 +11,10 @@ tests. Nothing was tuned to bring them together; what would is in :doc:`/virtual
 import dcfp
 from dcfp.analysis.rig.run import paper_models, run_models
 from dcfp.present.figures.program import plot_dependency
-from dcfp.system import LI_2020, Li2020, PreciseHeating
+from dcfp.system import PreciseHeating, System
 
 program = dcfp.load_program("dependency")
-runs = run_models(program, LI_2020, paper_models(Li2020(), PreciseHeating()))
+runs = run_models(program, paper_models(System(heating=PreciseHeating())))
 figure = plot_dependency(program, runs, {})
 
 for model, tests in runs.items():

@@ -12,11 +12,11 @@ model dissipates a few per cent less than the precise one, which the paper does 
 import dcfp
 from dcfp.analysis.rig.run import paper_models, run_models
 from dcfp.present.figures.overviews import plot_tests
-from dcfp.system import LI_2020, Li2020, PreciseHeating
+from dcfp.system import PreciseHeating, System
 
 program = dcfp.load_program("asce")
 program = program.only(["T01", "T02"])
-runs = run_models(program, LI_2020, paper_models(Li2020(), PreciseHeating()))
+runs = run_models(program, paper_models(System(heating=PreciseHeating())))
 figure = plot_tests(program, runs, {})
 
 for number, test in enumerate(program.tests):

@@ -10,6 +10,7 @@ from cases import PGVS
 from numpy.typing import NDArray
 
 from dcfp import ConstantFriction, Li2020, NoHeating, SimplifiedHeating, respond
+from dcfp import system as model
 from dcfp.analysis import Response
 from dcfp.inference.statistics import Scatter, scatter
 from dcfp.methods import Prediction, Pulses, find_pulses, march_through_pulses
@@ -29,7 +30,7 @@ System = Callable[[Pulses], Prediction]
 
 def own(cosine: bool, spring: bool) -> System:
     """Return the study's own march with constant friction."""
-    structure = structure_of(BEARING, CONSTANT)
+    structure = structure_of(model.System(BEARING, CONSTANT))
     friction = LI_2020.nominal_friction * structure.gravity
     choice = own_march.Choice(cosine, friction, structure.restoring if spring else 0.0)
     return lambda pulses: own_march.march(pulses, choice)

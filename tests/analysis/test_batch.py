@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 import dcfp
 from dcfp.analysis.batch import GroundSet, Lanes, Peaks, respond_in_batch
+from dcfp.analysis.integration import Integration
 from dcfp.analysis.response import FAILED, NUMBERS
 from dcfp.errors import InputError
 from dcfp.system import LI_2020, System
@@ -24,8 +25,8 @@ def motions() -> list[dcfp.GroundMotion]:
 
 
 def batch(motions, scales, models, *, tail=None, step=None, tolerance=0.02) -> Peaks:
-    grounds = GroundSet.of(motions, tail=tail, step=step)
-    return respond_in_batch(grounds, Lanes.grid(len(motions), scales, models), tolerance=tolerance)
+    grounds = GroundSet.of(motions, Integration(tail=tail, step=step, tolerance=tolerance))
+    return respond_in_batch(grounds, Lanes.grid(len(motions), scales, models))
 
 
 def assert_same(peaks: Peaks, lane: int, response: dcfp.Response) -> None:
@@ -139,10 +140,10 @@ def test_the_order_of_lanes_does_not_matter(order: list[int]) -> None:
 
 @pytest.mark.parametrize("tolerance", [0.0, 1.0, float("nan")])
 def test_a_tolerance_that_cannot_be(motions: list[dcfp.GroundMotion], tolerance: float) -> None:
-    with pytest.raises(InputError, match="tolerance must lie between 0 and 1"):
+    with pytest.raises(InputError, match=r"\(tolerance\) must be a number above 0"):
         batch(motions, np.array([[1.0], [1.0]]), [System()], tolerance=tolerance)
 
 
 def test_a_step_that_cannot_be(motions: list[dcfp.GroundMotion]) -> None:
-    with pytest.raises(InputError, match="step must be a positive number"):
-        GroundSet.of(motions, step=-1.0)
+    with pytest.raises(InputError, match=r"\(step\) must be a number of s"):
+        GroundSet.of(motions, Integration(step=-1.0))

@@ -7,6 +7,7 @@ import pytest
 import xarray
 
 import dcfp
+from dcfp.analysis.integration import Keep
 from dcfp.schema.citations import bibliography, citation
 from dcfp.schema.nomenclature import NOMENCLATURE
 
@@ -14,7 +15,9 @@ from dcfp.schema.nomenclature import NOMENCLATURE
 @pytest.fixture(scope="module")
 def response():
     return dcfp.respond(
-        dcfp.load_motion("KNA").scaled_to_pgv(500.0), heating=dcfp.PreciseHeating(cells=16), profile_every=100
+        dcfp.load_motion("KNA").scaled_to_pgv(500.0),
+        heating=dcfp.PreciseHeating(cells=16),
+        keep=Keep(every=100),
     )
 
 

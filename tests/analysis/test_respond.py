@@ -27,6 +27,7 @@ from dcfp import (
     respond,
 )
 from dcfp.analysis import Status
+from dcfp.analysis.integration import Keep
 
 HEATINGS = [NoHeating(), SimplifiedHeating(), PreciseHeating(cells=24)]
 
@@ -209,14 +210,14 @@ def test_two_plates_that_hardly_differ_are_as_two_equal_ones(motion, heating):
     equal = respond(motion, heating=heating)
     nearly = dataclasses.replace(LI_2020, radii=(4500.001, 4499.999))
     response = respond(motion, nearly, heating=heating)
-    assert response.histories.lines.shape[1] == equal.histories.lines.shape[1] + 1
+    assert response.lines.shape[1] == equal.lines.shape[1] + 1
     assert response.peak_displacement == pytest.approx(equal.peak_displacement, rel=1e-4)
     assert response.peak_temperature == pytest.approx(equal.peak_temperature, abs=0.02)
 
 
 def test_the_plate_with_the_larger_radius_gets_hotter(motion):
     response = respond(motion, dataclasses.replace(LI_2020, radii=(6000.0, 3000.0)))
-    lower, upper = response.histories.lines[:, -2:].max(axis=0)
+    lower, upper = response.lines[:, -2:].max(axis=0)
     assert lower > upper > 20.0
     assert response.energy.relative_residual < 1e-12
 
@@ -244,7 +245,7 @@ def test_a_user_law_equal_to_a_built_in_one_gives_its_answer(motion):
 
 
 def test_the_temperature_field_of_the_precise_model(motion):
-    response = respond(motion, heating=PreciseHeating(cells=32), profile_every=50)
+    response = respond(motion, heating=PreciseHeating(cells=32), keep=Keep(every=50))
     profiles = response.profiles
     assert profiles is not None
     assert profiles.temperature.shape == (profiles.time.size, 1, profiles.position.size)
@@ -268,7 +269,7 @@ def test_the_temperature_field_of_the_precise_model(motion):
 
 def test_the_field_does_not_change_the_answer(motion):
     plain = respond(motion, heating=PreciseHeating())
-    kept = respond(motion, heating=PreciseHeating(), profile_every=37)
+    kept = respond(motion, heating=PreciseHeating(), keep=Keep(every=37))
     np.testing.assert_allclose(kept.displacement, plain.displacement, atol=1e-9)
 
 
@@ -313,7 +314,7 @@ def test_compiled_and_interpreted_kernels_agree(law, tmp_path):
         ({"tolerance": 1.0}, "tolerance"),
         ({"step": 0.0}, "step"),
         ({"step": -0.01}, "step"),
-        ({"profile_every": 10}, "precise heating"),
+        ({"keep": Keep(every=10)}, "precise heating"),
     ],
 )
 def test_bad_settings_get_a_sentence(motion, arguments, words):

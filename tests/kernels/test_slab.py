@@ -7,7 +7,7 @@ from dcfp.analysis.rig import Program, RigTest, Sine, VerticalLoad, run_program
 from dcfp.errors import InputError
 from dcfp.kernels.memory import fading_modes
 from dcfp.kernels.slab import slab_kernel, slab_modes
-from dcfp.system import PreciseHeating, SimplifiedHeating
+from dcfp.system import PreciseHeating, SimplifiedHeating, System
 from dcfp.system.plates import cold_plates
 
 DIFFUSIVITY = 4.07
@@ -98,7 +98,7 @@ def test_impossible_plates_are_refused(plates, words):
 
 
 def test_modes_of_plates_are_in_their_bank():
-    plates = cold_plates(run_program.__defaults__[0], SimplifiedHeating(thickness=50.0))
+    plates = cold_plates(System(heating=SimplifiedHeating(thickness=50.0)))
     rates, _, instant = slab_modes(DIFFUSIVITY, 50.0, insulated=True)
     assert plates.bank[0] == pytest.approx(rates)
     assert plates.instant == instant

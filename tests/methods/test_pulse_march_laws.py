@@ -24,6 +24,7 @@ from dcfp.system import (
     NoHeating,
     PreciseHeating,
     SimplifiedHeating,
+    System,
     UserFriction,
 )
 from dcfp.system.plates import cold_plates, heat_of, structure_of
@@ -64,10 +65,11 @@ models = st.sampled_from(MODELS)
 def final_state(pulses: Pulses, bearing: Bearing, law: FrictionLaw, heating: Heating) -> np.ndarray:
     """State of the kernel at the end."""
     state = np.zeros(k.STATE_SIZE)
-    plates = cold_plates(bearing, heating).with_room(2000)
-    heat = heat_of(plates, bearing, heating)
+    system = System(bearing, law, heating)
+    plates = cold_plates(system).with_room(2000)
+    heat = heat_of(plates, system)
     _, fits = k.march_pulses(
-        law.at_pressure(bearing.pressure), structure_of(bearing, law), heat, pulses.times, pulses.velocities,
+        law.at_pressure(bearing.pressure), structure_of(system), heat, pulses.times, pulses.velocities,
         12, LONGEST_STEP, state, np.empty((0, k.PATH_SIZE)),
     )  # fmt: skip
     assert fits

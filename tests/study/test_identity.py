@@ -5,7 +5,8 @@ from pathlib import Path
 import pytest
 
 import dcfp
-from dcfp.study import Sampling, Settings, Study, Uniform, run_study
+from dcfp.analysis.integration import Integration
+from dcfp.study import Sampling, Study, Uniform, run_study
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -15,8 +16,8 @@ pytestmark = pytest.mark.filterwarnings("error")
     [
         {"factors": {"mu": [0.05, 0.06]}},
         {"factors": {"mu": [0.05], "ambient": [20.0]}},
-        {"settings": Settings(tolerance=0.03)},
-        {"settings": Settings(tail=3.0)},
+        {"settings": Integration(tolerance=0.03)},
+        {"settings": Integration(tail=3.0)},
         {"model": dcfp.system.System(heating=dcfp.NoHeating())},
         {"histories": ("displacement",)},
         {"sampling": Sampling({"radius": Uniform(2000.0, 4000.0)}, 4)},

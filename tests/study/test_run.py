@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 
 import dcfp
+from dcfp.analysis.integration import Integration
 from dcfp.analysis.response import FAILED
 from dcfp.errors import InputError
 from dcfp.inference import compare
-from dcfp.study import Plan, Sampling, Settings, Study, Uniform, run_study
+from dcfp.study import Plan, Sampling, Study, Uniform, run_study
 from dcfp.study.results import QUANTITIES
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -99,7 +100,7 @@ def test_histories_are_kept_over_the_length_of_each_record(motions) -> None:
 
 
 def test_histories_have_the_samples_of_the_record_also_with_a_finer_step(motions) -> None:
-    study = Study(motions=motions[:1], histories=("displacement",), settings=Settings(step=0.003))
+    study = Study(motions=motions[:1], histories=("displacement",), settings=Integration(step=0.003))
     alone = dcfp.respond(motions[0], step=0.003)
     size = motions[0].acceleration.size
     assert np.array_equal(run_study(study)["history_displacement"].values[0], alone.displacement[::4][:size])

@@ -15,6 +15,6 @@ loops = run_program(
     dcfp.LI_2020,
     dcfp.Li2020(),
     dcfp.PreciseHeating(),
-    profile_every=20,
+    keep=dcfp.Keep(every=20),
 )
 figure = plot_test(loops[0])

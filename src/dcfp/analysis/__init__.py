@@ -1,6 +1,8 @@
-"""Response history analysis and its energy balance."""
+"""Response history analysis and its energy balance; each name is imported when it is first used."""
 
-from dcfp.analysis.energy import EnergyBalance as EnergyBalance
-from dcfp.analysis.respond import respond as respond
-from dcfp.analysis.response import Response as Response
-from dcfp.analysis.response import Status as Status
+from typing import Any
+
+import lazy_loader
+
+_loader: Any = lazy_loader
+__getattr__, __dir__, __all__ = _loader.attach_stub(__name__, __file__)

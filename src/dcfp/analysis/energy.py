@@ -17,15 +17,17 @@ class EnergyBalance:
     Attributes
     ----------
     input
-        Relative input energy E, Eq. (4): the work of - m a_g on the relative displacement.
+        Relative input energy E, Eq. (4): the work of - m a_g on the relative displacement, of a building summed over base and floors.
     absolute_input
         Absolute input energy, the work that the ground does on the structure (Uang and Bertero 1988).
     kinetic
         E_k of the relative velocity, Eq. (5).
-    pendulum, spring
-        Parts of the elastic strain energy E_s: in spring (a) and in spring (b).
+    pendulum, spring, storeys
+        Parts of the elastic strain energy E_s: in spring (a), in spring (b), and in the storeys of a building.
     hysteretic
         E_h, dissipated by friction.
+    damping
+        E_xi, taken by the damping of a building.
     """
 
     input: FloatArray
@@ -34,6 +36,8 @@ class EnergyBalance:
     pendulum: FloatArray
     spring: FloatArray
     hysteretic: FloatArray
+    storeys: FloatArray | float = 0.0
+    damping: FloatArray | float = 0.0
 
     @classmethod
     def of(
@@ -62,12 +66,12 @@ class EnergyBalance:
     @property
     def strain(self) -> FloatArray:
         """Elastic strain energy E_s [N mm]."""
-        return self.pendulum + self.spring
+        return self.storeys + self.pendulum + self.spring
 
     @property
     def residual(self) -> FloatArray:
-        """E - E_s - E_k - E_h, by which Eq. (6) fails to close [N mm]."""
-        return self.input - self.strain - self.kinetic - self.hysteretic
+        """E - E_s - E_k - E_xi - E_h, by which Eq. (6) fails to close [N mm]."""
+        return self.input - self.strain - self.kinetic - self.damping - self.hysteretic
 
     @property
     def relative_residual(self) -> float:

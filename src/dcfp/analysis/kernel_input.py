@@ -15,7 +15,7 @@ from dcfp.kernels.march import (
     STATE_SIZE,
     STATE_TURNING,
 )
-from dcfp.system import Bearing, FrictionLaw, Heating
+from dcfp.system import System
 from dcfp.system.plates import PlateHeat, cold_plates
 from dcfp.system.plates import heat_of as plate_heat_of
 
@@ -32,14 +32,14 @@ class State:
         Heat in the plates.
     ground_velocity
         Of the ground at this moment [mm/s].
-    model
-        The bearing, friction law and heating model that it belongs to.
+    system
+        What it is the state of.
     """
 
     march: FloatArray
     plates: PlateHeat
     ground_velocity: float
-    model: tuple[Bearing, FrictionLaw, Heating]
+    system: System
 
     def copy(self) -> "State":
         """Return a copy that shares no array with this one."""
@@ -68,14 +68,11 @@ def tallies_at(temperature: float) -> FloatArray:
     return march
 
 
-def state_at_rest(bearing: Bearing, friction: FrictionLaw, heating: Heating) -> State:
+def state_at_rest(system: System) -> State:
     """Return the state at rest and at the ambient temperature."""
-    return State(
-        tallies_at(heating.ambient), cold_plates(bearing, heating), 0.0, (bearing, friction, heating)
-    )
+    return State(tallies_at(system.heating.ambient), cold_plates(system), 0.0, system)
 
 
 def heat_of(state: State) -> Heat:
     """Return the kernels' view of the heat in `state`, which they will change."""
-    bearing, _, heating = state.model
-    return plate_heat_of(state.plates, bearing, heating)
+    return plate_heat_of(state.plates, state.system)

@@ -1,4 +1,4 @@
-"""The result of a response history analysis: histories, peaks and how it ended; its remarks, its data set and its summary."""
+"""The result of a response history analysis: histories, energies, peaks, and how it ended."""
 
 import json
 import math
@@ -6,29 +6,23 @@ from dataclasses import asdict, dataclass
 from enum import Enum
 from functools import cached_property
 from operator import attrgetter
-from typing import TYPE_CHECKING
+from typing import Any, ClassVar
 
-import numpy as np
-
+from dcfp.analysis.assumptions import OF_RESPONSE
 from dcfp.analysis.energy import EnergyBalance, equivalent_velocity
+from dcfp.analysis.integration import Integration
 from dcfp.analysis.kernel_input import State
+from dcfp.analysis.result import Result
 from dcfp.arrays import FloatArray
 from dcfp.kernels import march as m
-from dcfp.kernels.march import TEMPERATURE
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import motion_remarks
-from dcfp.schema.citations import citations_of
-from dcfp.schema.nomenclature import Quantities, quantity
-from dcfp.schema.notebook import card, with_units
+from dcfp.schema.check import Check
+from dcfp.schema.nomenclature import Quantities
 from dcfp.schema.quantities import Quantity
-from dcfp.schema.units import KN, M_PER_S, NONE, SECOND
-from dcfp.system import Bearing, FrictionLaw, Heating
-from dcfp.system.plates import Profiles, mean_temperature, profile_variables
-from dcfp.system.validity import LARGEST_ANGLE, History, assumption_remarks
-from dcfp.version import version
-
-if TYPE_CHECKING:
-    import xarray
+from dcfp.schema.units import KN, M_PER_S
+from dcfp.system import System
+from dcfp.system.plates import Profiles, mean_temperature
 
 
 class Status(Enum):
@@ -45,57 +39,90 @@ NUMBERS = {Status.OK: 1, Status.BEYOND_CAPACITY: 2, Status.STILL_MOVING: 3}
 NOT_RUN, FAILED = 0, 4
 
 
-@dataclass(frozen=True)
-class Settings:
-    """How finely and how far the analysis went; see `dcfp.respond`."""
+#: What is told of one analysis: what it is of, its peaks and how it ended; by the names of the nomenclature, as JSON, CSV and tables have it.
+PEAKS = Quantities("peak of a response")
+PEAKS.add("record", Quantity("record", "name of the ground motion", head="Record", get="motion.name"))
+PEAKS.tell("peak_ground_velocity", "pgv_m_s", unit=M_PER_S, name="pgv", head="PGV", decimals=3, get="motion.peak_velocity")  # fmt: skip
+PEAKS.add("law", Quantity("friction", "friction law", printed=False, get="friction_law.name"))
+PEAKS.add("heating", Quantity("heating", "heating model", printed=False, get="heating.name"))
+PEAKS.tell("peak_displacement", "y_max_mm", name="y_max", decimals=1)
+PEAKS.tell("peak_change", "dy_max_mm", name="dy_max", decimals=1)
+PEAKS.tell("peak_velocity", "v_max_mm_s", name="v_max", decimals=3)
+PEAKS.tell("residual_displacement", "residual_mm", name="residual", head="resid.", decimals=1)
+PEAKS.tell("peak_force", "force_max_kN", unit=KN, name="force_max", head="F_max", decimals=0)
+PEAKS.tell("force_ratio", head="F/W", decimals=3, stored=False)
+PEAKS.tell("peak_temperature", "temperature_max_degC", name="temperature_max", head="T_max", decimals=0)
+PEAKS.tell("least_friction", "friction_min", head="mu_min", decimals=4)
+PEAKS.tell("input_velocity", "V_E_mm_s", name="V_E", decimals=3)
+PEAKS.tell("hysteretic_velocity", "V_Eh_mm_s", name="V_Eh", decimals=3)
+PEAKS.tell("relative_energy_residual", "energy_residual", printed=False, get="energy.relative_residual")
+PEAKS.add("status", Quantity("status", "how the analysis ended", head="Status"))
+PEAKS.tell("elapsed", "elapsed_s")
 
-    tail: float | None
-    tolerance: float
-    step: float | None
-    profile_every: int | None
+#: Its histories.
+HISTORIES = Quantities("history of a response")
+for _name in (
+    "ground_acceleration", "ground_velocity", "displacement", "velocity", "structure_velocity", "structure_acceleration",
+    "force", "friction", "temperature", "sliding",
+):  # fmt: skip
+    HISTORIES.tell(_name)
+for _name in ("input", "absolute_input", "kinetic", "strain", "hysteretic"):
+    HISTORIES.tell(f"{_name}_energy", get=attrgetter(f"energy.{_name}"))
+HISTORIES.tell("energy_residual", get=attrgetter("energy.residual"))
 
 
-@dataclass(frozen=True)
-class Histories:
-    """Histories at equal steps; ``lines`` is what the kernels wrote, a row for each time."""
+@dataclass(frozen=True, eq=False, repr=False)
+class Response(Result):
+    """Histories, peaks and energies of a rigid structure on a bearing, and what they came from.
 
+    Attributes
+    ----------
+    motion
+        What shook it.
+    system
+        What was shaken.
+    integration
+        How finely and how far.
+    time, ground_acceleration, ground_velocity
+        Histories [s, mm/s2, mm/s], shape (n,).
+    lines
+        What the kernels wrote, a row for each time.
+    final_state
+        Where it can be gone on with.
+    rests
+        Whether no more sliding can come.
+    profiles
+        Temperature along the plates, where it was kept.
+    elapsed
+        Computing time [s].
+    """
+
+    quantities: ClassVar[Quantities] = PEAKS
+    histories: ClassVar[Quantities] = HISTORIES
+
+    motion: GroundMotion
+    system: System
+    integration: Integration
     time: FloatArray
     ground_acceleration: FloatArray
     ground_velocity: FloatArray
     lines: FloatArray
-
-
-@dataclass(frozen=True, eq=False)
-class Response:
-    """Histories, peaks and energies of a rigid structure on a bearing, and what they came from."""
-
-    motion: GroundMotion
-    bearing: Bearing
-    friction_law: FrictionLaw
-    heating: Heating
-    settings: Settings
-    histories: Histories
     final_state: State
     rests: bool
     profiles: Profiles | None
     elapsed: float
 
+    @property
+    def name(self) -> str:
+        """Name of the ground motion."""
+        return self.motion.name
+
+    @property
+    def title(self) -> str:
+        """What it is, in words."""
+        return f"Response to {self.motion.name}"
+
     # ----- histories, shape (n,) -----
-
-    @property
-    def time(self) -> FloatArray:
-        """Time [s]."""
-        return self.histories.time
-
-    @property
-    def ground_acceleration(self) -> FloatArray:
-        """Ground acceleration a_g [mm/s2]."""
-        return self.histories.ground_acceleration
-
-    @property
-    def ground_velocity(self) -> FloatArray:
-        """Absolute velocity of the ground v_g [mm/s]."""
-        return self.histories.ground_velocity
 
     @property
     def displacement(self) -> FloatArray:
@@ -130,7 +157,12 @@ class Response:
     @property
     def temperature(self) -> FloatArray:
         """Temperature of the contact [degC]; of two different plates the mean by their share of the travel."""
-        return mean_temperature(self.bearing, self.histories.lines[:, m.TEMPERATURE :])
+        return mean_temperature(self.bearing, self.plate_temperatures)
+
+    @property
+    def plate_temperatures(self) -> FloatArray:
+        """Temperature of the contact on each plate that differs [degC], shape (n, plates)."""
+        return self.lines[:, m.TEMPERATURE :]
 
     @property
     def force(self) -> FloatArray:
@@ -157,7 +189,7 @@ class Response:
         )
 
     def _line(self, column: int) -> FloatArray:
-        return self.histories.lines[:, column]
+        return self.lines[:, column]
 
     # ----- peaks -----
 
@@ -228,168 +260,23 @@ class Response:
         return Status.OK if self.rests else Status.STILL_MOVING
 
     @property
-    def remarks(self) -> tuple[str, ...]:
-        """Sentences that a reader of the peaks must know."""
-        remarks: list[str] = []
-        capacity = self.bearing.displacement_capacity
-        if capacity is not None and self.peak_displacement > capacity:
-            note = f" ({self.bearing.capacity_note})" if self.bearing.capacity_note else ""
-            remarks.append(
-                f"{self.motion.name}: the displacement of {self.peak_displacement:.0f} mm exceeds"
-                f" the capacity of {capacity:.0f} mm{note}."
-            )
-        far = LARGEST_ANGLE * self.bearing.effective_radius
-        if self.peak_displacement > far:
-            remarks.append(
-                f"{self.motion.name}: the displacement of {self.peak_displacement:.0f} mm exceeds {far:.0f} mm, half of the effective radius,"
-                " where the pendulum's force is no longer linear and a plate is hardly as large."
-            )
-        if not self.rests:
-            remarks.append(
-                f"{self.motion.name}: it still moves at the end, so the residual displacement is not final."
-            )
-        remarks.extend(validity_remarks(self))
-        return tuple(remarks)
+    def checks(self) -> tuple[Check, ...]:
+        """What it ought to keep to, and every assumption, with whether it was kept to."""
+        return (*(one for check in OF_RESPONSE.values() for one in check(self)), *super().checks)
 
-    # ----- forms -----
+    @property
+    def all_remarks(self) -> list[str]:
+        """Sentences that a reader must know, those on the motion first."""
+        return [*motion_remarks(self.motion), *self.remarks]
 
-    def to_dataset(self) -> "xarray.Dataset":
-        """Return histories, peaks and provenance as a data set with units."""
-        return dataset(self)
-
-    def summary(self) -> dict[str, float | str]:
-        """Return the peaks with their units in their names, ready for JSON."""
-        return {one.key: one.datum(self) for one in PEAKS.values() if one.stored}
-
-    def __str__(self) -> str:
-        return (
-            f"{self.motion.name}: y_max {self.peak_displacement:.1f} mm, F_max {self.peak_force / 1e3:.0f} kN,"
-            f" T_max {self.peak_temperature:.0f} degC, V_E {self.input_velocity:.0f} mm/s ({self.status.value})"
-        )
-
-    def _repr_html_(self) -> str:
-        return card(f"Response to {self.motion.name}", with_units(self.summary()), remarks=self.remarks)
-
-
-#: Time for which the heat in the plates is remembered within 1 % of the temperature [s].
-LONGEST_MEMORY = 600.0
-
-
-def validity_remarks(response: "Response") -> list[str]:
-    """Return a sentence for each assumption that the analysis left."""
-    return assumption_remarks(
-        History(
-            name=response.motion.name,
-            bearing=response.bearing,
-            friction_law=response.friction_law,
-            heating=response.heating,
-            velocity=response.velocity,
-            friction=response.friction,
-            temperatures=response.histories.lines[:, TEMPERATURE:],
-            slides=bool(response.sliding.any()),
-            load=np.array([response.bearing.vertical_force]),
-            duration=float(response.time[-1]),
-            memory=LONGEST_MEMORY,
-        )
-    )
-
-
-def remarks_on(response: Response) -> list[str]:
-    """Return every remark on one analysis."""
-    return [*motion_remarks(response.motion), *response.remarks]
-
-
-# As a data set with units and provenance.
-
-
-def dataset(response: "Response") -> "xarray.Dataset":
-    """Return histories as variables over ``time``, and peaks and provenance as attributes."""
-    import xarray  # late: it takes long to import
-
-    energy = response.energy
-    histories = {
-        "ground_acceleration": response.ground_acceleration,
-        "ground_velocity": response.ground_velocity,
-        "displacement": response.displacement,
-        "velocity": response.velocity,
-        "structure_velocity": response.structure_velocity,
-        "structure_acceleration": response.structure_acceleration,
-        "force": response.force,
-        "friction": response.friction,
-        "temperature": response.temperature,
-        "sliding": response.sliding,
-        "input_energy": energy.input,
-        "absolute_input_energy": energy.absolute_input,
-        "kinetic_energy": energy.kinetic,
-        "strain_energy": energy.strain,
-        "hysteretic_energy": energy.hysteretic,
-        "energy_residual": energy.residual,
-    }
-    result = xarray.Dataset(
-        {name: ("time", np.array(values), quantity(name).attributes) for name, values in histories.items()},
-        coords={"time": ("time", np.array(response.time), quantity("time").attributes)},
-        attrs=_provenance(response),
-    )
-    return result if response.profiles is None else result.merge(profile_variables(response.profiles))
-
-
-def _provenance(response: "Response") -> dict[str, str | float]:
-    motion = response.motion
-    law = response.friction_law
-    return {
-        "Conventions": "CF-1.11",
-        "title": f"Response of {response.bearing.name} under {motion.name}",
-        "source": f"dcfp {version()}",
-        "references": "\n".join(citations_of(response.friction_law.citation, "li_2020")),
-        **response.summary(),
-        "remarks": " ".join(response.remarks),
-        "record_sha256": motion.digest,
-        "record_origin": json.dumps(asdict(motion.origin)),
-        "record_treatment": "; ".join(motion.treatment) or "none",
-        "bearing": json.dumps(asdict(response.bearing)),
-        "friction_law": repr(law),
-        "heating_model": repr(response.heating),
-        "settings": json.dumps(asdict(response.settings)),
-    }
-
-
-#: What is told of one analysis: what it is of, its peaks and how it ended; by the names of the nomenclature, as JSON, CSV and tables have it.
-PEAKS = Quantities("peak of a response")
-PEAKS.add(
-    "record", Quantity("record", "name of the ground motion", head="Record", get=attrgetter("motion.name"))
-)
-PEAKS.tell(
-    "peak_ground_velocity",
-    "pgv_m_s",
-    unit=M_PER_S,
-    name="pgv",
-    head="PGV",
-    decimals=3,
-    get=attrgetter("motion.peak_velocity"),
-)
-PEAKS.add("law", Quantity("friction", "friction law", printed=False, get=attrgetter("friction_law.name")))
-PEAKS.add("heating", Quantity("heating", "heating model", printed=False, get=attrgetter("heating.name")))
-PEAKS.tell("peak_displacement", "y_max_mm", name="y_max", decimals=1)
-PEAKS.tell("peak_change", "dy_max_mm", name="dy_max", decimals=1)
-PEAKS.tell("peak_velocity", "v_max_mm_s", name="v_max", decimals=3)
-PEAKS.tell("residual_displacement", "residual_mm", name="residual", head="resid.", decimals=1)
-PEAKS.tell("peak_force", "force_max_kN", unit=KN, name="force_max", head="F_max", decimals=0)
-PEAKS.tell("force_ratio", "force_ratio", head="F/W", decimals=3, stored=False)
-PEAKS.tell("peak_temperature", "temperature_max_degC", name="temperature_max", head="T_max", decimals=0)
-PEAKS.tell("least_friction", "friction_min", head="mu_min", decimals=4)
-PEAKS.tell("input_velocity", "V_E_mm_s", name="V_E", decimals=3)
-PEAKS.tell("hysteretic_velocity", "V_Eh_mm_s", name="V_Eh", decimals=3)
-PEAKS.add(
-    "relative_energy_residual",
-    Quantity(
-        "energy_residual",
-        "residual of the energy balance over the largest input energy",
-        NONE,
-        printed=False,
-        get=attrgetter("energy.relative_residual"),
-    ),
-)
-PEAKS.add("status", Quantity("status", "how the analysis ended", head="Status"))
-PEAKS.add(
-    "elapsed", Quantity("elapsed_s", "computing time of the analysis", SECOND, name="elapsed", printed=False)
-)
+    @property
+    def attributes(self) -> dict[str, Any]:
+        """What a data set says of it besides its system."""
+        motion = self.motion
+        return {
+            **self.summary(),
+            "record_sha256": motion.digest,
+            "record_origin": json.dumps(asdict(motion.origin)),
+            "record_treatment": "; ".join(motion.treatment) or "none",
+            "settings": json.dumps(asdict(self.integration)),
+        }

@@ -28,7 +28,9 @@ from dcfp.methods.pulse_march import MARCH_THRESHOLD
 from dcfp.methods.pulses import THRESHOLD
 from dcfp.methods.result import Answer
 from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.load import Motion, motion_of
 from dcfp.schema.notebook import card, fields_card
+from dcfp.schema.parameters import refuse_other
 from dcfp.system import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating
 
 
@@ -180,7 +182,7 @@ class Setting:
 
 
 def compare(
-    motion: GroundMotion,
+    motion: Motion,
     setting: Setting | None = None,
     *,
     codes: bool = False,
@@ -192,7 +194,7 @@ def compare(
     Parameters
     ----------
     motion
-        The ground motion.
+        The ground motion; or the name of a record, or a file.
     setting
         By default the bearing of Li et al. (2020) with its law and the simplified heating model.
     codes
@@ -202,7 +204,8 @@ def compare(
     response
         The analysis, where it is at hand.
     """
-    setting = Setting() if setting is None else setting
+    motion, setting = motion_of(motion), Setting() if setting is None else setting
+    refuse_other(setting, Setting, "setting", "a Setting")
     if response is None:
         response = respond(motion, setting.bearing, setting.friction, setting.heating)
     pulses = find_pulses(motion, setting.threshold)

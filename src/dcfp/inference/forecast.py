@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from dcfp.analysis.assumptions import LARGEST_YIELD_RADIUS
 from dcfp.errors import InputError
 from dcfp.inference.calibration import (
     Intervals,
@@ -25,7 +26,6 @@ from dcfp.inference.earthquake import is_known
 from dcfp.methods import Prediction, PulseMarch, Pulses, find_pulses
 from dcfp.methods import li_2020 as paper
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.system.validity import LARGEST_YIELD_RADIUS
 
 #: Part by which a PGV that was scaled to may be off [-].
 _ROUNDING = 1e-6

@@ -16,9 +16,9 @@ import numpy as np
 from dcfp.arrays import FloatArray, freeze
 from dcfp.kernels import pulse_march as k
 from dcfp.methods.pulses import Prediction, Pulses, find_pulses
-from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.load import Motion
 from dcfp.schema.notebook import fields_card
-from dcfp.system import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating
+from dcfp.system import FrictionLaw, Heating, System, SystemLike
 from dcfp.system.plates import cold_plates, heat_of, structure_of
 
 #: Threshold of the peaks that the march takes [-]; finer than that of the pulse method, for a ripple does not cut a pulse in two here.
@@ -65,10 +65,10 @@ class PulseMarch:
 
 
 def march_through_pulses(
-    ground: Pulses | GroundMotion,
-    bearing: Bearing = LI_2020,
-    friction: FrictionLaw | None = None,
-    heating: Heating | None = None,
+    ground: Pulses | Motion,
+    bearing: SystemLike = None,
+    friction: FrictionLaw | str | None = None,
+    heating: Heating | str | None = None,
     *,
     parts: int = PARTS,
     with_path: bool = False,
@@ -91,14 +91,13 @@ def march_through_pulses(
     AnalysisError
         If a displacement is not a finite number.
     """
-    pulses = find_pulses(ground, MARCH_THRESHOLD) if isinstance(ground, GroundMotion) else ground
-    friction = Li2020() if friction is None else friction
-    heating = SimplifiedHeating() if heating is None else heating
+    pulses = ground if isinstance(ground, Pulses) else find_pulses(ground, MARCH_THRESHOLD)
+    system = System.of(bearing, friction, heating)
     rows = _rows(pulses, parts) if with_path else 0
-    state, path, elapsed = _marched(pulses, bearing, friction, heating, parts, rows)
+    state, path, elapsed = _marched(pulses, system, parts, rows)
     if not np.isfinite(state[: k.PEAK_LEG]).all():
         what = "the march through the pulses"
-        raise friction.no_number(what)
+        raise system.friction.no_number(what)
     return PulseMarch(
         prediction=Prediction(
             displacement_change=float(state[k.PEAK_CHANGE]),
@@ -117,23 +116,21 @@ def march_through_pulses(
     )
 
 
-def _marched(
-    pulses: Pulses, bearing: Bearing, friction: FrictionLaw, heating: Heating, parts: int, rows: int
-) -> tuple[FloatArray, FloatArray, float]:
+def _marched(pulses: Pulses, system: System, parts: int, rows: int) -> tuple[FloatArray, FloatArray, float]:
     """Return state and path at the end, and the computing time [s]; again with more cells where they did not suffice."""
-    structure = structure_of(bearing, friction)
-    law = friction.at_pressure(bearing.pressure)
-    plates = cold_plates(bearing, heating)
+    structure = structure_of(system)
+    law = system.friction.at_pressure(system.bearing.pressure)
+    plates = cold_plates(system)
     while True:
         state = np.zeros(k.STATE_SIZE)
-        state[k.PEAK_TEMPERATURE] = heating.ambient
+        state[k.PEAK_TEMPERATURE] = system.heating.ambient
         state[k.PEAK_LEG] = math.nan
         path = np.empty((rows, k.PATH_SIZE))
         began = time.perf_counter()
         written, fits = k.march_pulses(
             law,
             structure,
-            heat_of(plates, bearing, heating),
+            heat_of(plates, system),
             pulses.times,
             pulses.velocities,
             parts,
@@ -144,7 +141,7 @@ def _marched(
         elapsed = time.perf_counter() - began
         if fits:
             return state, path[:written], elapsed
-        plates = cold_plates(bearing, heating).with_room(plates.cells.shape[1])
+        plates = cold_plates(system).with_room(plates.cells.shape[1])
 
 
 def _rows(pulses: Pulses, parts: int) -> int:

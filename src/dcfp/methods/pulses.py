@@ -9,6 +9,7 @@ from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
 from dcfp.kernels.turning_points import find_turning_points
 from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.load import Motion, motion_of
 from dcfp.schema.notebook import card, fields_card
 
 #: How far the ground velocity must turn back, relative to PGV, for a peak to count [-]; see ``docs/prediction.md`` for the evidence.
@@ -122,7 +123,7 @@ def mean_acceleration(change: FloatArray, duration: FloatArray) -> FloatArray:
     return change / duration
 
 
-def find_pulses(motion: GroundMotion, threshold: float = THRESHOLD) -> Pulses:
+def find_pulses(motion: Motion, threshold: float = THRESHOLD) -> Pulses:
     """Return the velocity pulses of a ground motion.
 
     A local extreme of the ground velocity is a peak once the velocity has turned back from it by `threshold` times the PGV.
@@ -133,7 +134,7 @@ def find_pulses(motion: GroundMotion, threshold: float = THRESHOLD) -> Pulses:
     Parameters
     ----------
     motion
-        The ground motion.
+        The ground motion; or the name of a record, or a file.
     threshold
         Part of the PGV [-], above 0 and at most 1.
 
@@ -145,7 +146,7 @@ def find_pulses(motion: GroundMotion, threshold: float = THRESHOLD) -> Pulses:
     if not (math.isfinite(threshold) and 0.0 < threshold <= 1.0):
         msg = f"The threshold of a pulse must be above 0 and at most 1 of the PGV, not {threshold!r}."
         raise InputError(msg)
-    times, velocities = _extremes(motion)
+    times, velocities = _extremes(motion_of(motion))
     least = threshold * float(np.abs(velocities).max())
     if least == 0.0:
         return Pulses(times[:0], velocities[:0], threshold)

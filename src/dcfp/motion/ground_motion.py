@@ -13,6 +13,7 @@ from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
 from dcfp.schema.nomenclature import quantity
 from dcfp.schema.notebook import card, fields_card
+from dcfp.schema.parameters import PGV
 from dcfp.version import version
 
 if TYPE_CHECKING:
@@ -153,11 +154,9 @@ class GroundMotion:
         Raises
         ------
         InputError
-            If `peak_velocity` is not positive, or the motion has no velocity to scale.
+            If `peak_velocity` is out of range, or the motion has no velocity to scale.
         """
-        if not (np.isfinite(peak_velocity) and peak_velocity > 0.0):
-            msg = f"{self.name}: the target PGV must be positive, not {peak_velocity / 1000.0:g} m/s."
-            raise InputError(msg)
+        peak_velocity = PGV.checked(peak_velocity, f"{self.name}: the PGV to scale to")
         if self.peak_velocity == 0.0:
             msg = f"{self.name}: every value is zero, so the record cannot be scaled to a PGV."
             raise InputError(msg)
@@ -209,23 +208,6 @@ class GroundMotion:
 
 #: Longest free motion after the record that is waited for [s].
 LONGEST_TAIL = 120.0
-_SHORTEST_STEP = 1e-6
-
-
-def check_step_and_tail(step: float | None, tail: float | None) -> None:
-    """Refuse a longest step or a tail [s] that cannot be.
-
-    Raises
-    ------
-    InputError
-        If one of them is given and is out of range.
-    """
-    if tail is not None and not (math.isfinite(tail) and tail >= 0.0):
-        msg = f"The tail must be zero or a positive number of seconds, not {tail!r}."
-        raise InputError(msg)
-    if step is not None and not (math.isfinite(step) and step >= _SHORTEST_STEP):
-        msg = f"The step must be a positive number of seconds, at least a microsecond, not {step!r}."
-        raise InputError(msg)
 
 
 def with_tail(motion: GroundMotion, tail: float | None) -> FloatArray:

@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from os import PathLike, fspath
 from pathlib import Path
+from typing import TypeAlias
 
 from dcfp.errors import InputError
 from dcfp.motion.formats.component import Component, select_component
@@ -10,6 +11,7 @@ from dcfp.motion.formats.registry import read_components
 from dcfp.motion.formats.source import read_source, source_of
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.named import named_motion, record_set
+from dcfp.schema.parameters import refuse_other
 
 #: Between a file and the component in it, as in ``tokyo.csv::NS``.
 COMPONENT_MARK = "::"
@@ -54,6 +56,24 @@ def load_motion(
             msg = f"{text}: a named record has its own component, unit and time step; leave out {given!r}."
             raise InputError(msg)
     return named_motion(path)
+
+
+#: What is taken for a ground motion: one, the name of a record, or a file.
+Motion: TypeAlias = GroundMotion | str | PathLike[str]
+
+
+def motion_of(motion: Motion, pgv: float | None = None) -> GroundMotion:
+    """Return a ground motion, by the name of a record or from a file unless it is one; scaled to a PGV [mm/s] if one is given.
+
+    Raises
+    ------
+    InputError
+        If it is none of these, or the PGV is out of range.
+    """
+    if isinstance(motion, (str, PathLike)):
+        motion = load_motion(motion)
+    refuse_other(motion, GroundMotion, "motion", "a GroundMotion, the name of a record or a file")
+    return motion if pgv is None else motion.scaled_to_pgv(pgv)
 
 
 def load_motions(

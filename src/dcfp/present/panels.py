@@ -282,7 +282,7 @@ def profile(history: "History", plate: int = 0) -> Panel:
     """
     profiles = history.profiles
     if profiles is None:
-        msg = "There are no profiles; analyse with the precise heating model and profile_every."
+        msg = "There are no profiles; analyse with the precise heating model and keep=Keep(profiles=200)."
         raise InputError(msg)
     part = shown(history)
     path = Line(

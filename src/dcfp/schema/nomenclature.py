@@ -37,9 +37,9 @@ class Quantities(Registry[Quantity]):
             NOMENCLATURE.add(name, replace(thing, key=name, name="", unit=thing.unit.inner_unit, get=None))
         return super().add(name, thing if thing.get else replace(thing, get=attrgetter(name)))
 
-    def tell(self, name: str, key: str, /, **changes: Any) -> Quantity:
+    def tell(self, name: str, key: str = "", /, **changes: Any) -> Quantity:
         """Add a quantity of the nomenclature, under a key of JSON and with other changes."""
-        return self.add(name, replace(NOMENCLATURE[name], key=key, **changes))
+        return self.add(name, replace(NOMENCLATURE[name], key=key or name, **changes))
 
 
 def quantity(name: str) -> Quantity:
@@ -87,5 +87,7 @@ for _one in (
     Quantity("residual_displacement", "residual displacement", MM, symbol="y_r"),
     Quantity("input_velocity", "equivalent velocity of the input energy", MM_PER_S, M_PER_S, symbol="V_E"),
     Quantity("hysteretic_velocity", "equivalent velocity of the hysteretic energy", MM_PER_S, M_PER_S, symbol="V_{E_h}"),
+    Quantity("relative_energy_residual", "residual of the energy balance over the largest input energy", NONE),
+    Quantity("elapsed", "computing time of the analysis", SECOND, name="elapsed", printed=False),
 ):  # fmt: skip
     NOMENCLATURE.add(_one.key, _one)

@@ -14,6 +14,8 @@ from typing import Any, cast
 
 import numpy as np
 
+from dcfp.schema.quantities import Quantity
+
 #: Most rows of a table; more are counted.
 MOST_ROWS = 30
 _TABLE = "border-collapse: collapse; border: 1px solid currentColor; margin: 0.4em 0;"
@@ -98,6 +100,15 @@ def _one_each(units: list[str], count: int) -> list[str]:
         return units
     listed = units[0].split(", ")
     return listed if len(listed) == count else [units[0]] * count
+
+
+def told(quantities: Iterable[Quantity], result: object) -> dict[str, object]:
+    """Return what data hold of a result, by names with their units."""
+    return {
+        f"{one.title} [{one.unit.text}]" if one.unit.has_dimension else one.title: one.datum(result)
+        for one in quantities
+        if one.stored
+    }
 
 
 def with_units(summary: Mapping[str, object]) -> dict[str, object]:

@@ -25,7 +25,7 @@ from typing import (
 )
 
 from dcfp.errors import InputError
-from dcfp.schema.units import WORDS, Unit, convert, split_number
+from dcfp.schema.units import M_PER_S, WORDS, Unit, convert, split_number
 
 T = TypeVar("T")
 
@@ -366,6 +366,19 @@ def build(kind: type[T], values: Mapping[str, Any], where: str, base: T | None =
         raise InputError(msg) from error
 
 
+def refuse_other(value: object, kinds: type | tuple[type, ...], name: str, wanted: str) -> None:
+    """Refuse what is of none of the kinds; `wanted` stands behind ``must be``.
+
+    Raises
+    ------
+    InputError
+        If it is not.
+    """
+    if not isinstance(value, kinds):
+        msg = f"{name} must be {wanted}, not {value!r}."
+        raise InputError(msg)
+
+
 def unknown(given: object, known: Iterable[str], what: str) -> str:
     """Return the sentence that there is no such thing, `what`, with the name that is probably meant."""
     known = list(known)
@@ -432,3 +445,7 @@ def _bound(name: str, hint: Any, default: Any) -> Parameter:
         optional=type(None) in options,
         counts=counts,
     )
+
+
+#: What a ground motion can be scaled to, at every door.
+PGV = Parameter("peak ground velocity", M_PER_S, 0.005, 20.0, symbol=r"\mathrm{PGV}", key="pgv")

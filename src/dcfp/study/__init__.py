@@ -15,7 +15,6 @@ if TYPE_CHECKING:
     from dcfp.study.sampling import Normal as Normal
     from dcfp.study.sampling import Sampling as Sampling
     from dcfp.study.sampling import Uniform as Uniform
-    from dcfp.study.study import Settings as Settings
     from dcfp.study.study import Study as Study
 
 _HOMES = {
@@ -27,7 +26,6 @@ _HOMES = {
     "Normal": "sampling",
     "Sampling": "sampling",
     "Uniform": "sampling",
-    "Settings": "study",
     "Study": "study",
 }
 

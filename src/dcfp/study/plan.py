@@ -137,8 +137,7 @@ class Plan:
     @cached_property
     def grounds(self) -> GroundSet:
         """The ground motions as the kernel takes them."""
-        settings = self.study.settings
-        return GroundSet.of(self.study.motions, tail=settings.tail, step=settings.step)
+        return GroundSet.of(self.study.motions, self.study.settings)
 
     @property
     def longest_record(self) -> int:

@@ -5,7 +5,7 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, cast
 
-from dcfp.analysis.respond import TOLERANCE
+from dcfp.analysis.integration import Integration
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import load_motions
@@ -13,7 +13,7 @@ from dcfp.motion.treatment import treated
 from dcfp.schema.reading import read_toml
 from dcfp.study.factors import OF_LAW, Value, factor
 from dcfp.study.sampling import LATIN_HYPERCUBE, Choice, Distribution, Sampling
-from dcfp.study.study import RECORD, Settings, Study
+from dcfp.study.study import RECORD, Study
 from dcfp.study.values import distribution_from, values_from
 from dcfp.system import System, read_bearing
 
@@ -68,7 +68,7 @@ def _study(content: Mapping[str, Any], place: Path) -> Study:
         bearings=_bearings(grid, sampled, place.parent),
         title=_title(content, place),
         name=place.stem,
-        settings=_settings(_table(content, "analysis")),
+        settings=Integration.from_table(_table(content, "analysis"), "[analysis]"),
         histories=_histories(_table(content, "keep")),
         text=place.read_text(encoding="utf-8"),
     )
@@ -203,16 +203,6 @@ def _model(table: dict[str, Any], place: Path) -> System:
             raise InputError(msg)
         return read_bearing(place.parent / str(file))
     return System.from_table(table, f"{place}: [bearing]", "bearing of the study" if table else None)
-
-
-def _settings(table: dict[str, Any]) -> Settings:
-    _refuse_unknown(table, _ANALYSIS_KEYS, "[analysis]")
-    tolerance = _option(table, "tolerance", float)
-    return Settings(
-        tail=_option(table, "tail", float),
-        tolerance=TOLERANCE if tolerance is None else tolerance,
-        step=_option(table, "step", float),
-    )
 
 
 def _histories(table: dict[str, Any]) -> tuple[str, ...]:

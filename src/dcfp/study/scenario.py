@@ -9,7 +9,9 @@ from typing import Any, cast
 
 import tomli_w
 
-from dcfp.analysis import Response, respond
+from dcfp.analysis import Response
+from dcfp.analysis.integration import PLATES
+from dcfp.analysis.response_history import analyse
 from dcfp.errors import InputError
 from dcfp.inference import Case, Setting, compare
 from dcfp.inference.nominal import Nominal
@@ -217,10 +219,6 @@ def scenario_toml(
 # Everything that is calculated of a scenario: analyses, predictions and codes, each result once.
 
 
-#: Frames of the temperature along the plates that an analysis with precise heating keeps, about.
-FRAMES = 200
-
-
 @dataclass(frozen=True, eq=False)
 class Result:
     """One ground motion on the bearing.
@@ -296,17 +294,5 @@ def calculate(scenario: Scenario, report: Callable[[], None] | None = None) -> C
 
 
 def _result(motion: GroundMotion, scenario: Scenario, setting: Setting) -> Result:
-    model, settings = scenario.model, scenario.study.settings
-    precise = model.heating.name == "precise"
-    step = motion.time_step if settings.step is None else min(settings.step, motion.time_step)
-    response = respond(
-        motion,
-        model.bearing,
-        model.friction,
-        model.heating,
-        tail=settings.tail,
-        tolerance=settings.tolerance,
-        step=settings.step,
-        profile_every=max(1, round(motion.duration / step / FRAMES)) if precise else None,
-    )
+    response = analyse(motion, scenario.model, scenario.study.settings, keep=PLATES)
     return Result(motion, response, compare(motion, setting, codes=True, response=response))

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dcfp.analysis.respond import TOLERANCE
+from dcfp.analysis.integration import DEFAULT, Integration
 from dcfp.errors import InputError
-from dcfp.motion.ground_motion import GroundMotion, check_step_and_tail
+from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import refuse_a_drift
 from dcfp.schema.notebook import card
 from dcfp.study.factors import Factor, Value, factor
@@ -22,21 +22,6 @@ if TYPE_CHECKING:
     from dcfp.study.plan import Plan
 
 RECORD, SAMPLE = "record", "sample"
-
-
-@dataclass(frozen=True)
-class Settings:
-    """How finely and how far each analysis goes; as for `dcfp.respond`."""
-
-    tail: float | None = None
-    tolerance: float = TOLERANCE
-    step: float | None = None
-
-    def __post_init__(self) -> None:
-        check_step_and_tail(self.step, self.tail)
-        if not 0.0 < self.tolerance < 1.0:
-            msg = f"the tolerance must lie between 0 and 1, not {self.tolerance!r}."
-            raise InputError(msg)
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +63,7 @@ class Study:
     bearings: Mapping[str, System] = field(default_factory=dict[str, System])
     title: str = "Study"
     name: str = "study"
-    settings: Settings = field(default_factory=Settings)
+    settings: Integration = DEFAULT
     histories: tuple[str, ...] = ()
     text: str = ""
 

@@ -8,9 +8,10 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from dcfp.analysis import Response, respond
+from dcfp.analysis import Response
 from dcfp.analysis.batch import Lanes, respond_in_batch
 from dcfp.analysis.response import FAILED, NUMBERS, Status
+from dcfp.analysis.response_history import analyse
 from dcfp.arrays import IntArray
 from dcfp.errors import AnalysisError
 from dcfp.study.plan import Block, Cases, Plan
@@ -32,7 +33,7 @@ def work_off(plan: Plan, block: Block) -> Results:
             continue
         if name == ANALYSIS:
             lanes = _part(cases.lanes, chosen)
-            found = respond_in_batch(plan.grounds, lanes, tolerance=plan.study.settings.tolerance).arrays()
+            found = respond_in_batch(plan.grounds, lanes).arrays()
         else:
             found = _predicted(plan, cases, chosen, name)
         for quantity, values in found.items():
@@ -65,18 +66,10 @@ def _histories(plan: Plan, block: Block, cases: Cases) -> Results:
 
 def response_of(plan: Plan, lanes: Lanes, lane: int) -> Response:
     """Return the response history analysis of one lane, with its histories."""
-    settings, model = plan.study.settings, lanes.models[int(lanes.model[lane])]
     motion = plan.study.motions[int(lanes.record[lane])]
     scale = float(lanes.scale[lane])
-    return respond(
-        motion if scale == 1.0 else motion.scaled(scale),
-        model.bearing,
-        model.friction,
-        model.heating,
-        tail=settings.tail,
-        tolerance=settings.tolerance,
-        step=settings.step,
-    )
+    scaled = motion if scale == 1.0 else motion.scaled(scale)
+    return analyse(scaled, lanes.models[int(lanes.model[lane])], plan.study.settings)
 
 
 def _part(lanes: Lanes, chosen: IntArray) -> Lanes:

@@ -18,6 +18,7 @@ from dcfp.system.heating import PreciseHeating as PreciseHeating
 from dcfp.system.heating import SimplifiedHeating as SimplifiedHeating
 from dcfp.system.heating import plates_of as plates_of
 from dcfp.system.system import System as System
+from dcfp.system.system import SystemLike as SystemLike
 from dcfp.system.system import friction_law as friction_law
 from dcfp.system.system import heating_model as heating_model
 from dcfp.system.system import read_bearing as read_bearing

@@ -28,8 +28,8 @@ from dcfp.kernels.plate import write_profile
 from dcfp.kernels.slab import slab_modes
 from dcfp.schema.nomenclature import quantity
 from dcfp.system.bearing import Bearing
-from dcfp.system.friction import FrictionLaw
 from dcfp.system.heating import INSULATED, Heating, PreciseHeating
+from dcfp.system.system import System
 
 if TYPE_CHECKING:
     import xarray
@@ -76,8 +76,9 @@ class PlateHeat:
         return replace(wider, cells=np.concatenate((blank, wider.cells, blank), axis=1))
 
 
-def structure_of(bearing: Bearing, friction: FrictionLaw) -> Structure:
-    """Return the structure on `bearing` per unit mass; two equal plates become one with half the travel."""
+def structure_of(system: System) -> Structure:
+    """Return the structure on its bearing per unit mass; two equal plates become one with half the travel."""
+    bearing, friction = system.bearing, system.friction
     shares = bearing.shares
     plates = len(set(bearing.radii))
     speeds = shares if friction.speed_is_of_surface else (1.0,) * len(shares)
@@ -108,9 +109,9 @@ def mean_temperature(bearing: Bearing, temperatures: FloatArray) -> FloatArray:
     return temperatures[:, 0] if temperatures.shape[1] == 1 else temperatures @ np.array(bearing.shares)
 
 
-def cell_width(bearing: Bearing, heating: Heating) -> float:
+def cell_width(system: System) -> float:
     """Width of a cell of the plate [mm]."""
-    return 2.0 * bearing.contact_half_side / cells_across(heating)
+    return 2.0 * system.bearing.contact_half_side / cells_across(system.heating)
 
 
 def horizon_for(duration: float) -> float:
@@ -122,27 +123,25 @@ def horizon_for(duration: float) -> float:
     return min(max(HORIZON, duration / _REMEMBERED), _LONGEST_HORIZON)
 
 
-def cold_plates(
-    bearing: Bearing, heating: Heating, *, reach: float = FIRST_REACH, horizon: float = HORIZON
-) -> PlateHeat:
+def cold_plates(system: System, *, reach: float = FIRST_REACH, horizon: float = HORIZON) -> PlateHeat:
     """Return plates at the ambient temperature.
 
     Parameters
     ----------
-    bearing, heating
+    system
         What they belong to.
     reach
         Displacement for which the line of cells of the precise model has room [mm].
     horizon
         Time within which the slowest mode of a half-space hardly fades [s]; see `fading_modes`.
     """
-    plates = len(set(bearing.radii))
+    heating, plates = system.heating, len(set(system.bearing.radii))
     rates, weights, instant = modes_of(heating, horizon)
     bank = np.zeros((BANK_ROWS, MODES))
     bank[RATES] = rates
     bank[WEIGHTS] = weights * heating.rise_factor
     notes = cold_notes(heating.ambient)
-    margin = margin_for(bearing, heating, reach)
+    margin = margin_for(system, reach)
     for i in range(plates):
         notes[PLATE_NOTE + i * PLATE_NOTES + LEFT_CELL] = margin
     return PlateHeat(bank, notes, no_heat(plates, heating, margin), instant)
@@ -170,11 +169,11 @@ def cells_across(heating: Heating) -> int:
     return heating.cells if isinstance(heating, PreciseHeating) else 1
 
 
-def margin_for(bearing: Bearing, heating: Heating, reach: float = FIRST_REACH) -> int:
+def margin_for(system: System, reach: float = FIRST_REACH) -> int:
     """Return the number of cells on each side of the contact that a displacement of `reach` [mm] needs."""
-    if not isinstance(heating, PreciseHeating):
+    if not isinstance(system.heating, PreciseHeating):
         return 0
-    return 1 + math.ceil(max(bearing.shares) * reach / cell_width(bearing, heating))
+    return 1 + math.ceil(max(system.bearing.shares) * reach / cell_width(system))
 
 
 def no_heat(plates: int, heating: Heating, margin: int) -> FloatArray:
@@ -182,13 +181,14 @@ def no_heat(plates: int, heating: Heating, margin: int) -> FloatArray:
     return np.zeros((plates, cells_across(heating) + 1 + 2 * margin, MODES + 1))
 
 
-def heat_of(plates: PlateHeat, bearing: Bearing, heating: Heating) -> Heat:
+def heat_of(plates: PlateHeat, system: System) -> Heat:
     """Return the kernels' view of the heat in `plates`, which they will change."""
+    heating = system.heating
     return Heat(
         kind=heating.kind,
         ambient=heating.ambient,
-        half_contact=bearing.contact_half_side,
-        cell=cell_width(bearing, heating),
+        half_contact=system.bearing.contact_half_side,
+        cell=cell_width(system),
         instant=plates.instant * heating.rise_factor,
         bank=plates.bank,
         notes=plates.notes,
@@ -218,12 +218,12 @@ class Profiles:
     temperature: FloatArray
 
     @classmethod
-    def of(cls, kept: Sequence[tuple[float, FloatArray]], bearing: Bearing, heating: Heating) -> "Profiles":
+    def of(cls, kept: Sequence[tuple[float, FloatArray]], system: System) -> "Profiles":
         """Return the profiles that a march kept: for each time [s] what `profile_now` gave."""
         temperature = np.stack([profile for _, profile in kept])
         cells = int(temperature.shape[-1])
         # the last cell is there only for the right edge to enter: the line is centred without it
-        position = cell_width(bearing, heating) * (np.arange(cells, dtype=np.float64) - 0.5 * (cells - 2))
+        position = cell_width(system) * (np.arange(cells, dtype=np.float64) - 0.5 * (cells - 2))
         return cls(freeze(np.array([t for t, _ in kept])), freeze(position), freeze(temperature))
 
 

@@ -4,11 +4,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
-from typing import Any, TypeVar, cast
+from typing import Any, TypeAlias, TypeVar, cast
 
 from dcfp.errors import InputError
 from dcfp.schema.notebook import fields_card
-from dcfp.schema.parameters import Parameter, build, described, parameters, read_table, unknown
+from dcfp.schema.parameters import Parameter, build, described, parameters, read_table, refuse_other, unknown
 from dcfp.schema.reading import read_toml
 from dcfp.schema.units import FRACTION, NONE
 from dcfp.system.bearing import LI_2020, Bearing
@@ -56,21 +56,19 @@ class System:
         heating: Heating | str | None = None,
     ) -> "System":
         """Return the system of parts or of their names; what is None is that of Li et al. (2020), or of the bearing file."""
-        _refuse_other(
-            bearing,
-            (System, Bearing, str, Path),
-            "bearing",
-            "a Bearing, a System or the path of a bearing file",
-        )
-        _refuse_other(
-            friction,
-            (FrictionLaw, str),
-            "friction",
-            f"a friction law or its name ({', '.join(FRICTION_LAWS)})",
-        )
-        _refuse_other(
-            heating, (Heating, str), "heating", f"a heating model or its name ({', '.join(HEATINGS)})"
-        )
+        if bearing is not None:
+            refuse_other(
+                bearing,
+                (System, Bearing, str, Path),
+                "bearing",
+                "a Bearing, a System or the path of a bearing file",
+            )
+        if friction is not None:
+            wanted = f"a friction law or its name ({', '.join(FRICTION_LAWS)})"
+            refuse_other(friction, (FrictionLaw, str), "friction", wanted)
+        if heating is not None:
+            wanted = f"a heating model or its name ({', '.join(HEATINGS)})"
+            refuse_other(heating, (Heating, str), "heating", wanted)
         if isinstance(bearing, (str, Path)):
             bearing = read_bearing(bearing)
         base = bearing if isinstance(bearing, System) else cls(bearing or LI_2020)
@@ -145,6 +143,10 @@ class System:
     def _repr_html_(self) -> str:
         facts = {"friction": repr(self.friction), "heating": repr(self.heating)}
         return fields_card(self.bearing, self.bearing.name, facts)
+
+
+#: What is taken for a system: one, a bearing, or the path of a bearing file; None for that of Li et al. (2020).
+SystemLike: TypeAlias = System | Bearing | str | Path | None
 
 
 def _changed_law(friction: FrictionLaw, name: str, value: Any) -> FrictionLaw:
@@ -288,9 +290,3 @@ def _with_parameter(part: Part, key: str, value: Any) -> Part:
         raise InputError(msg)
     made: Any = part
     return replace(made, **{known[key]: value})
-
-
-def _refuse_other(part: object, kinds: tuple[type, ...], name: str, wanted: str) -> None:
-    if part is not None and not isinstance(part, kinds):
-        msg = f"{name} must be {wanted}, not {part!r}."
-        raise InputError(msg)

@@ -14,7 +14,7 @@ from dcfp.constants import STANDARD_GRAVITY
 from dcfp.kernels import march
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.synthetic import harmonic
-from dcfp.system import LI_2020, Bearing, ConstantFriction, NoHeating
+from dcfp.system import LI_2020, Bearing, ConstantFriction, NoHeating, System
 from dcfp.system.plates import structure_of
 from dcfp.verify.check import Finding, Task
 
@@ -25,8 +25,8 @@ _ROUNDING = "Allowed: rounding over the steps."
 
 def _moving(bearing: Bearing, velocity: float, *, sliding: bool) -> State:
     """Return the state at zero displacement with a velocity [mm/s], on the yield surface if it is sliding."""
-    structure = structure_of(bearing, _FRICTION)
-    state = state_at_rest(bearing, _FRICTION, NoHeating())
+    system = System(bearing, _FRICTION, NoHeating())
+    structure, state = structure_of(system), state_at_rest(system)
     state.march[march.STATE_VELOCITY] = velocity
     if sliding:
         state.march[march.STATE_ELONGATION] = _FRICTION.mu * structure.reach

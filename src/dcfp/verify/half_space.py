@@ -12,7 +12,7 @@ from dcfp.arrays import FloatArray
 from dcfp.kernels.march import STATE_ELONGATION, STATE_SIDE, STATE_VELOCITY
 from dcfp.kernels.memory import RATE_RATIO, fading_modes, feed, fill_fade, fill_weights
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.system import LI_2020, ConstantFriction, Heating, PreciseHeating, SimplifiedHeating
+from dcfp.system import LI_2020, ConstantFriction, Heating, PreciseHeating, SimplifiedHeating, System
 from dcfp.system.heating import constant_flux_rise
 from dcfp.system.plates import structure_of
 from dcfp.verify.check import Finding, Task, scaled_record
@@ -67,14 +67,14 @@ def _constant_flux_by_analysis() -> Finding:
     plane = LI_2020.unchecked(radii=(5e14, 5e14), slider_diameter=2e5, pressure=60.0)
     friction = ConstantFriction(1e-9)
     heating = SimplifiedHeating().unchecked(conductivity=1e-8)
-    structure = structure_of(plane, friction)
-    start = state_at_rest(plane, friction, heating)
+    system = System(plane, friction, heating)
+    structure, start = structure_of(system), state_at_rest(system)
     velocity = 100.0
     start.march[STATE_VELOCITY] = velocity
     start.march[STATE_ELONGATION] = friction.mu * structure.reach
     start.march[STATE_SIDE] = 1.0
     still = GroundMotion(np.zeros(30_001), 0.01, "ground at rest")
-    slide = respond(still, plane, friction, heating, tail=0.0, start=start)
+    slide = respond(still, system, tail=0.0, start=start)
     flux = 0.5 * friction.mu * plane.pressure * velocity
     expected = float(constant_flux_rise(heating, flux, 300.0))
     note = "A flat slide at 0.1 m/s under a friction of 1e-9. " + _BOUND_NOTE

@@ -145,7 +145,7 @@ def test_histories_fit_together(motion):
     np.testing.assert_allclose(
         np.abs(response.elongation[sliding]), response.friction[sliding] * reach, rtol=1e-9
     )
-    assert str(response).startswith(f"{motion.name}, 3 storeys: y_max ")
+    assert str(response).startswith(f"3 storeys under {motion.name}\n  pgv ")
 
 
 def test_masses_are_scaled_to_what_the_bearing_carries(motion):

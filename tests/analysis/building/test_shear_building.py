@@ -101,10 +101,10 @@ def test_refusals(make, says):
 @pytest.mark.parametrize(
     ("arguments", "says"),
     [
-        ({"step": 0.0}, "step must be"),
-        ({"step": math.nan}, "step must be"),
-        ({"tail": -1.0}, "tail must be"),
-        ({"tail": math.inf}, "tail must be"),
+        ({"step": 0.0}, r"\(step\) must be"),
+        ({"step": math.nan}, r"\(step\) must be"),
+        ({"tail": -1.0}, r"\(tail\) must be"),
+        ({"tail": math.inf}, r"\(tail\) must be"),
     ],
 )
 def test_an_analysis_refuses(arguments, says):

@@ -8,6 +8,7 @@ import numpy as np
 from hypothesis import HealthCheck, assume, example, given, settings
 from hypothesis import strategies as st
 
+from dcfp.analysis.integration import Keep
 from dcfp.analysis.rig import Loops, Program, Recorded, RigTest, Sine, Triangle, VerticalLoad, run_program
 from dcfp.analysis.rig.waveform import STARTS, Travel, Waveform
 from dcfp.system import (
@@ -282,5 +283,5 @@ def test_a_path_driven_in_parts_is_the_same_path(case: Case, every: int) -> None
     test = RigTest("test", case.waveform, case.load)
     program = Program("program", (test,))
     whole = run_program(program, case.bearing, case.law, heating)[0]
-    parts = run_program(program, case.bearing, case.law, heating, profile_every=every)[0]
+    parts = run_program(program, case.bearing, case.law, heating, keep=Keep(every=every))[0]
     np.testing.assert_array_equal(parts.lines, whole.lines)

@@ -78,7 +78,7 @@ def test_precise_heating_shows_the_plate(open_page):
     page.get_by_label("Temperature of the contact from").first.click()
     page.get_by_role("option", name="the whole line of the plate (precise)").click()
     motion = dcfp.load_motion("NCC").scaled_to_pgv(500.0)
-    response = dcfp.respond(motion, heating=dcfp.PreciseHeating(), profile_every=10)
+    response = dcfp.respond(motion, heating=dcfp.PreciseHeating(), keep=dcfp.Keep(every=10))
     wait_for_tile(page, DISPLACEMENT, displacement(response))
     plate = page.get_by_role("img", name=re.compile("Temperature along the plate"))
     plate.scroll_into_view_if_needed()

@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 
 from dcfp import ConstantFriction, NoHeating, PreciseHeating, load_motion, respond
 from dcfp.analysis import Response
+from dcfp.analysis.integration import Keep
 from dcfp.errors import InputError
 from dcfp.present.figures import (
     plot_displacement,
@@ -48,7 +49,7 @@ def response() -> Response:
 
 @pytest.fixture(scope="module")
 def precise() -> Response:
-    return respond(load_motion("NCC").scaled_to_pgv(500.0), heating=PreciseHeating(), profile_every=20)
+    return respond(load_motion("NCC").scaled_to_pgv(500.0), heating=PreciseHeating(), keep=Keep(every=20))
 
 
 @pytest.mark.parametrize("draw", LABELS, ids=lambda draw: draw.__name__)
@@ -103,7 +104,10 @@ def test_the_peak_is_written_and_the_capacity_drawn_where_it_is_near(response: R
     axes = plot_displacement(response)
     assert [text.get_text() for text in axes.texts] == [millimetres(response.peak_displacement)]
     assert axes.get_legend() is None
-    tight = replace(response, bearing=replace(response.bearing, displacement_capacity=200.0))
+    tight = replace(
+        response,
+        system=replace(response.system, bearing=replace(response.bearing, displacement_capacity=200.0)),
+    )
     axes = plot_displacement(tight)
     assert [text.get_text() for text in axes.get_legend().get_texts()] == ["capacity"]
     assert axes.get_ylim()[1] > 200.0
@@ -131,7 +135,7 @@ def test_a_sheet_in_every_format_and_always_the_same(precise: Response, tmp_path
 def test_nothing_on_a_sheet_is_cut_off_or_overlaps(response: Response) -> None:
     note = "largest amplitude tested by Li et al. (2020), Table 2; the paper prints no capacity"
     bearing = replace(response.bearing, displacement_capacity=100.0, capacity_note=note)
-    limited = replace(response, bearing=bearing)
+    limited = replace(response, system=replace(response.system, bearing=bearing))
     figure = plot_response(limited)
     figure.draw_without_rendering()
     left, right = figure.subfigs[1].subfigs

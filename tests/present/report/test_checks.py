@@ -5,7 +5,6 @@ from dataclasses import replace
 import pytest
 
 import dcfp
-from dcfp.present.report.checks import analysis_checks
 from dcfp.schema.check import Verdict
 
 
@@ -13,7 +12,7 @@ def verdicts(
     bearing: dcfp.Bearing = dcfp.LI_2020, record: str = "NCC", pgv: float = 500.0, **more
 ) -> dict[str, Verdict]:
     motion = dcfp.load_motion(record).scaled_to_pgv(pgv)
-    return {one.name: one.verdict for one in analysis_checks(dcfp.respond(motion, bearing, **more))}
+    return {one.name: one.verdict for one in dcfp.respond(motion, bearing, **more).checks}
 
 
 def test_an_ordinary_analysis_meets_what_is_known() -> None:
@@ -45,6 +44,6 @@ def test_the_verdict_on_the_capacity_is_that_of_the_status() -> None:
         response = dcfp.respond(
             dcfp.load_motion("NCC"), replace(dcfp.LI_2020, displacement_capacity=part * peak)
         )
-        found = {one.name: one.verdict for one in analysis_checks(response)}
+        found = {one.name: one.verdict for one in response.checks}
         assert found["largest displacement within the capacity"] is met
         assert (response.status.value == "ok") == (met is Verdict.MET)

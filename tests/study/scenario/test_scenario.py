@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 import dcfp
+from dcfp.analysis.integration import Keep
 from dcfp.errors import InputError
 from dcfp.study.scenario import Heading, calculate, read_scenario, scenario_toml
 from dcfp.system import System
@@ -45,7 +46,7 @@ def test_every_result_is_that_of_the_parts_alone(tmp_path) -> None:
     one = calculation.results[1]
     # the temperature along the plates is looked at on the way, between samples: the last digit may differ
     alone = dcfp.respond(
-        one.motion, scenario.model.bearing, heating=dcfp.PreciseHeating(), profile_every=1000
+        one.motion, scenario.model.bearing, heating=dcfp.PreciseHeating(), keep=Keep(every=1000)
     )
     assert one.response.peak_displacement == pytest.approx(alone.peak_displacement, rel=1e-12)
     assert one.response.profiles is not None

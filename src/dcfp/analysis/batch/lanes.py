@@ -6,14 +6,15 @@ from typing import TypeAlias
 
 import numpy as np
 
-from dcfp.analysis.respond import halvings
+from dcfp.analysis.integration import DEFAULT, Integration
+from dcfp.analysis.response_history import halvings
 from dcfp.arrays import FloatArray, IntArray
 from dcfp.kernels import batch as k
 from dcfp.kernels.batch import Ground
 from dcfp.kernels.heat_state import BANK_ROWS, Heat
 from dcfp.kernels.law import Law
 from dcfp.kernels.memory import MODES
-from dcfp.motion.ground_motion import LONGEST_TAIL, GroundMotion, check_step_and_tail, parts_in, refined
+from dcfp.motion.ground_motion import LONGEST_TAIL, GroundMotion, parts_in, refined
 from dcfp.system import Heating, System
 from dcfp.system.plates import (
     FIRST_REACH,
@@ -82,24 +83,18 @@ class GroundSet:
         As the kernel takes them.
     longest
         Samples of the longest with the rest after it.
+    integration
+        How finely and how far each is analysed.
     """
 
     ground: Ground
     longest: int
+    integration: Integration
 
     @classmethod
-    def of(
-        cls, motions: Sequence[GroundMotion], *, tail: float | None = None, step: float | None = None
-    ) -> "GroundSet":
-        """Put records side by side; `tail` and `step` [s] as for `dcfp.respond`.
-
-        Raises
-        ------
-        InputError
-            If the tail or the step is out of range.
-        """
-        check_step_and_tail(step, tail)
-        values = [_stepped(motion, tail, step) for motion in motions]
+    def of(cls, motions: Sequence[GroundMotion], integration: Integration = DEFAULT) -> "GroundSet":
+        """Put records side by side, to be analysed as finely and as far as `integration` says."""
+        values = [_stepped(motion, integration.tail, integration.step) for motion in motions]
         sizes = np.array([one.acceleration.size for one in values], dtype=np.intp)
         rests = np.array([one.rest for one in values], dtype=np.intp)
         ground = Ground(
@@ -111,7 +106,7 @@ class GroundSet:
             interval=np.array([one.interval for one in values]),
             coarsest=np.array([halvings(one.interval) for one in values], dtype=np.intp),
         )
-        return cls(ground, int((sizes + rests).max()))
+        return cls(ground, int((sizes + rests).max()), integration)
 
     @property
     def steps(self) -> "np.ndarray[tuple[int], np.dtype[np.intp]]":
@@ -221,7 +216,7 @@ def _family(kind: _Kind, numbers: list[int], models: Sequence[System]) -> Family
         members=numbers,
         table=table,
         banks=np.array(stored),
-        margin=max(margin_for(one.bearing, one.heating, FIRST_REACH) for one in members),
+        margin=max(margin_for(one, FIRST_REACH) for one in members),
     )
 
 
@@ -233,11 +228,11 @@ def _bank(heating: Heating) -> tuple[FloatArray, float]:
 def _write(row: FloatArray, model: System) -> None:
     """Write a model into its row, but for the modes."""
     row[: len(Law._fields)] = model.friction.at_pressure(model.bearing.pressure)
-    structure = structure_of(model.bearing, model.friction)
+    structure = structure_of(model)
     row[k.RESTORING], row[k.ELASTIC] = structure.restoring, structure.elastic
     row[k.GRAVITY], row[k.PRESSURE], row[k.REACH] = structure.gravity, structure.pressure, structure.reach
     row[k.FIRST_SHARE], row[k.SECOND_SHARE] = structure.first_share, structure.second_share
     row[k.FIRST_SPEED], row[k.SECOND_SPEED] = structure.first_speed, structure.second_speed
     row[k.AMBIENT] = model.heating.ambient
     row[k.HALF_CONTACT] = model.bearing.contact_half_side
-    row[k.CELL] = cell_width(model.bearing, model.heating)
+    row[k.CELL] = cell_width(model)

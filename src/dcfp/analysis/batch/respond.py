@@ -1,6 +1,5 @@
 """The batch: lanes sorted into families, each in one call of the kernel, and what it gives for each lane."""
 
-import math
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
@@ -10,10 +9,8 @@ from numpy.typing import NDArray
 
 from dcfp.analysis.batch.lanes import Family, GroundSet, Lanes, families_of
 from dcfp.analysis.kernel_input import tallies_at
-from dcfp.analysis.respond import TOLERANCE
 from dcfp.analysis.response import FAILED, NUMBERS, Status
 from dcfp.arrays import FloatArray, IntArray
-from dcfp.errors import InputError
 from dcfp.kernels import batch as k
 from dcfp.kernels.batch import LANE_MODEL, LANE_RECORD, LANE_SIZE, OUT_ENDED, OUT_SIZE, Workspace, march_lanes
 from dcfp.kernels.march import AT_REST, DONE, OUT_OF_CELLS, STATE_SIZE, TEMPERATURE
@@ -113,7 +110,7 @@ def _equivalent_velocity(energy: FloatArray, mass: FloatArray) -> FloatArray:
 _MOST_CELLS = 1_000_000
 
 
-def respond_in_batch(grounds: GroundSet, lanes: Lanes, *, tolerance: float = TOLERANCE) -> Peaks:
+def respond_in_batch(grounds: GroundSet, lanes: Lanes) -> Peaks:
     """Analyse every lane on the calling thread; the interpreter's lock is free meanwhile.
 
     The numbers of a lane are those of `dcfp.respond` for its record, scale and model, and do not depend on what else is in the
@@ -125,24 +122,14 @@ def respond_in_batch(grounds: GroundSet, lanes: Lanes, *, tolerance: float = TOL
         The records.
     lanes
         What is analysed; lanes of the same record and scale are best side by side.
-    tolerance
-        As for `dcfp.respond` [-].
-
-    Raises
-    ------
-    InputError
-        If the tolerance is out of range.
     """
-    if not (math.isfinite(tolerance) and 0.0 < tolerance < 1.0):
-        msg = f"The tolerance must lie between 0 and 1, not {tolerance!r}."
-        raise InputError(msg)
     outcome = np.full((len(lanes), OUT_SIZE), np.nan)
     for family in families_of(lanes.models):
         rows = np.full(len(lanes.models), -1, dtype=np.intp)
         rows[family.members] = np.arange(len(family.members))
         row = rows[lanes.model]
         chosen = np.flatnonzero(row >= 0)
-        _march_family(grounds, lanes, family, chosen, row, tolerance, outcome)
+        _march_family(grounds, lanes, family, chosen, row, outcome)
     return Peaks.of(outcome, lanes)
 
 
@@ -157,7 +144,6 @@ def _march_family(
     family: Family,
     chosen: IntArray,
     row: IntArray,
-    tolerance: float,
     outcome: FloatArray,
 ) -> None:
     """March through the lanes numbered in `chosen`, again on wider plates for those whose slider left them."""
@@ -183,7 +169,7 @@ def _march_family(
             grounds.ground,
             which,
             lanes.scale[chosen],
-            tolerance,
+            grounds.integration.tolerance,
             work,
             part,
         )

@@ -8,11 +8,14 @@ import numpy as np
 from dcfp.analysis.building.response import BuildingResponse
 from dcfp.analysis.building.shear_building import ShearBuilding
 from dcfp.analysis.building.transition import building_of
+from dcfp.analysis.integration import Integration
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import AnalysisError
 from dcfp.kernels import building as k
-from dcfp.motion.ground_motion import GroundMotion, check_step_and_tail, parts_in, with_tail
-from dcfp.system import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating
+from dcfp.motion.ground_motion import parts_in, with_tail
+from dcfp.motion.load import Motion, motion_of
+from dcfp.schema.parameters import refuse_other
+from dcfp.system import FrictionLaw, Heating, System, SystemLike
 from dcfp.system.plates import cold_plates, heat_of, structure_of
 
 #: Longest fine step, unless another is asked for [s]; and over the shortest period on a fixed base [-], but for steps that are short already [s].
@@ -31,12 +34,13 @@ class _Run(NamedTuple):
 
 
 def respond_building(
-    motion: GroundMotion,
+    motion: Motion,
     building: ShearBuilding,
-    bearing: Bearing = LI_2020,
-    friction: FrictionLaw | None = None,
-    heating: Heating | None = None,
+    bearing: SystemLike = None,
+    friction: FrictionLaw | str | None = None,
+    heating: Heating | str | None = None,
     *,
+    pgv: float | None = None,
     step: float | None = None,
     tail: float | None = None,
 ) -> BuildingResponse:
@@ -44,22 +48,12 @@ def respond_building(
 
     Parameters
     ----------
-    motion
-        Ground acceleration, linear between its samples.
+    motion, bearing, friction, heating, pgv, tail
+        As for `dcfp.respond`; without damping the analysis may well go on for all of 120 s. The vertical force is constant.
     building
-        Its masses and stiffnesses are multiplied by one factor, so that the bearing carries the sum of the masses: `ShearBuilding.scaled_to`. The
-        vertical force is constant.
-    bearing
-        By default that of Li et al. (2020).
-    friction
-        By default the law of Li et al. (2020), Eqs (7)-(10).
-    heating
-        By default the simplified model, Li et al. (2020), section 4.2.
+        Its masses and stiffnesses are multiplied by one factor, so that the bearing carries the sum of the masses: `ShearBuilding.scaled_to`.
     step
         Longest fine step [s]; by default 0.002 s, or a tenth of the shortest period on a fixed base where that is less, down to 0.0002 s.
-    tail
-        Time after the record in which the ground keeps its velocity [s]. By default the analysis goes on until no more
-        sliding can come, for at most 120 s; without damping that may be all of it.
 
     Returns
     -------
@@ -69,29 +63,31 @@ def respond_building(
     Raises
     ------
     InputError
-        If an argument is out of range.
+        If an argument is out of range, or there is none of such a name.
     AnalysisError
         If the analysis cannot be finished.
     """
-    friction = Li2020() if friction is None else friction
-    heating = SimplifiedHeating() if heating is None else heating
-    check_step_and_tail(step, tail)
-    longest = _longest_step(building) if step is None else step
+    motion = motion_of(motion, pgv)
+    refuse_other(building, ShearBuilding, "building", "a ShearBuilding")
+    system = System.of(bearing, friction, heating)
+    bearing, friction, heating = system.bearing, system.friction, system.heating
+    integration = Integration(step=step, tail=tail)
+    longest = _longest_step(building) if integration.step is None else integration.step
     parts = parts_in(motion.time_step, longest)
     fine = motion.time_step / parts
     acceleration = with_tail(motion, tail)
     # from one sample of the record after its last, where the ground has stopped accelerating
     free_from = motion.acceleration.size if tail is None else acceleration.size
     own = building_of(building, bearing, fine)
-    structure = structure_of(bearing, friction)
+    structure = structure_of(system)
     law = friction.at_pressure(bearing.pressure)
     lines = np.empty((acceleration.size, 2 * own.floors + k.LINE_SIZE + structure.plates))
-    plates = cold_plates(bearing, heating)
+    plates = cold_plates(system)
 
     def march(ground: FloatArray) -> _Run:
         own.vectors[:] = 0.0
         state, peaks = _at_rest(heating), np.zeros((2, own.floors))
-        heat = heat_of(plates.copy(), bearing, heating)
+        heat = heat_of(plates.copy(), system)
         began = time.perf_counter()
         ended = k.march_building(law, structure, heat, own, ground, parts, free_from, state, peaks, lines)
         return _Run(*ended, state, peaks, time.perf_counter() - began)
@@ -109,9 +105,7 @@ def respond_building(
         raise friction.no_number(motion.name)
     return BuildingResponse(
         motion=motion,
-        bearing=bearing,
-        friction_law=friction,
-        heating=heating,
+        system=system,
         building=building.scaled_to(bearing.mass),
         step=fine,
         time=freeze(np.arange(run.done + 1) * motion.time_step),

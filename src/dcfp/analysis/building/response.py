@@ -1,79 +1,75 @@
-"""The result of a response history analysis of a building, and its energy balance: Li et al. (2020), Eqs (3)-(6), summed over base and floors."""
+"""The result of a response history analysis of a building."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from operator import attrgetter
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
 from dcfp.analysis.building.shear_building import ShearBuilding
+from dcfp.analysis.energy import EnergyBalance
 from dcfp.analysis.response import Response
+from dcfp.analysis.result import Result
 from dcfp.arrays import FloatArray, freeze
 from dcfp.kernels import building as k
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.schema.notebook import card, fields_card
+from dcfp.schema.nomenclature import Quantities
 from dcfp.schema.quantities import Quantity
-from dcfp.schema.units import DEGC, M_PER_S, M_PER_S2, MM, MM_PER_S, NONE
-from dcfp.system import Bearing, FrictionLaw, Heating
-from dcfp.system.plates import mean_temperature
+from dcfp.schema.units import DEGC, KN_M, M_PER_S, M_PER_S2, MM, MM_PER_S, MM_PER_S2, N_MM, NONE
+from dcfp.system import System
+from dcfp.system.plates import Profiles, mean_temperature
 
-# The energy balance of a building: Li et al. (2020), Eqs (3)-(6), summed over base and floors.
+#: What is told of it as a whole.
+BUILDING = Quantities("quantity of a building's response")
+BUILDING.add("record", Quantity("record", "name of the ground motion", get="motion.name"))
+BUILDING.tell(
+    "peak_ground_velocity", "pgv_m_s", unit=M_PER_S, name="pgv", decimals=3, get="motion.peak_velocity"
+)
+BUILDING.add("storeys", Quantity("storeys", "number of storeys", NONE, decimals=0, get="building.storeys"))
+BUILDING.tell("peak_displacement", "y_max_mm", name="y_max", decimals=1)
+BUILDING.add("drift", Quantity("drift_max_mm", "largest drift of a storey", MM, decimals=1, name="drift_max", get=lambda one: float(one.peak_drift.max())))  # fmt: skip
+BUILDING.add("floor_acceleration", Quantity("floor_acceleration_max_m_s2", "largest acceleration of a floor", M_PER_S2, decimals=2, name="floor_acceleration_max", get=lambda one: float(one.peak_acceleration.max())))  # fmt: skip
+BUILDING.tell("peak_temperature", "temperature_max_degC", name="temperature_max", decimals=0)
+BUILDING.tell("input_velocity", "V_E_mm_s", name="V_E", decimals=3)
+BUILDING.tell("hysteretic_velocity", "V_Eh_mm_s", name="V_Eh", decimals=3)
+BUILDING.tell("relative_energy_residual", "energy_residual", printed=False, get="energy.relative_residual")
+BUILDING.add("rests", Quantity("rests", "whether it has come to rest"))
+BUILDING.tell("elapsed", "elapsed_s")
 
-
-@dataclass(frozen=True)
-class BuildingEnergy:
-    """Histories of the energies [N mm], shape (n,).
-
-    Attributes
-    ----------
-    input
-        Relative input energy E, the work of - m_i a_g on the relative displacements.
-    kinetic
-        E_k of the relative velocities.
-    storeys, pendulum, spring
-        Parts of the elastic strain energy E_s: in the storeys, in spring (a) and in spring (b).
-    damping
-        E_xi, taken by the superstructure's damping.
-    hysteretic
-        E_h, dissipated by friction.
-    """
-
-    input: FloatArray
-    kinetic: FloatArray
-    storeys: FloatArray
-    pendulum: FloatArray
-    spring: FloatArray
-    damping: FloatArray
-    hysteretic: FloatArray
-
-    @property
-    def strain(self) -> FloatArray:
-        """Elastic strain energy E_s [N mm]."""
-        return self.storeys + self.pendulum + self.spring
-
-    @property
-    def residual(self) -> FloatArray:
-        """E - E_s - E_k - E_xi - E_h, by which the balance fails to close [N mm]."""
-        return self.input - self.strain - self.kinetic - self.damping - self.hysteretic
-
-    @property
-    def relative_residual(self) -> float:
-        """Largest residual over the largest input energy [-]."""
-        largest = float(np.abs(self.input).max())
-        return float(np.abs(self.residual).max()) / largest if largest > 0.0 else 0.0
-
-    def _repr_html_(self) -> str:
-        return fields_card(self, "Energies over time [N mm]")
+#: Its histories.
+HISTORIES = Quantities("history of a building's response")
+for _name in (
+    "ground_acceleration",
+    "displacement",
+    "velocity",
+    "force",
+    "friction",
+    "temperature",
+    "sliding",
+):
+    HISTORIES.tell(_name)
+for _name in ("input", "absolute_input", "kinetic", "strain", "hysteretic"):
+    HISTORIES.tell(f"{_name}_energy", get=attrgetter(f"energy.{_name}"))
+for _one in (
+    Quantity("damping_energy", "energy taken by the damping of the storeys", N_MM, KN_M, symbol=r"E_\xi", get=attrgetter("energy.damping")),
+    Quantity("floor_displacement", "displacement of base and floors", MM, symbol="u"),
+    Quantity("floor_acceleration", "absolute acceleration of base and floors", MM_PER_S2, M_PER_S2, symbol="a"),
+    Quantity("drift", "drift of each storey, from below", MM, symbol=r"\delta"),
+):  # fmt: skip
+    HISTORIES.add(_one.key, _one)
+HISTORIES.tell("energy_residual", get=attrgetter("energy.residual"))
 
 
-@dataclass(frozen=True, eq=False)
-class BuildingResponse:
+@dataclass(frozen=True, eq=False, repr=False)
+class BuildingResponse(Result):
     """Histories, peaks and energies of a building on a bearing, and what they came from.
 
     Attributes
     ----------
-    motion, bearing, friction_law, heating
+    motion, system
         What was analysed.
     building
         With the masses that the bearing carries, `ShearBuilding.scaled_to`.
@@ -90,9 +86,7 @@ class BuildingResponse:
     """
 
     motion: GroundMotion
-    bearing: Bearing
-    friction_law: FrictionLaw
-    heating: Heating
+    system: System
     building: ShearBuilding
     step: float
     time: FloatArray
@@ -103,6 +97,23 @@ class BuildingResponse:
     _peaks: FloatArray
     _state: FloatArray
     _resistance: FloatArray
+    profiles: Profiles | None = None
+
+    quantities: ClassVar[Quantities] = BUILDING
+    histories: ClassVar[Quantities] = HISTORIES
+    dimensions: ClassVar[Mapping[str, str]] = {
+        "floor_displacement": "floor", "floor_acceleration": "floor", "drift": "storey",
+    }  # fmt: skip
+
+    @property
+    def name(self) -> str:
+        """Name of the ground motion."""
+        return self.motion.name
+
+    @property
+    def title(self) -> str:
+        """What it is, in words."""
+        return f"{self.building.storeys} storeys under {self.motion.name}"
 
     # ----- histories -----
 
@@ -120,6 +131,11 @@ class BuildingResponse:
     def displacement(self) -> FloatArray:
         """Displacement y of the isolation layer, which is that of the base [mm], shape (n,)."""
         return self.floor_displacement[:, 0]
+
+    @property
+    def velocity(self) -> FloatArray:
+        """Relative velocity of the plates, which is that of the base [mm/s], shape (n,)."""
+        return self.floor_velocity[:, 0]
 
     @property
     def drift(self) -> FloatArray:
@@ -144,7 +160,12 @@ class BuildingResponse:
     @property
     def temperature(self) -> FloatArray:
         """Temperature of the contact [degC]; of two different plates the mean by their share of the travel; shape (n,)."""
-        return mean_temperature(self.bearing, self._lines[:, 2 * self._floors + k.LINE_SIZE :])
+        return mean_temperature(self.bearing, self.plate_temperatures)
+
+    @property
+    def plate_temperatures(self) -> FloatArray:
+        """Temperature of the contact on each plate that differs [degC], shape (n, plates)."""
+        return self._lines[:, 2 * self._floors + k.LINE_SIZE :]
 
     @property
     def force(self) -> FloatArray:
@@ -162,12 +183,18 @@ class BuildingResponse:
         return freeze(accelerations)
 
     @cached_property
-    def energy(self) -> BuildingEnergy:
+    def energy(self) -> EnergyBalance:
         """Energies [N mm]."""
         masses, stiffnesses = np.array(self.building.masses), np.array(self.building.stiffnesses)
         total = self.bearing.mass
-        return BuildingEnergy(
-            input=self._line(k.LINE_INPUT) * total,
+        step = float(self.time[1] - self.time[0])
+        ground = np.zeros_like(self.time)
+        np.cumsum(0.5 * step * (self.ground_acceleration[1:] + self.ground_acceleration[:-1]), out=ground[1:])
+        put_in = self._line(k.LINE_INPUT) * total
+        return EnergyBalance(
+            input=put_in,
+            # E_abs - E = sum m_i (v_g^2 / 2 + v_i v_g), for a motion that starts from rest
+            absolute_input=put_in + ground * (0.5 * total * ground + self.floor_velocity @ masses),
             kinetic=0.5 * self.floor_velocity**2 @ masses,
             storeys=0.5 * self.drift**2 @ stiffnesses,
             pendulum=0.5 * self.bearing.restoring_stiffness * self.displacement**2,
@@ -208,31 +235,12 @@ class BuildingResponse:
         """Equivalent velocity V_Eh of the hysteretic energy up to the end [mm/s]."""
         return math.sqrt(2.0 * max(float(self._line(k.LINE_HYSTERETIC)[-1]), 0.0))
 
-    def __str__(self) -> str:
-        return (
-            f"{self.motion.name}, {self.building.storeys} storeys: y_max {self.peak_displacement:.1f} mm,"
-            f" drift {self.peak_drift.max():.1f} mm, T_max {self.peak_temperature:.0f} degC,"
-            f" V_E {self.input_velocity:.0f} mm/s ({'at rest' if self.rests else 'still moving'})"
-        )
-
     @property
     def _floors(self) -> int:
         return self.building.storeys + 1
 
     def _line(self, column: int) -> FloatArray:
         return self._lines[:, 2 * self._floors + column]
-
-    def _repr_html_(self) -> str:
-        facts = {
-            "y_max [mm]": self.peak_displacement,
-            "largest drift [mm]": float(self.peak_drift.max()),
-            "largest acceleration [mm/s2]": float(self.peak_acceleration.max()),
-            "T_max [degC]": self.peak_temperature,
-            "V_E [mm/s]": self.input_velocity,
-            "V_Eh [mm/s]": self.hysteretic_velocity,
-            "comes to rest": self.rests,
-        }
-        return card(f"{self.building.storeys} storeys under {self.motion.name}", facts)
 
 
 # What is told of a building, beside the rigid structure of the same mass.

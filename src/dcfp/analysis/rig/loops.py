@@ -4,41 +4,59 @@ import json
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
+from dcfp.analysis.result import Result
 from dcfp.analysis.rig.measures import Cycle, cycles_of, zero_crossings
 from dcfp.analysis.rig.program import RigTest
 from dcfp.arrays import FloatArray
 from dcfp.kernels import drive as d
-from dcfp.kernels.drive import TEMPERATURE
-from dcfp.schema.citations import citations_of
-from dcfp.schema.nomenclature import quantity
+from dcfp.schema.nomenclature import Quantities
 from dcfp.schema.notebook import card, with_units
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import DEGC, KN, KN_M, KN_PER_MM, MM, MM_PER_S, N_PER_MM2, NONE, SECOND
-from dcfp.system import Bearing, FrictionLaw, Heating
-from dcfp.system.plates import Profiles, mean_temperature, memory_of, profile_variables
-from dcfp.system.validity import History, assumption_remarks
-from dcfp.version import version
+from dcfp.system import Bearing, System
+from dcfp.system.plates import Profiles, mean_temperature, memory_of
 
 if TYPE_CHECKING:
-    import xarray
-
     from dcfp.analysis.rig.measurement import Measurement
 
 
-@dataclass(frozen=True, eq=False)
-class Loops:
+#: What is told of one test as a whole.
+TEST = Quantities("quantity of a test")
+TEST.add("test", Quantity("test", "name of the test", get="test.name"))
+TEST.add("law", Quantity("friction", "friction law", get="friction_law.name"))
+TEST.add("heating", Quantity("heating", "heating model", get="heating.name"))
+TEST.add("waveform", Quantity("waveform", "waveform", get="test.waveform.kind"))
+TEST.add("begins", Quantity("begins_s", "time since the plates were cold, at the start", SECOND, decimals=1, name="begins"))  # fmt: skip
+TEST.add(
+    "count", Quantity("cycles", "number of cycles", NONE, decimals=0, get=lambda loops: len(loops.cycles))
+)
+TEST.tell("peak_displacement", "displacement_max_mm", name="displacement_max", decimals=1)
+TEST.tell("peak_velocity", "velocity_max_mm_s", name="velocity_max", decimals=3)
+TEST.tell("peak_temperature", "temperature_max_degC", name="temperature_max", decimals=0)
+TEST.tell("elapsed", "elapsed_s")
+
+#: Its histories.
+HISTORIES = Quantities("history of a test")
+for _name in (
+    "displacement", "velocity", "force", "load", "friction", "temperature", "sliding", "work", "hysteretic_energy",
+):  # fmt: skip
+    HISTORIES.tell(_name)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Loops(Result):
     """Histories of one test, and what they came from.
 
     Attributes
     ----------
     test
         What was done.
-    bearing, friction_law, heating
+    system
         To what.
     time
         From the start of the test [s], shape (n,).
@@ -55,15 +73,26 @@ class Loops:
     """
 
     test: RigTest
-    bearing: Bearing
-    friction_law: FrictionLaw
-    heating: Heating
+    system: System
     time: FloatArray
     lines: FloatArray
     begins: float
     cycle_times: FloatArray
     profiles: Profiles | None
     elapsed: float
+
+    quantities: ClassVar[Quantities] = TEST
+    histories: ClassVar[Quantities] = HISTORIES
+
+    @property
+    def name(self) -> str:
+        """Name of the test."""
+        return self.test.name
+
+    @property
+    def title(self) -> str:
+        """What it is, in words."""
+        return f"Virtual test {self.test.name}"
 
     @property
     def displacement(self) -> FloatArray:
@@ -98,7 +127,12 @@ class Loops:
     @property
     def temperature(self) -> FloatArray:
         """Temperature of the contact [degC]; of two different plates the mean by their share of the travel."""
-        return mean_temperature(self.bearing, self.lines[:, d.TEMPERATURE :])
+        return mean_temperature(self.bearing, self.plate_temperatures)
+
+    @property
+    def plate_temperatures(self) -> FloatArray:
+        """Temperature of the contact on each plate that differs [degC], shape (n, plates)."""
+        return self.lines[:, d.TEMPERATURE :]
 
     @property
     def friction_force(self) -> FloatArray:
@@ -136,51 +170,33 @@ class Loops:
         return float(np.abs(self.displacement).max())
 
     @property
-    def peak_temperature(self) -> float:
-        """Highest temperature of the contact of any plate [degC]."""
-        return float(self.lines[:, d.TEMPERATURE :].max())
+    def heat_age(self) -> float:
+        """Time since the plates were cold, at the end [s]."""
+        return self.begins + float(self.time[-1])
 
     @property
-    def remarks(self) -> tuple[str, ...]:
-        """Sentences that a reader of the measures must know."""
-        return tuple(validity_remarks(self))
+    def memory(self) -> float:
+        """Time for which heat is remembered [s]: chosen for the whole story, up to a longest."""
+        return memory_of(self.heat_age) * (1.0 + 1e-9)
 
-    def to_dataset(self) -> "xarray.Dataset":
-        """Return histories, measures and provenance as a data set with units."""
-        return dataset(self)
+    @property
+    def cooled(self) -> bool:
+        """Whether the plates have cooled in a pause."""
+        return self.begins > 0.0
 
-    def __str__(self) -> str:
-        first = self.cycles[0]
-        return (
-            f"{self.test.name}: {len(self.cycles)} cycles, k_eff {first.effective_stiffness / 1e3:.3f} kN/mm,"
-            f" beta_eff {first.effective_damping:.3f}, T_max {self.peak_temperature:.0f} degC"
-        )
+    @property
+    def attributes(self) -> dict[str, Any]:
+        """What a data set says of it besides its system."""
+        load = None if self.test.load is None else asdict(self.test.load)
+        return {
+            **self.summary(),
+            "cycles": json.dumps(cycle_objects(cycles_of_tests([self]))),
+            "vertical_load": json.dumps(load),
+        }
 
     def _repr_html_(self) -> str:
-
         rows = [with_units(row) for row in cycle_objects(cycles_of_tests([self]))]
-        return card(f"Virtual test {self.test.name}", rows=rows, remarks=self.remarks)
-
-
-def validity_remarks(loops: "Loops") -> list[str]:
-    """Return a sentence for each assumption that a test left."""
-    duration = loops.begins + float(loops.time[-1])
-    return assumption_remarks(
-        History(
-            name=loops.test.name,
-            bearing=loops.bearing,
-            friction_law=loops.friction_law,
-            heating=loops.heating,
-            velocity=loops.velocity,
-            friction=loops.friction,
-            temperatures=loops.lines[:, TEMPERATURE:],
-            slides=bool(loops.sliding.any()),
-            load=loops.load,
-            duration=duration,
-            memory=memory_of(duration) * (1.0 + 1e-9),  # chosen for the whole story, up to a longest
-            rests=loops.begins > 0.0,
-        )
-    )
+        return card(self.title, rows=rows, remarks=self.remarks)
 
 
 # The measures of each cycle with what they are of.
@@ -271,49 +287,3 @@ def cycle_objects(cycles: Sequence[ToldCycle]) -> list[dict[str, Any]]:
     """Return what JSON holds of cycles; only those of a measured test have a file."""
     rows = Table(tuple(CYCLES), cycles).objects()
     return [{key: value for key, value in row.items() if key != "file" or value is not None} for row in rows]
-
-
-# As a data set with units and provenance.
-
-
-def dataset(loops: "Loops") -> "xarray.Dataset":
-    """Return histories over ``time``, measures over ``cycle``, and provenance as attributes."""
-    import xarray  # late: it takes long to import
-
-    histories = {
-        "displacement": loops.displacement,
-        "velocity": loops.velocity,
-        "force": loops.force,
-        "load": loops.load,
-        "friction": loops.friction,
-        "temperature": loops.temperature,
-        "sliding": loops.sliding,
-        "work": loops.work,
-        "hysteretic_energy": loops.hysteretic_energy,
-    }
-    result = xarray.Dataset(
-        {name: ("time", np.array(values), quantity(name).attributes) for name, values in histories.items()},
-        coords={"time": ("time", np.array(loops.time), quantity("time").attributes)},
-        attrs=_provenance(loops),
-    )
-    return result if loops.profiles is None else result.merge(profile_variables(loops.profiles))
-
-
-def _provenance(loops: "Loops") -> dict[str, str | float]:
-    test = loops.test
-    return {
-        "Conventions": "CF-1.11",
-        "title": f"Virtual test {test.name} of {loops.bearing.name}",
-        "source": f"dcfp {version()}",
-        "references": "\n".join(citations_of(loops.friction_law.citation, "li_2020")),
-        "test": test.name,
-        "waveform": test.waveform.kind,
-        "begins_s": loops.begins,
-        "cycles": json.dumps(cycle_objects(cycles_of_tests([loops]))),
-        "vertical_load": json.dumps(None if test.load is None else asdict(test.load)),
-        "bearing": json.dumps(asdict(loops.bearing)),
-        "friction_law": repr(loops.friction_law),
-        "heating_model": repr(loops.heating),
-        "remarks": " ".join(loops.remarks),
-        "elapsed_s": loops.elapsed,
-    }

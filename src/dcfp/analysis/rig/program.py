@@ -5,13 +5,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from dcfp.analysis.assumptions import LARGEST_ANGLE
 from dcfp.analysis.rig.waveform import Waveform
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.schema.checks import finite
 from dcfp.schema.notebook import card, fields_card
 from dcfp.system import Bearing
-from dcfp.system.validity import LARGEST_ANGLE
 
 # The vertical load of a test.
 

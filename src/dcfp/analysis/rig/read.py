@@ -15,6 +15,7 @@ from dcfp.analysis.rig.measurement import Measurement, read_measurement
 from dcfp.analysis.rig.program import Program, RigTest, VerticalLoad
 from dcfp.analysis.rig.waveform import Recorded, Sine, Triangle, Waveform
 from dcfp.errors import InputError
+from dcfp.schema.parameters import refuse_other
 from dcfp.schema.reading import read_toml
 
 #: Programs that come with the package.
@@ -66,6 +67,14 @@ def load_program(name: str | Path) -> Program:
         raise InputError(msg)
     content = read_toml(path, "a test program is TOML with [[test]] tables")
     return parse_program(content, str(path), path.parent)
+
+
+def program_of(program: Program | str | Path) -> Program:
+    """Return a test program, by name or from a file unless it is one; raises as `load_program`."""
+    if isinstance(program, (str, Path)):
+        return load_program(program)
+    refuse_other(program, Program, "program", "a Program, the name of one or a file")
+    return program
 
 
 def _path(name: str | Path) -> Path:

@@ -1,33 +1,35 @@
 """Runs a test program on the virtual machine, with one model or with several side by side."""
 
-import math
 import time
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from pathlib import Path
 
 import numpy as np
 
+from dcfp.analysis.integration import DEFAULT, NOTHING, Integration, Keep
 from dcfp.analysis.rig.loops import Loops
 from dcfp.analysis.rig.program import Program, RigTest, VerticalLoad, check_stroke
+from dcfp.analysis.rig.read import program_of
 from dcfp.analysis.rig.waveform import Travel
 from dcfp.arrays import FloatArray, freeze
-from dcfp.errors import AnalysisError, InputError
+from dcfp.errors import AnalysisError
 from dcfp.kernels import drive as d
 from dcfp.kernels.grip import Rig, available
 from dcfp.kernels.heat_state import PRESENT, Heat
 from dcfp.kernels.heating import place_slider
 from dcfp.kernels.law import Law
 from dcfp.kernels.path import Piece
+from dcfp.schema.parameters import refuse_other
 from dcfp.system import (
-    LI_2020,
-    Bearing,
     ConstantFriction,
     FrictionLaw,
     Heating,
-    Li2020,
     NoHeating,
     PreciseHeating,
     SimplifiedHeating,
+    System,
+    SystemLike,
     plates_of,
 )
 from dcfp.system.plates import (
@@ -40,18 +42,15 @@ from dcfp.system.plates import (
     structure_of,
 )
 
-#: Default of how far the coefficient may be off its chord in a step, relative [-].
-TOLERANCE = 0.02
-
 
 def run_program(
-    program: Program,
-    bearing: Bearing = LI_2020,
-    friction: FrictionLaw | None = None,
-    heating: Heating | None = None,
+    program: Program | str | Path,
+    bearing: SystemLike = None,
+    friction: FrictionLaw | str | None = None,
+    heating: Heating | str | None = None,
     *,
-    tolerance: float = TOLERANCE,
-    profile_every: int | None = None,
+    tolerance: float = DEFAULT.tolerance,
+    keep: Keep = NOTHING,
     report: Callable[[], None] | None = None,
 ) -> tuple[Loops, ...]:
     """Run every test of a program.
@@ -59,18 +58,13 @@ def run_program(
     Parameters
     ----------
     program
-        Tests in their order; the plates keep their heat through a pause, and start cold where a test has none.
-    bearing
-        By default that of Li et al. (2020); its own pressure is replaced by the load of each test.
-    friction
-        By default the law of Li et al. (2020), Eqs (7)-(10).
-    heating
-        By default the simplified model, Li et al. (2020), section 4.2.
+        Tests in their order, or what `load_program` takes; the plates keep their heat through a pause, and start cold where a test has none.
+    bearing, friction, heating
+        As for `dcfp.respond`; the bearing's own pressure is replaced by the load of each test.
     tolerance
-        How far the coefficient of friction in the middle of a step may be from the mean of its ends, relative to it [-];
-        looked at where the ends differ by more than that.
-    profile_every
-        Keep the temperature along the plates at every so many samples; needs the precise heating model.
+        How far the coefficient of friction in the middle of a step may be from the mean of its ends, relative to it [-]: `Integration`.
+    keep
+        What to keep of each test beside its histories.
     report
         Called after each test.
 
@@ -86,19 +80,15 @@ def run_program(
     AnalysisError
         If a test cannot be finished.
     """
-    friction = Li2020() if friction is None else friction
-    heating = SimplifiedHeating() if heating is None else heating
-    if not (math.isfinite(tolerance) and 0.0 < tolerance < 1.0):
-        msg = f"The tolerance must lie between 0 and 1, not {tolerance!r}."
-        raise InputError(msg)
-    if profile_every is not None and (heating.name != "precise" or profile_every < 1):
-        msg = "The temperature along the plates needs the precise heating model and a positive number of samples."
-        raise InputError(msg)
+    system, integration = System.of(bearing, friction, heating), Integration(tolerance=tolerance)
+    program = program_of(program)
+    refuse_other(keep, Keep, "keep", "a Keep")
     for test in program.tests:
-        check_stroke(test, bearing)
+        check_stroke(test, system.bearing)
+    _load_kernels()
     loops: list[Loops] = []
     for story in program.stories:
-        machine = _Machine(story, bearing, friction, heating, tolerance, profile_every)
+        machine = _Machine(story, system, integration.tolerance, keep)
         for test in story:
             loops.append(machine.run(test))
             if report is not None:
@@ -109,26 +99,19 @@ def run_program(
 class _Machine:
     """A bearing through one story of tests."""
 
-    def __init__(
-        self,
-        story: Sequence[RigTest],
-        bearing: Bearing,
-        friction: FrictionLaw,
-        heating: Heating,
-        tolerance: float,
-        profile_every: int | None,
-    ) -> None:
-        self.bearing, self.friction, self.heating = bearing, friction, heating
-        self.tolerance, self.profile_every = tolerance, profile_every
-        self.structure = structure_of(bearing, friction)
-        self.rig = Rig(bearing.slider_area, bearing.effective_radius, bearing.elastic_stiffness)
+    def __init__(self, story: Sequence[RigTest], system: System, tolerance: float, keep: Keep) -> None:
+        self.system, self.tolerance, self.keep = system, tolerance, keep
+        self.bearing, self.friction = system.bearing, system.friction
+        self.structure = structure_of(system)
+        self.rig = Rig(
+            self.bearing.slider_area, self.bearing.effective_radius, self.bearing.elastic_stiffness
+        )
         self.travels = {test.name: test.waveform.travel() for test in story}
         duration = sum(float(travel.lengths.sum()) for travel in self.travels.values())
         duration += sum(test.pause or 0.0 for test in story[1:])
         self.plates: PlateHeat = cold_plates(
-            bearing,
-            heating,
-            reach=max(travel.largest for travel in self.travels.values()),
+            system,
+            reach=max((travel.largest for travel in self.travels.values()), default=0.0),
             horizon=horizon_for(duration),
         )
         self.clock = 0.0
@@ -138,9 +121,9 @@ class _Machine:
         travel = self.travels[test.name]
         if test.load is not None:
             travel = travel.cut_at(np.array(test.load.times))
-        heat = heat_of(self.plates, self.bearing, self.heating)
+        heat = heat_of(self.plates, self.system)
         if self.clock > 0.0 and test.pause:
-            self._pause(heat, test.pause)
+            self.pause(heat, test.pause)
         place_slider(heat, self.structure, self.clock, float(travel.pieces[0, 0]))
         law, pieces = self._pieces(test, travel)
         lines = np.empty((travel.lengths.size + 1, d.TEMPERATURE + self.structure.plates))
@@ -153,14 +136,12 @@ class _Machine:
         self.clock = float(state[d.STATE_TIME])
         return Loops(
             test=test,
-            bearing=self.bearing,
-            friction_law=self.friction,
-            heating=self.heating,
+            system=self.system,
             time=freeze(travel.time),
             lines=freeze(lines),
             begins=begins,
             cycle_times=freeze(travel.cycles),
-            profiles=Profiles.of(profiles, self.bearing, self.heating) if profiles else None,
+            profiles=Profiles.of(profiles, self.system) if profiles else None,
             elapsed=elapsed,
         )
 
@@ -190,7 +171,7 @@ class _Machine:
         line[d.TEMPERATURE :] = self.plates.temperature
         return line
 
-    def _pause(self, heat: Heat, length: float) -> None:
+    def pause(self, heat: Heat, length: float) -> None:
         """Let the plates cool."""
         lines = np.empty((2, d.TEMPERATURE + self.structure.plates))
         lines[0] = 0.0
@@ -212,7 +193,8 @@ class _Machine:
     ) -> list[tuple[float, FloatArray]]:
         """Drive through the whole path; return the profiles that were asked for."""
         profiles: list[tuple[float, FloatArray]] = []
-        part = self.profile_every or travel.lengths.size
+        every = self.keep.interval(travel.lengths.size, self.system.heating)
+        part = every or travel.lengths.size
         for first in range(0, travel.lengths.size, part):
             last = min(first + part, travel.lengths.size)
             status, done = d.drive(
@@ -224,7 +206,7 @@ class _Machine:
             if status != d.DONE:
                 msg = f"{test.name}: the test makes no progress at {travel.time[first + done]:.4g} s; look at the friction law."
                 raise AnalysisError(msg)
-            if self.profile_every is not None:
+            if every is not None:
                 line = lines[last]
                 flux = abs(line[d.SIDE] * line[d.FRICTION] * line[d.VELOCITY]) * line[d.LOAD] / self.rig.area
                 now = float(state[d.STATE_TIME])
@@ -234,51 +216,40 @@ class _Machine:
         return profiles
 
 
+@cache
+def _load_kernels() -> None:
+    """Have the kernels compiled or loaded, and their arguments' types known, so that the time of a test is its own."""
+    machine = _Machine((), System(), DEFAULT.tolerance, NOTHING)
+    machine.pause(heat_of(machine.plates, machine.system), 1e-3)
+
+
 # The same tests with several models, side by side.
 
 
-@dataclass(frozen=True)
-class Model:
-    """A friction law and a heating model under a short name."""
+def paper_models(system: System) -> dict[str, System]:
+    """Return the three models that Li et al. (2020), section 4, compare, by a short name.
 
-    name: str
-    friction: FrictionLaw
-    heating: Heating
-
-
-def paper_models(friction: FrictionLaw, heating: Heating) -> tuple[Model, ...]:
-    """Return the three models that Li et al. (2020), section 4, compare.
-
-    A law with precise and with simplified heating, and the constant nominal coefficient without any.
-
-    Parameters
-    ----------
-    friction
-        Law of the first two.
-    heating
-        From which the plates are taken; if it is the precise model, its cells too.
+    A law with precise and with simplified heating, and the constant nominal coefficient without any; bearing, law and plates are those of a
+    `system`, and if its heating is precise, its cells too.
     """
-    plates = plates_of(heating)
-    precise = heating if isinstance(heating, PreciseHeating) else PreciseHeating(**plates)
-    return (
-        Model("precise", friction, precise),
-        Model("simplified", friction, SimplifiedHeating(**plates)),
-        Model("constant", ConstantFriction(), NoHeating(**plates)),
-    )
+    plates = plates_of(system.heating)
+    precise = system.heating if isinstance(system.heating, PreciseHeating) else PreciseHeating(**plates)
+    return {
+        "precise": System(system.bearing, system.friction, precise),
+        "simplified": System(system.bearing, system.friction, SimplifiedHeating(**plates)),
+        "constant": System(system.bearing, ConstantFriction(), NoHeating(**plates)),
+    }
 
 
 def run_models(
     program: Program,
-    bearing: Bearing,
-    models: tuple[Model, ...],
+    models: Mapping[str, System],
     *,
-    tolerance: float = TOLERANCE,
+    tolerance: float = DEFAULT.tolerance,
     report: Callable[[], None] | None = None,
 ) -> dict[str, tuple[Loops, ...]]:
     """Run a program with every model; return the tests by the name of the model. Arguments as in `run_program`."""
     return {
-        model.name: run_program(
-            program, bearing, model.friction, model.heating, tolerance=tolerance, report=report
-        )
-        for model in models
+        name: run_program(program, system, tolerance=tolerance, report=report)
+        for name, system in models.items()
     }

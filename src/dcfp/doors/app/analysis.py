@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from dcfp.analysis import Response, respond
+from dcfp.analysis.integration import PLATES
 from dcfp.doors.app.session import Session
 from dcfp.errors import InputError
 from dcfp.inference import Case, Setting, compare
@@ -12,7 +13,7 @@ from dcfp.motion.measures import motion_remarks, refuse_a_drift
 from dcfp.motion.treatment import treated
 from dcfp.study import Study
 from dcfp.study.procedures import setting_of
-from dcfp.study.scenario import FRAMES, Heading, Scenario, scenario_toml
+from dcfp.study.scenario import Heading, Scenario, scenario_toml
 from dcfp.system import System
 
 
@@ -80,13 +81,7 @@ class Task:
 
 def analyse(task: Task) -> list[Response]:
     """Analyse every motion; with precise heating the temperature along the plates is kept."""
-    model = task.model
-    precise = model.heating.name == "precise"
-    found: list[Response] = []
-    for motion in task.scaled():
-        every = max(1, round(motion.duration / motion.time_step / FRAMES)) if precise else None
-        found.append(respond(motion, model.bearing, model.friction, model.heating, profile_every=every))
-    return found
+    return [respond(motion, task.model, keep=PLATES) for motion in task.scaled()]
 
 
 @dataclass(frozen=True, eq=False)

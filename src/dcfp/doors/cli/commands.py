@@ -11,7 +11,7 @@ from dcfp.doors.cli import options
 from dcfp.doors.cli.parser import Parser, add_parameter, add_parameters
 from dcfp.errors import InputError
 from dcfp.files import DATA_EXTENSIONS
-from dcfp.schema.parameters import Parameter
+from dcfp.schema.parameters import Parameter, parameters
 from dcfp.schema.units import FRACTION, KM, M_PER_S2, METRE, MM, NONE, SECOND
 
 if TYPE_CHECKING:
@@ -457,6 +457,8 @@ def _check_test(chosen: argparse.Namespace) -> None:
 @command("test", check=_check_test)
 def test(parser: Parser) -> None:
     """Virtual test machine: a bearing through the tests of a program, measures of every cycle, checks of codes."""
+    from dcfp.analysis.integration import Integration  # late: other commands analyse nothing
+
     parser.add_argument(
         "program",
         metavar="PROGRAM",
@@ -481,7 +483,7 @@ def test(parser: Parser) -> None:
         metavar="TEST=FILE",
         help="measured tests (CSV with time, displacement, force and load) to put beside those of the program",
     )
-    add_parameter(parser, options.TOLERANCE, "tolerance")
+    add_parameter(parser, parameters(Integration)["tolerance"], "tolerance")
     group = parser.add_argument_group("design, for asce7-16 and en15129")
     for name, parameter in DESIGN.items():
         add_parameter(group, parameter, name)

@@ -3,24 +3,11 @@
 from dataclasses import replace
 
 from dcfp.doors.cli.parser import Parser, add_parameter
-from dcfp.schema.parameters import Parameter
-from dcfp.schema.units import FRACTION, HERTZ, M_PER_S, MM_PER_S2, NONE, SECOND
+from dcfp.schema.parameters import PGV, Parameter, parameters
+from dcfp.schema.units import FRACTION, HERTZ, MM_PER_S2, NONE, SECOND
 
 TIME_STEP = Parameter("time step of a plain file with one column", SECOND, 0.0, above=True)
-PGV = Parameter("peak ground velocity", M_PER_S, 1e-3, 20.0)
 HIGH_PASS = Parameter("corner of a zero-phase Butterworth high-pass filter", HERTZ, 0.0, above=True)
-STEP = Parameter(
-    "longest step", SECOND, 0.0, above=True, more="by default the record's, at most 0.01 while sliding"
-)
-TAIL = Parameter("time after the record", SECOND, 0.0, 3600.0, more="by default until it rests")
-TOLERANCE = Parameter(
-    "largest relative change of the friction coefficient off its chord in a step",
-    FRACTION,
-    0.0,
-    0.9999,
-    above=True,
-    default=0.02,
-)
 NOMINAL = Parameter("constant coefficient mu_n that stands for the law", FRACTION, 0.0, 0.9999, above=True)
 EPS = Parameter("eps of Eq. (26)", NONE, 1e-3, 10.0, default=0.25)
 ZETA = Parameter("zeta of Eq. (29)", NONE, 0.1, 10.0, default=1.5)
@@ -86,8 +73,10 @@ def add_bearing(parser: Parser) -> None:
 
 def add_integration(parser: Parser) -> None:
     """Add how finely and how far the analysis goes."""
+    from dcfp.analysis.integration import Integration  # late: other commands analyse nothing
+
     group = parser.add_argument_group("integration")
-    for name, parameter in (("step", STEP), ("tail", TAIL), ("tolerance", TOLERANCE)):
+    for name, parameter in parameters(Integration).items():
         add_parameter(group, parameter, name)
 
 

@@ -5,8 +5,10 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from dcfp.analysis import Response, respond
-from dcfp.analysis.response import PEAKS, remarks_on
+from dcfp.analysis import Response
+from dcfp.analysis.integration import NOTHING, PLATES, Integration
+from dcfp.analysis.response import PEAKS
+from dcfp.analysis.response_history import analyse
 from dcfp.doors.cli import inputs
 from dcfp.doors.cli.console import Page, grid, grouped
 from dcfp.doors.cli.outputs import Answer
@@ -15,8 +17,8 @@ from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import motion_remarks
 from dcfp.present.tables import write_responses
+from dcfp.schema.parameters import parameters
 from dcfp.schema.table import Table
-from dcfp.system import System
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -25,8 +27,6 @@ if TYPE_CHECKING:
 
 #: A script for OpenSees, and a workbook.
 SCRIPT, WORKBOOK = ".py", ".xlsx"
-#: Frames of the plates' temperature that a NetCDF file or a figure holds, about.
-FRAMES = 200
 
 
 def run(chosen: argparse.Namespace) -> Answer:
@@ -38,17 +38,12 @@ def run(chosen: argparse.Namespace) -> Answer:
     if kind == SCRIPT and len(motions) != 1:
         msg = f"{chosen.out}: a script is of one record at one PGV, not of {len(motions)} analyses; give one, or write .xlsx, .nc or .csv."
         raise InputError(msg)
-    settings = inputs.given(chosen, "step", "tail", "tolerance")
-    keeps_plates = system.heating.name == "precise" and (kind == ".nc" or chosen.plot is not None)
+    integration = _integration(chosen)
+    keep = PLATES if kind == ".nc" or chosen.plot is not None else NOTHING
     responses: list[Response] = []
     with progress("analyses", len(motions)) as advance:
         for motion in motions:
-            every = _profile_interval(motion, chosen.step) if keeps_plates else None
-            responses.append(
-                respond(
-                    motion, system.bearing, system.friction, system.heating, profile_every=every, **settings
-                )
-            )
+            responses.append(analyse(motion, system, integration, keep=keep))
             advance()
 
     def data(part: Path, kind: str) -> None:
@@ -69,7 +64,7 @@ def answer_of(responses: Sequence[Response], data: Callable[[Path, str], None]) 
         return plot_response(responses[0]) if len(responses) == 1 else plot_overview(responses)
 
     return Answer(
-        lambda: [{**one.summary(), "remarks": remarks_on(one)} for one in responses],
+        lambda: [{**one.summary(), "remarks": one.all_remarks} for one in responses],
         lambda: _page(responses),
         data,
         figure,
@@ -109,19 +104,18 @@ def _calculation(
     records: list[GroundMotion], response: Response, chosen: argparse.Namespace
 ) -> "Calculation":
     """Return the same analyses with predictions and codes beside them."""
-    from dcfp.study import Settings, Study
+    from dcfp.study import Study
     from dcfp.study.scenario import Scenario, calculate
 
     study = Study(
         records,
         {"pgv": chosen.pgv} if chosen.pgv else {},
-        model=System(response.bearing, response.friction_law, response.heating),
+        model=response.system,
         title=", ".join(motion.name for motion in records),
-        settings=Settings(**inputs.given(chosen, "step", "tail", "tolerance")),
+        settings=_integration(chosen),
     )
     return calculate(Scenario(study))
 
 
-def _profile_interval(motion: GroundMotion, longest: float | None) -> int:
-    step = motion.time_step if longest is None else min(longest, motion.time_step)
-    return max(1, round(motion.duration / step / FRAMES))
+def _integration(chosen: argparse.Namespace) -> Integration:
+    return Integration(**inputs.given(chosen, *parameters(Integration)))

@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from dcfp.analysis.integration import DEFAULT, NOTHING, PLATES
 from dcfp.analysis.rig import Loops, Measurement, Program, load_program, read_measurement, run_program
 from dcfp.analysis.rig.codes import (
     CRITERIA,
@@ -22,7 +23,7 @@ from dcfp.analysis.rig.loops import (
     cycles_of_measurement,
     cycles_of_tests,
 )
-from dcfp.analysis.rig.run import TOLERANCE, paper_models, run_models
+from dcfp.analysis.rig.run import paper_models, run_models
 from dcfp.doors.cli import inputs
 from dcfp.doors.cli.console import Block, Page, grid, grouped
 from dcfp.doors.cli.outputs import Answer
@@ -40,8 +41,6 @@ if TYPE_CHECKING:
 
 Runs: TypeAlias = Mapping[str, Sequence[Loops]]
 
-#: Frames of the plates' temperature that a NetCDF file or a figure holds, about.
-FRAMES = 200
 #: Of a test with more cycles than this the first few and the last are shown.
 _MOST_CYCLES = 4
 #: What is shown of every model side by side.
@@ -136,24 +135,14 @@ def _refuse_without_checks(program: Program) -> None:
 
 
 def _run(program: Program, system: System, chosen: argparse.Namespace) -> Runs:
-    finely = TOLERANCE if chosen.tolerance is None else chosen.tolerance
-    models = paper_models(system.friction, system.heating) if chosen.compare else ()
+    finely = DEFAULT.tolerance if chosen.tolerance is None else chosen.tolerance
+    models = paper_models(system) if chosen.compare else {}
     with progress("tests", len(program.tests) * max(len(models), 1)) as advance:
         if models:
-            return run_models(program, system.bearing, models, tolerance=finely, report=advance)
-        every = None
+            return run_models(program, models, tolerance=finely, report=advance)
         wanted = str(chosen.out or "").lower().endswith(".nc") or chosen.plot is not None
-        if system.heating.name == "precise" and wanted and len(program.tests) == 1:
-            every = max(1, program.tests[0].waveform.travel().lengths.size // FRAMES)
-        loops = run_program(
-            program,
-            system.bearing,
-            system.friction,
-            system.heating,
-            tolerance=finely,
-            profile_every=every,
-            report=advance,
-        )
+        keep = PLATES if wanted and len(program.tests) == 1 else NOTHING
+        loops = run_program(program, system, tolerance=finely, keep=keep, report=advance)
     return {system.heating.name: loops}
 
 

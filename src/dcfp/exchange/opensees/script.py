@@ -5,11 +5,12 @@ from importlib.resources import files
 from string import Template
 
 from dcfp.analysis import Response, respond
+from dcfp.analysis.integration import Integration
 from dcfp.errors import InputError
 from dcfp.exchange.opensees.constants import constant_lines
 from dcfp.exchange.opensees.element import Element, Kind, element_for
 from dcfp.exchange.opensees.head import difference_in_words, head_lines
-from dcfp.motion.ground_motion import GroundMotion, check_step_and_tail, parts_in
+from dcfp.motion.ground_motion import GroundMotion, parts_in
 from dcfp.system import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating, System
 
 #: Longest step of the script [s].
@@ -50,10 +51,10 @@ def opensees_script(
         Li2020() if friction is None else friction,
         SimplifiedHeating() if heating is None else heating,
     )
-    check_step_and_tail(step, None)
+    Integration(step=step)  # refuses a step out of range
     interval = motion.time_step / parts_in(motion.time_step, step)
     element = element_for(motion, model)
-    response = respond(motion, model.bearing, model.friction, model.heating)
+    response = respond(motion, model)
     if response.peak_displacement > _FURTHEST * bearing.effective_radius:
         msg = (
             f"{motion.name}: the displacement of {response.peak_displacement:.0f} mm is too near to the effective radius of"
@@ -66,7 +67,7 @@ def opensees_script(
 def _stand_in(motion: GroundMotion, element: Element) -> Response | None:
     """Return the analysis with what the element is, where that is not the model itself."""
     other = element.stand_in
-    return None if other is None else respond(motion, other.bearing, other.friction, other.heating)
+    return None if other is None else respond(motion, other)
 
 
 def _text(response: Response, element: Element, other: Response | None, step: float) -> str:

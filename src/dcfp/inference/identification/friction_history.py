@@ -14,7 +14,7 @@ from dcfp.kernels.heat_state import ODD_LENGTH, STEP_NOTE, STEP_NOTES
 from dcfp.kernels.heating import prepare
 from dcfp.kernels.thermometer import follow_heat
 from dcfp.schema.notebook import card
-from dcfp.system import Bearing, Heating
+from dcfp.system import Bearing, Heating, System
 from dcfp.system.friction import FittedFriction
 from dcfp.system.plates import PlateHeat, cold_plates, heat_of, horizon_for, mean_temperature, structure_of
 
@@ -237,19 +237,19 @@ def contact_temperature(
         friction_force / bearing.elastic_stiffness,
         int(np.argmax(used)) if used.any() else 1,
     )
+    system = System(bearing, FittedFriction(), heating)
     plates = cold_plates(
-        bearing,
-        heating,
+        system,
         reach=float(np.abs(displacement).max()),
         horizon=horizon_for(float(time[-1])),
     )
-    structure = structure_of(bearing, FittedFriction())
+    structure = structure_of(system)
     temperatures = np.empty((time.size, structure.plates))
     steps = np.diff(time)
     if equally_spaced(time):
         steps = np.full(steps.size, float(np.median(steps)))  # equal steps are prepared once
-    own = _rise_by_own_flux(steps, displacement, plates, bearing, heating)
-    if not follow_heat(structure, heat_of(plates, bearing, heating), steps, displacement, flux, temperatures):
+    own = _rise_by_own_flux(steps, displacement, plates, system)
+    if not follow_heat(structure, heat_of(plates, system), steps, displacement, flux, temperatures):
         msg = (
             "The slider leaves the cells of the precise heating model; look at the unit of the displacement."
         )
@@ -290,13 +290,14 @@ def _noise(values: FloatArray, used: NDArray[np.bool_]) -> FloatArray:
 
 
 def _rise_by_own_flux(
-    steps: FloatArray, displacement: FloatArray, plates: PlateHeat, bearing: Bearing, heating: Heating
+    steps: FloatArray, displacement: FloatArray, plates: PlateHeat, system: System
 ) -> FloatArray:
     """Return by how much a flux at a sample alone heats the contact there, over the flux mu p v [degC mm s/N]."""
+    bearing, heating = system.bearing, system.heating
     if heating.name == "none":
         return np.zeros(displacement.size)
     lengths, place = np.unique(steps, return_inverse=True)
-    heat = heat_of(plates.copy(), bearing, heating)
+    heat = heat_of(plates.copy(), system)
     closing = np.empty(lengths.size)
     for n, length in enumerate(lengths.tolist()):
         prepare(heat, ODD_LENGTH, length)

@@ -2,10 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 
-from dcfp.analysis.rig import Measurement
+from dcfp.analysis.rig import Measurement, read_measurement
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.inference.identification.fit import (
@@ -29,7 +30,8 @@ from dcfp.inference.identification.samples import (
     in_order,
     parameter,
 )
-from dcfp.system import LI_2020, Bearing, Heating, SimplifiedHeating
+from dcfp.schema.parameters import refuse_other
+from dcfp.system import Heating, System, SystemLike
 from dcfp.system.friction import FittedFriction
 
 #: What is fitted where nothing else is asked for, as far as the data determine it.
@@ -37,21 +39,21 @@ DEFAULT = ("mu_0", "pressure_exponent", "speed_drop", "speed_rate", "temperature
 
 
 def identify(
-    tests: Sequence[Measurement],
-    bearing: Bearing = LI_2020,
-    heating: Heating | None = None,
+    tests: Sequence[Measurement | str | Path],
+    bearing: SystemLike = None,
+    heating: Heating | str | None = None,
     *,
     fit: Sequence[str] | None = None,
     fixed: Mapping[str, float] | None = None,
     law: FittedFriction | None = None,
-    held_out: Sequence[Measurement] = (),
+    held_out: Sequence[Measurement | str | Path] = (),
 ) -> Identification:
     """Fit the law of friction to measured tests.
 
     Parameters
     ----------
     tests
-        Each with force and load, from plates at the ambient temperature of `heating`.
+        Each, or its file, with force and load, from plates at the ambient temperature of `heating`.
     bearing
         That was tested; its pressure is not used.
     heating
@@ -83,13 +85,15 @@ def identify(
     standard errors of it. With noise in which neighbouring samples have a correlation of 0.9 it was 91 to 96 % of 200, and 0.3 standard errors. The noise on the
     displacement alone leaves biases of up to 0.2 %, which other noise hides. With 40 samples a cycle in place of 400 it was 90 to 94 % of 200.
     """
-    start = Constants(law or FittedFriction(), heating or SimplifiedHeating()).changed(fixed or {})
-    if not tests:
+    system = System.of(bearing, None, heating)
+    start = Constants(law or FittedFriction(), system.heating).changed(fixed or {})
+    measured, others = _measurements(tests), _measurements(held_out)
+    if not measured:
         msg = "An identification needs at least one test."
         raise InputError(msg)
-    _refuse_twins(tests, held_out)
-    histories = [friction_history(test, bearing, start.heating) for test in tests]
-    held_histories = [friction_history(test, bearing, start.heating) for test in held_out]
+    _refuse_twins(measured, others)
+    histories = [friction_history(test, system.bearing, start.heating) for test in measured]
+    held_histories = [friction_history(test, system.bearing, start.heating) for test in others]
     samples = Samples.of(histories, start.heating.ambient)
     given = {} if fixed is None else dict(fixed)
     if fit is None:
@@ -99,7 +103,7 @@ def identify(
     constants = start.changed({name: found.values[name] for name in found.names})
     temperatures = _temperatures(histories, start, constants)
     return Identification(
-        bearing=bearing,
+        bearing=system.bearing,
         law=_with_tests(constants.law, histories, start.heating.ambient),
         heating=constants.heating,
         estimates=_estimates(found),
@@ -110,7 +114,7 @@ def identify(
         temperatures=tuple(temperatures),
         residuals=residuals_of(histories, temperatures, samples, found),
         predictions=tuple(
-            predict(history, bearing, constants.law, constants.heating) for history in held_histories
+            predict(history, system.bearing, constants.law, constants.heating) for history in held_histories
         ),
         remarks=(_given(start.heating), *remarks_on(histories, samples, found)),
     )
@@ -135,6 +139,15 @@ def _with_tests(law: FittedFriction, histories: Sequence[FrictionHistory], ambie
         tested_speed=(min(float(v.min()) for v in speeds), max(float(v.max()) for v in speeds)),
         tested_ambient=ambient,
     )
+
+
+def _measurements(tests: Sequence[Measurement | str | Path]) -> list[Measurement]:
+    """Return measured tests, from their files unless they are at hand."""
+    refuse_other(tests, (list, tuple), "tests", "a list of measured tests or of their files")
+    found = [read_measurement(one) if isinstance(one, (str, Path)) else one for one in tests]
+    for one in found:
+        refuse_other(one, Measurement, "a test", "a Measurement or its file")
+    return found
 
 
 def _refuse_twins(tests: Sequence[Measurement], held_out: Sequence[Measurement]) -> None:

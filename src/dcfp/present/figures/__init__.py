@@ -14,6 +14,7 @@ from dcfp.present.figures.drawing import plot_temperature as plot_temperature
 from dcfp.present.figures.drawing import plot_velocities as plot_velocities
 from dcfp.present.figures.identification import plot_identification as plot_identification
 from dcfp.present.figures.motions import plot_motions as plot_motions
+from dcfp.present.figures.of_result import figure_of as figure_of
 from dcfp.present.figures.overviews import plot_overview as plot_overview
 from dcfp.present.figures.program import plot_program as plot_program
 from dcfp.present.figures.pulses import plot_pulses as plot_pulses

@@ -5,7 +5,6 @@ from dataclasses import asdict
 from importlib import metadata
 from typing import Any
 
-from dcfp.analysis.response import remarks_on
 from dcfp.inference.told import case_objects
 from dcfp.kernels._jit import source_digest
 from dcfp.methods import aij_2016, asce_2016, eurocode_8, iwan_1980
@@ -156,7 +155,7 @@ def _case(one: Result, row: dict[str, Any], compared: dict[str, Any]) -> dict[st
     return {
         **compared,
         **row,
-        "remarks": remarks_on(one.response),
+        "remarks": one.response.all_remarks,
         "pga_m_s2": motion.peak_acceleration / _KILO,
         "scaled_record_sha256": motion.digest,
         "record_origin": asdict(motion.origin),

@@ -1,0 +1,107 @@
+"""How finely and how far an analysis goes, and what it keeps beside its histories."""
+
+from typing import Annotated
+
+from dcfp.errors import InputError
+from dcfp.schema.parameters import Declared, Parameter, declared
+from dcfp.schema.units import FRACTION, NONE, SECOND
+from dcfp.system import Heating, PreciseHeating
+
+
+@declared
+class Integration(Declared):
+    """How finely and how far an analysis goes.
+
+    Parameters
+    ----------
+    step
+        Longest step [s]; by default the record's own, and for sliding at most 0.01 s.
+    tail
+        Time after the record in which the ground keeps its velocity [s]. By default the analysis goes on until no more
+        sliding can come, for at most 120 s.
+    tolerance
+        How far the coefficient of friction in the middle of a step may be from the mean of its ends, relative to it [-];
+        looked at where the ends differ by more than that.
+
+    Raises
+    ------
+    InputError
+        If one of them is not within its limits.
+    """
+
+    noun = "an analysis"
+
+    step: Annotated[
+        float | None,
+        Parameter(
+            "longest step", SECOND, 1e-6, 10.0, key="step",
+            more="by default the record's, at most 0.01 while sliding", absent="that of the record",
+        ),
+    ] = None  # fmt: skip
+    tail: Annotated[
+        float | None,
+        Parameter(
+            "time after the record", SECOND, 0.0, 3600.0,
+            more="by default until it rests", absent="until no more sliding can come",
+        ),
+    ] = None  # fmt: skip
+    tolerance: Annotated[
+        float,
+        Parameter(
+            "largest relative change of the friction coefficient off its chord in a step",
+            FRACTION, 0.0, 0.9999, above=True,
+        ),
+    ] = 0.02  # fmt: skip
+
+
+#: How an analysis goes unless something else is said.
+DEFAULT = Integration()
+
+
+@declared
+class Keep(Declared):
+    """What an analysis keeps beside its histories, its peaks and its last state.
+
+    Parameters
+    ----------
+    profiles
+        About how many times over the motion the temperature along the plates is kept; heating models without it have none.
+    every
+        After how many samples it is kept, instead.
+
+    Raises
+    ------
+    InputError
+        If one of them is not a whole number, or negative.
+    """
+
+    noun = "what is kept"
+
+    profiles: Annotated[
+        int, Parameter("number of profiles of the temperature along the plates", NONE, 0, 1e6)
+    ] = 0
+    every: Annotated[
+        int | None, Parameter("number of samples from one of these profiles to the next", NONE, 1, 1e9)
+    ] = None
+
+    def interval(self, samples: int, heating: Heating) -> int | None:
+        """Return after how many of the `samples` of a motion a profile is kept; None for no profiles.
+
+        Raises
+        ------
+        InputError
+            If they are asked for at intervals, and the heating model has none.
+        """
+        precise = isinstance(heating, PreciseHeating)
+        if self.every is not None and not precise:
+            msg = "The temperature along the plates needs the precise heating model."
+            raise InputError(msg)
+        if not precise or not (self.every or self.profiles):
+            return None
+        return self.every or max(1, round(samples / self.profiles))
+
+
+#: The temperature along the plates as often as a figure shows it.
+PLATES = Keep(profiles=200)
+#: Nothing but histories, peaks and the last state.
+NOTHING = Keep()

@@ -1,0 +1,234 @@
+"""What every result has: a system, histories by name, what is told of it, its forms, its remarks and its figure."""
+
+import json
+import textwrap
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import asdict
+from pkgutil import resolve_name
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import numpy as np
+
+from dcfp.analysis.assumptions import OF_MODEL
+from dcfp.arrays import FloatArray
+from dcfp.errors import InputError
+from dcfp.schema.check import Check
+from dcfp.schema.citations import citations_of
+from dcfp.schema.nomenclature import Quantities, quantity
+from dcfp.schema.notebook import card, told
+from dcfp.schema.parameters import unknown
+from dcfp.system import Bearing, FrictionLaw, Heating, System
+from dcfp.system.plates import Profiles, profile_variables
+from dcfp.version import version
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray
+    from matplotlib.figure import Figure
+
+#: What draws a result: named, for the figures know the analyses, and not the other way round.
+_FIGURE = "dcfp.present.figures:figure_of"
+#: Characters of a line of what a result says of itself.
+_WIDTH = 100
+#: Time for which the heat in the plates is remembered within 1 % of the temperature [s].
+LONGEST_MEMORY = 600.0
+
+
+class Result(ABC):
+    """A result: histories over time of a system, and what is told of them.
+
+    Attributes
+    ----------
+    system
+        What was analysed.
+    time
+        Of the histories [s], shape (n,).
+    elapsed
+        Computing time [s].
+    profiles
+        Temperature along the plates, where it was kept.
+    quantities, histories
+        What is told of such a result, and its histories over time, by name.
+    dimensions
+        What a history has a value for besides each time, by its name.
+    """
+
+    quantities: ClassVar[Quantities]
+    histories: ClassVar[Quantities]
+    dimensions: ClassVar[Mapping[str, str]] = {}
+
+    system: System
+    time: FloatArray
+    elapsed: float
+    profiles: Profiles | None
+
+    # ----- what it is of -----
+
+    @property
+    @abstractmethod
+    def name(self) -> str:
+        """What it is of, to begin a sentence with."""
+
+    @property
+    @abstractmethod
+    def title(self) -> str:
+        """What it is, in words."""
+
+    @property
+    def bearing(self) -> Bearing:
+        """Bearing of the system."""
+        return self.system.bearing
+
+    @property
+    def friction_law(self) -> FrictionLaw:
+        """Friction law of the system."""
+        return self.system.friction
+
+    @property
+    def heating(self) -> Heating:
+        """Heating model of the system."""
+        return self.system.heating
+
+    # ----- histories that every assumption is looked at in -----
+
+    @property
+    @abstractmethod
+    def velocity(self) -> FloatArray:
+        """Relative velocity of the plates [mm/s], shape (n,)."""
+
+    @property
+    @abstractmethod
+    def friction(self) -> FloatArray:
+        """Coefficient of friction [-], shape (n,): the one at work while sliding, the one to overcome while sticking."""
+
+    @property
+    @abstractmethod
+    def sliding(self) -> FloatArray:
+        """Side on which it slides: 1, -1, or 0 while sticking; shape (n,)."""
+
+    @property
+    @abstractmethod
+    def plate_temperatures(self) -> FloatArray:
+        """Temperature of the contact on each plate that differs [degC], shape (n, plates)."""
+
+    @property
+    def load(self) -> FloatArray:
+        """Vertical force [N]: one number where it does not change."""
+        return np.array([self.bearing.vertical_force])
+
+    @property
+    def slides(self) -> bool:
+        """Whether it ever slides."""
+        return bool(self.sliding.any())
+
+    @property
+    def peak_velocity(self) -> float:
+        """Largest relative velocity [mm/s]."""
+        return float(np.abs(self.velocity).max())
+
+    @property
+    def peak_temperature(self) -> float:
+        """Highest temperature of the contact of any plate [degC]."""
+        return float(self.plate_temperatures.max())
+
+    @property
+    def heat_age(self) -> float:
+        """Time since the plates were cold, at the end [s]."""
+        return float(self.time[-1])
+
+    @property
+    def memory(self) -> float:
+        """Time for which the heat in the plates is remembered within 1 % of the temperature [s]."""
+        return LONGEST_MEMORY
+
+    @property
+    def cooled(self) -> bool:
+        """Whether the plates have cooled in a pause."""
+        return False
+
+    # ----- checks and remarks -----
+
+    @property
+    def checks(self) -> tuple[Check, ...]:
+        """Every assumption with whether it was kept to."""
+        return tuple(one for check in OF_MODEL.values() for one in check(self))
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """Sentences that a reader must know."""
+        return tuple(one.remark for one in self.checks if one.remark)
+
+    # ----- forms -----
+
+    def history(self, name: str) -> FloatArray:
+        """Return a history over time by its name, in the units of the package.
+
+        Raises
+        ------
+        InputError
+            If there is none of that name.
+        """
+        if name not in self.histories:
+            msg = unknown(name, self.histories, "history")
+            raise InputError(msg)
+        return self.histories[name].of(self)
+
+    def summary(self) -> dict[str, Any]:
+        """Return what is told of it with units in the names, ready for JSON."""
+        return {one.key: one.datum(self) for one in self.quantities.values() if one.stored}
+
+    def to_dataset(self) -> "xarray.Dataset":
+        """Return histories over ``time`` with their units, and what is told of it and its provenance as attributes."""
+        import xarray  # late: it takes long to import
+
+        variables = {
+            name: (
+                ("time", self.dimensions[name]) if name in self.dimensions else "time",
+                np.array(one.of(self)),
+                one.attributes,
+            )
+            for name, one in self.histories.items()
+        }
+        coordinates = {"time": ("time", np.array(self.time), quantity("time").attributes)}
+        dataset = xarray.Dataset(variables, coords=coordinates, attrs=self._provenance())
+        return dataset if self.profiles is None else dataset.merge(profile_variables(self.profiles))
+
+    def to_dataframe(self) -> "pd.DataFrame":
+        """Return the histories that have one value for each time as columns of a table over ``time``."""
+        names = [name for name in self.histories if name not in self.dimensions]
+        return self.to_dataset()[names].to_dataframe()
+
+    def plot(self, **options: Any) -> "Figure":
+        """Draw it on a figure; what can be chosen, the function of `dcfp.present.figures` for such a result says."""
+        return resolve_name(_FIGURE)(self, **options)
+
+    def _provenance(self) -> dict[str, Any]:
+        return {
+            "Conventions": "CF-1.11",
+            "title": f"{self.title}, {self.bearing.name}",
+            "source": f"dcfp {version()}",
+            "references": "\n".join(citations_of(self.friction_law.citation, "li_2020")),
+            **self.attributes,
+            "bearing": json.dumps(asdict(self.bearing)),
+            "friction_law": repr(self.friction_law),
+            "heating_model": repr(self.heating),
+            "remarks": " ".join(self.remarks),
+        }
+
+    @property
+    def attributes(self) -> dict[str, Any]:
+        """What a data set says of it besides its system."""
+        return self.summary()
+
+    def __repr__(self) -> str:
+        numbers = ", ".join(
+            f"{one.title} {one.text(self)} {one.shown.text if one.shown.has_dimension else ''}".strip()
+            for one in self.quantities.values()
+            if one.printed and one.is_number
+        )
+        lines = textwrap.wrap(numbers, _WIDTH, initial_indent="  ", subsequent_indent="  ")
+        return "\n".join([self.title, *lines])
+
+    def _repr_html_(self) -> str:
+        return card(self.title, told(self.quantities.values(), self), remarks=self.remarks)
