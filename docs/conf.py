@@ -1,11 +1,15 @@
 """How the pages are made: ``sphinx-build -W --keep-going -b html docs docs/_build/html``."""
 
+import logging
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent / "_extensions"))
 
 from dcfp.version import version as _version
+
+# before the package of the theme's colours, which asks every library for information
+logging.basicConfig(level=logging.WARNING)
 
 project = "dcfp"
 author = "The dcfp developers"
@@ -17,10 +21,11 @@ extensions = [
     "sphinx.ext.autodoc",
     "sphinx.ext.napoleon",
     "sphinx_gallery.gen_gallery",
+    "sphinxcontrib.bibtex",
     "commands",
+    "declared",
     "mathml",
     "public_names",
-    "repository",
     "tables",
 ]
 exclude_patterns = ["_build", "gallery"]
@@ -31,12 +36,16 @@ myst_enable_extensions = ["attrs_block", "attrs_inline", "colon_fence", "deflist
 myst_heading_anchors = 3
 myst_dmath_double_inline = True
 
+bibtex_bibfiles = ["../src/dcfp/schema/references.bib"]
+bibtex_default_style = "plain"
+
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_typehints_format = "short"
 autodoc_preserve_defaults = True
 napoleon_google_docstring = False
 napoleon_use_rtype = False
+napoleon_attr_annotations = False
 napoleon_custom_sections = [("Attributes", "params_style")]
 python_use_unqualified_type_names = True
 python_maximum_signature_line_length = 90

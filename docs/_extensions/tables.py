@@ -1,49 +1,30 @@
-"""Tables from the package itself: symbols, references, checks and findings."""
+"""Tables from the package itself: checks and findings."""
 
 import platform
 import re
 from dataclasses import asdict
+from functools import cache
 from importlib.metadata import PackageNotFoundError
 from importlib.metadata import version as installed
 from typing import Any
 
 from docutils import nodes
-from kept import kept
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
-from dcfp.schema.citations import bibliography
-from dcfp.schema.nomenclature import NOMENCLATURE
+from dcfp.schema.table import Table
+from dcfp.verify import CHECKS, run_checks
+from dcfp.verify.reproduction import analyse, findings_of, paper_motions
 from dcfp.version import version
 
 _VERDICTS = {True: "agrees", False: "FAILS", None: "skipped"}
 _SIGNS = {True: "as printed", False: "differs", None: "not comparable"}
 
 
+@cache
 def checks() -> list[dict[str, Any]]:
     """Return the outcome of every check of ``dcfp verify``."""
-
-    def make() -> list[dict[str, Any]]:
-        from dcfp.schema.table import Table
-        from dcfp.verify import CHECKS, run_checks
-
-        return Table(CHECKS, run_checks()).objects()
-
-    return kept("verify", make)
-
-
-def findings() -> list[dict[str, Any]]:
-    """Return the findings of ``dcfp reproduce``."""
-
-    def make() -> list[dict[str, Any]]:
-        from dcfp.verify.reproduction import analyse, findings_of, paper_motions
-
-        return [
-            {**asdict(one), "outside": [str(case) for case in one.outside]}
-            for one in findings_of(analyse(paper_motions()))
-        ]
-
-    return kept("reproduce", make)
+    return Table(CHECKS, run_checks()).objects()
 
 
 def table(head: list[str], rows: list[list[list[nodes.Node]]], widths: list[int], kind: str) -> nodes.Node:
@@ -83,57 +64,6 @@ def _number(value: float | None) -> str:
 
 def _signed(text: str) -> str:
     return re.sub(r"^-", "−", text)
-
-
-class Symbols(SphinxDirective):
-    """Every quantity of the nomenclature."""
-
-    def run(self) -> list[nodes.Node]:
-        """List them."""
-        rows = [
-            [
-                [nodes.paragraph("", "", nodes.math(one.symbol, one.symbol))],
-                [_small(one.words)],
-                [_small(one.unit.inner_unit.name)],
-                [_small(one.shown.name)],
-                [nodes.paragraph("", "", nodes.literal(name, name))],
-            ]
-            for name, one in NOMENCLATURE.items()
-            if one.symbol
-        ]
-        return [
-            table(
-                ["Symbol", "Quantity", "Unit inside", "Shown in", "Name in data sets"],
-                rows,
-                [10, 40, 14, 12, 24],
-                "symbols",
-            )
-        ]
-
-
-class References(SphinxDirective):
-    """The bibliography."""
-
-    def run(self) -> list[nodes.Node]:
-        """List it."""
-        items = nodes.bullet_list(classes=["references"])
-        for key, entry in sorted(bibliography().items()):
-            authors = [name.strip() for name in entry["author"].split(" and ")]
-            who = ", ".join(authors[:-1]) + f" and {authors[-1]}" if len(authors) > 1 else authors[0]
-            place = entry["journal"]
-            if "volume" in entry:
-                place += f" {entry['volume']}" + (f"({entry['number']})" if "number" in entry else "")
-            if "pages" in entry:
-                place += f", {entry['pages']}"
-            line = nodes.paragraph(
-                "", "", nodes.Text(f"{who} ({entry['year']}). "), nodes.emphasis("", entry["title"])
-            )
-            line += nodes.Text(f". {place.replace('--', '–')}.")
-            if "doi" in entry:
-                line += nodes.Text(" ")
-                line += nodes.reference("", f"doi:{entry['doi']}", refuri=f"https://doi.org/{entry['doi']}")
-            items += nodes.list_item("", line, ids=[nodes.make_id(f"reference-{key}")])
-        return [items]
 
 
 class Verification(SphinxDirective):
@@ -225,14 +155,14 @@ class Findings(SphinxDirective):
                     _small(one["name"], "name"),
                     _small(f"Printed in: {one['place']}.", "source"),
                     *([_small(one["words"], "note")] if one["words"] else []),
-                    *(_small(case, "note") for case in one["outside"]),
+                    *(_small(str(case), "note") for case in one["outside"]),
                 ],
                 [_small(one["paper"])],
                 [_small(one["ours"])],
                 [_small(one["hundred"] or "–")],
                 [_small(_SIGNS[one["agrees"]], f"verdict-{one['agrees']}".lower())],
             ]
-            for one in findings()
+            for one in (asdict(finding) for finding in findings_of(analyse(paper_motions())))
         ]
         return [
             table(["Finding", "Printed", "Ours", "100 components", ""], rows, [40, 16, 16, 18, 10], "checks")
@@ -241,8 +171,6 @@ class Findings(SphinxDirective):
 
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register with Sphinx."""
-    app.add_directive("dcfp-symbols", Symbols)
-    app.add_directive("dcfp-references", References)
     app.add_directive("dcfp-verification", Verification)
     app.add_directive("dcfp-findings", Findings)
     app.add_directive("dcfp-made", Made)

@@ -5,7 +5,7 @@ Figure 3: pressure and velocity dependency
 **In the paper**: measured coefficients of the dependency test over those at the reference, with Eqs (7) and (8), for sliders of 300 and 400 mm.
 
 **Here**: the same equations, and the virtual machine in the same tests (T01 to T04 of Table 1). At 60 N/mm² and 400 mm/s both factors are one, as in the paper. The measured points are not printed, so
-they are not here.
+they are not shown here.
 """
 
 import numpy as np

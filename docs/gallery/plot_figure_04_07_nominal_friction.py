@@ -5,7 +5,7 @@ Figures 4 and 7: reference and nominal friction
 **In the paper**: Figure 4 takes the reference coefficient μ₀ from the start of the fast test T01, Figure 7 the nominal coefficient μₙ = 0.043 from its second cycle (points c and d).
 
 **Here**: the virtual machine in the dependency test, with the precise and the simplified heating model and the constant μₙ. The second cycle of the model is 9 % (precise) and 14 % (simplified) below the
-tests. Nothing was tuned to bring them together; what would is in :doc:`/virtual_tests`.
+tests. Nothing was calibrated; which effects would reduce the difference is in :doc:`/virtual_tests`.
 """
 
 import dcfp

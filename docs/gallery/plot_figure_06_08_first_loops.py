@@ -6,7 +6,7 @@ Figures 6 and 8: models under strong and weak excitation
 excitation (Figure 8).
 
 **Here**: the same loops with three models. Under the wind cycles precise and simplified are the same line, as in the paper, and the constant coefficient is wrong in shape. Under strong motion the simplified
-model dissipates a few per cent less than the precise one, which the paper does not say. The measured loops are not openly at hand.
+model dissipates a few per cent less than the precise one, which the paper does not say. The measured loops are not openly available.
 """
 
 import dcfp

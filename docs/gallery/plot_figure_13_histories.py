@@ -4,7 +4,7 @@ Figure 13: ground velocity, energy and displacement
 
 **In the paper**: NCC at 0.25 m/s. The largest change of ground velocity, the largest input of energy and the largest change of displacement come together.
 
-**Here**: they do. The pulse that governs and the swing that it causes are marked.
+**Here**: they do. The pulse that governs and the half cycle that it causes are marked.
 """
 
 import dcfp
@@ -23,7 +23,7 @@ figure = drawn["13"].figure
 case = next(case for case in cases if case.record == "NCC" and case.pgv < 300.0)
 swing, pulse = case.analysed.swing, case.analysed.pulse
 print(
-    f"largest swing {abs(swing.change):.1f} mm from {swing.start:.2f} to {swing.end:.2f} s"
+    f"largest half cycle {abs(swing.change):.1f} mm from {swing.start:.2f} to {swing.end:.2f} s"
 )
 print(
     f"its pulse rises by {abs(case.pulses.changes[pulse]):.0f} mm/s from {case.pulses.starts[pulse]:.2f} to {case.pulses.peaks[pulse]:.2f} s"

@@ -5,7 +5,7 @@ Figure 18: accuracy of the pulse method
 **In the paper**: the change of displacement by Eq. (20) is 1.0 to 2.1 times that of the analysis, on eight records: conservative.
 
 **Here**: 14 of 16 cases are in that range. LPG at 0.25 m/s is far above, since its pulse has k\ :sub:`u`/k\ :sub:`g` = 0.89 and so the factor of 1.5. IVD at 1.0 m/s is below: heat has more than halved the friction, and the largest
-swing is not of the largest pulse. So it is *not* always conservative.
+half cycle is not that of the largest pulse. So it is *not* always conservative.
 """
 
 import dcfp

@@ -2,7 +2,7 @@
 Loops by record and PGV
 =======================
 
-The sixteen analyses of the paper's four records at hand, on one sheet with one scale.
+The sixteen analyses of the paper's four available records, on one sheet with one scale.
 """
 
 import dcfp

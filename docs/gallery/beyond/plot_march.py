@@ -2,7 +2,7 @@
 The march through the pulses
 ============================
 
-Our own prediction, which passes velocity, place and heat from one pulse to the next, beside the analysis. Its derivation is in :doc:`/prediction`.
+A prediction that carries velocity, position and heat over from one pulse to the next, beside the analysis. Its derivation is in :doc:`/prediction`.
 """
 
 import dcfp

@@ -2,7 +2,7 @@
 Temperature along the plate
 ===========================
 
-The precise model in the test T06 of Table 2 (±400 mm, three cycles): the contact keeps entering plate that is cooler, which is why one point at the centre is not enough.
+The precise model in the test T06 of Table 2 (±400 mm, three cycles): the contact keeps moving onto cooler parts of the plate, which is why one point at the centre is not sufficient.
 """
 
 import dcfp

@@ -21,10 +21,11 @@ def bibliography() -> dict[str, dict[str, str]]:
 
 
 def citation(key: str) -> str:
-    """Return one reference as a line: authors, year, title, journal, and its DOI if it has one."""
+    """Return one reference as a line: authors, year, title, journal or publisher, and its DOI if it has one."""
     entry = bibliography()[key]
+    place = entry.get("journal", entry.get("howpublished"))
     authors = " & ".join(name.split(",")[0].strip() for name in entry["author"].split(" and "))
-    line = f"{authors} ({entry['year']}). {entry['title']}. {entry['journal']}."
+    line = f"{authors} ({entry['year']}). {entry['title']}. {place}."
     return f"{line} doi:{entry['doi']}" if "doi" in entry else line
 
 

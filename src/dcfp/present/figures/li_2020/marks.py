@@ -72,7 +72,11 @@ def draw_points(axes: "Axes", cases: "Sequence[Case]", marks: "Mapping[str, Mark
         alpha = 0.85 if mark.size > 3.0 else 0.55
         axes.plot(*drawn[~zero].T, **mark.look, color=mark.colour, markeredgewidth=0.0, alpha=alpha, zorder=3)
         if zero.any():
-            hollow: dict[str, Any] = {"markerfacecolor": "white", "markeredgecolor": mark.colour, "markeredgewidth": 0.8}
+            hollow: dict[str, Any] = {
+                "markerfacecolor": "white",
+                "markeredgecolor": mark.colour,
+                "markeredgewidth": 0.8,
+            }
             axes.plot(*drawn[zero].T, **mark.look, **hollow, clip_on=False, zorder=3)
 
 

@@ -1,0 +1,97 @@
+"""Tables of parameters and quantities, read from their declarations."""
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from docutils import nodes
+from sphinx.application import Sphinx
+from sphinx.util.docutils import SphinxDirective
+
+from dcfp.analysis.rig import Loops as Loops  # every kind of result adds its quantities when it is imported
+from dcfp.inference import Case as Case
+from dcfp.schema.nomenclature import NOMENCLATURE
+from dcfp.schema.parameters import Parameter, parameters
+from dcfp.study.factors import catalogue
+from dcfp.system import Bearing
+from dcfp.system.friction import FRICTION_LAWS
+from dcfp.system.heating import HEATINGS
+
+
+def sources() -> dict[str, Mapping[str, Parameter]]:
+    """Return the parameters that the pages list, by what they belong to."""
+    return {
+        "factors": {name: factor.parameter for name, factor in catalogue().items()},
+        "bearing": _of(Bearing),
+        **{f"friction {name}": _of(law) for name, law in FRICTION_LAWS.items()},
+        **{f"heating {name}": _of(model) for name, model in HEATINGS.items()},
+    }
+
+
+def _of(kind: type) -> dict[str, Parameter]:
+    return {parameter.key: parameter for parameter in parameters(kind).values()}
+
+
+def parameter_table(listed: Mapping[str, Parameter], inner: bool = False) -> str:
+    """Return a table of parameters in Markdown: with their defaults, or with the unit that they have in data sets."""
+    rows = [
+        [
+            f"`{name}`",
+            f"${one.symbol}$" if one.symbol else "",
+            one.words,
+            one.rule(),
+            one.unit.inner_unit.name if inner else one.text(one.default),
+        ]
+        for name, one in listed.items()
+    ]
+    return _table(["name", "symbol", "meaning", "must be", "unit in results" if inner else "default"], rows)
+
+
+def quantity_table() -> str:
+    """Return the nomenclature as a table in Markdown."""
+    rows = [
+        [f"${one.symbol}$", one.words, one.unit.inner_unit.name, one.shown.name, f"`{name}`"]
+        for name, one in NOMENCLATURE.items()
+        if one.symbol
+    ]
+    return _table(["symbol", "quantity", "unit inside", "shown in", "name in data sets"], rows)
+
+
+def _table(head: list[str], rows: Iterable[list[str]]) -> str:
+    lines = [head, ["---"] * len(head), *rows]
+    return "\n".join(f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in line)} |" for line in lines)
+
+
+class Parameters(SphinxDirective):
+    """The parameters of ``bearing``, of one ``friction`` law or ``heating`` model by name or of all, or all ``factors`` of studies."""
+
+    required_arguments = 1
+    final_argument_whitespace = True
+
+    def run(self) -> list[nodes.Node]:
+        """List them."""
+        (wanted,) = self.arguments
+        text: list[str] = []
+        for name, listed in sources().items():
+            if name == wanted:
+                text.append(parameter_table(listed, inner=wanted == "factors"))
+            elif name.startswith(f"{wanted} ") and listed:
+                text += [f"`{name.removeprefix(wanted).strip()}`:", parameter_table(listed)]
+        if not text:
+            msg = f"there are no parameters of {wanted!r}."
+            raise self.error(msg)
+        return self.parse_text_to_nodes("\n\n".join(text))
+
+
+class Quantities(SphinxDirective):
+    """The nomenclature."""
+
+    def run(self) -> list[nodes.Node]:
+        """List it."""
+        return self.parse_text_to_nodes(quantity_table())
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Register with Sphinx."""
+    app.add_directive("dcfp-parameters", Parameters)
+    app.add_directive("dcfp-quantities", Quantities)
+    return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}
