@@ -11,17 +11,20 @@ from matplotlib.patches import Patch
 from dcfp.errors import InputError
 from dcfp.present.figures.style import (
     BLUE,
+    DASHED,
     GREY,
     INK,
     OCHRE,
     PAGE_WIDTH,
     RED,
-    calm_ticks,
+    draw_line,
+    draw_marks,
+    label_axes,
     legend_above,
     new_axes,
     style,
     styled,
-)
+)  # fmt: skip
 from dcfp.schema.digits import millimetres
 
 if TYPE_CHECKING:
@@ -29,12 +32,25 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from dcfp.arrays import FloatArray
+    from dcfp.schema.quantities import Quantity
+
+
+def described(variable: "xarray.DataArray") -> "Quantity":
+    """Return the quantity that a variable of a study holds."""
+    from dcfp.study.assessment import selection  # late: the package imports the kernels
+
+    return selection.described(variable)
+
+
+def value_words(variable: "xarray.DataArray", value: Any) -> str:
+    """Return a value of a variable with its unit."""
+    from dcfp.study.assessment import selection
+
+    return selection.shown_value(variable, value)
 
 
 def axis_label(variable: "xarray.DataArray") -> str:
     """Return the label of an axis: words, symbol and unit."""
-    from dcfp.study.assessment.selection import described  # late: the package imports the kernels
-
     entry = described(variable)
     symbol = "" if entry.symbol.startswith(r"\mathrm") else f", ${entry.symbol}$"
     unit = f" [{entry.shown.name}]" if entry.shown.has_dimension else ""
@@ -43,8 +59,6 @@ def axis_label(variable: "xarray.DataArray") -> str:
 
 def shown(variable: "xarray.DataArray", values: "xarray.DataArray | None" = None) -> "FloatArray":
     """Return the values of a variable, or others of its unit, as they are shown."""
-    from dcfp.study.assessment.selection import described
-
     numbers = (variable if values is None else values).to_numpy()
     return described(variable).display(np.asarray(numbers, dtype=np.float64))
 
@@ -72,76 +86,36 @@ def plot_ida(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes":
     heights = shown(found[intensity])
     capacity = found.attrs.get("displacement_capacity")
     if name == "peak_displacement" and capacity is not None:
-        axes.plot(
-            [float(capacity)] * 2,
-            [0.0, heights[-1]],
-            color=RED,
-            linewidth=0.9,
-            linestyle=(0, (5, 3)),
-            label=f"capacity, {millimetres(float(capacity))}",
-        )
+        line = [float(capacity)] * 2, [0.0, heights[-1]]
+        label = f"capacity, {millimetres(float(capacity))}"
+        draw_line(axes, *line, RED, 0.9, linestyle=DASHED, label=label)
     _draw_records(axes, shown(result), heights, found["beyond_capacity"].to_numpy())
     _draw_quantiles(axes, found, name, heights)
     axes.set_xlim(left=0.0)
     axes.set_ylim(0.0, 1.07 * heights[-1])  # room for the names of the quantiles
-    calm_ticks(axes, 6, 6)
-    axes.set_xlabel(axis_label(result))
-    axes.set_ylabel(axis_label(found[intensity]))
+    label_axes(axes, axis_label(result), axis_label(found[intensity]), 6, 6)
     legend_above(axes)
     return axes
 
 
 def _draw_records(axes: "Axes", curves: "FloatArray", heights: "FloatArray", beyond: "np.ndarray") -> None:
+    hollow = {"markerfacecolor": "white", "markeredgecolor": INK, "markeredgewidth": 0.6, "zorder": 2}
     for i, (curve, outside) in enumerate(zip(curves, beyond, strict=True)):
-        axes.plot(
-            curve,
-            heights,
-            color=GREY,
-            linewidth=0.4,
-            alpha=0.8,
-            label=f"{len(curves)} records" if i == 0 else None,
-            zorder=1,
-        )
+        label = f"{len(curves)} records" if i == 0 else None
+        draw_line(axes, curve, heights, GREY, 0.4, alpha=0.8, label=label, zorder=1)
         if outside.any():
             first = int(np.argmax(outside))
             label = None if beyond[:i].any() else "first beyond the capacity"
-            axes.plot(
-                curve[first],
-                heights[first],
-                marker="o",
-                markersize=3.2,
-                markerfacecolor="white",
-                markeredgecolor=INK,
-                markeredgewidth=0.6,
-                linestyle="none",
-                label=label,
-                zorder=2,
-            )
+            draw_marks(axes, curve[first], heights[first], "o", 3.2, INK, label=label, **hollow)
 
 
 def _draw_quantiles(axes: "Axes", found: "xarray.Dataset", name: str, heights: "FloatArray") -> None:
     lines = shown(found[name], found[f"{name}_quantile"])
-    parts = found["quantile"].to_numpy().tolist()
-    for part, line in zip(parts, lines, strict=True):
-        middle = part == 0.5
-        axes.plot(
-            line,
-            heights,
-            color=BLUE,
-            linewidth=1.8 if middle else 1.2,
-            linestyle="solid" if middle else (0, (4, 2)),
-            label="median" if middle else None,
-            zorder=3,
-        )
-        axes.annotate(
-            f"{100.0 * part:g} %",
-            (float(line[-1]), float(heights[-1])),
-            xytext=(0, 3),
-            textcoords="offset points",
-            color=BLUE,
-            ha="center",
-            va="bottom",
-        )
+    above: dict[str, Any] = {"xytext": (0, 3), "textcoords": "offset points", "ha": "center", "va": "bottom"}
+    for part, line in zip(found["quantile"].to_numpy().tolist(), lines, strict=True):
+        width, dashes, label = (1.8, "solid", "median") if part == 0.5 else (1.2, (0, (4, 2)), None)
+        draw_line(axes, line, heights, BLUE, width, linestyle=dashes, label=label, zorder=3)
+        axes.annotate(f"{100.0 * part:g} %", (float(line[-1]), float(heights[-1])), color=BLUE, **above)
 
 
 # Fragility curves.
@@ -163,11 +137,6 @@ def plot_fragility(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes
     axes
         Where to draw; by default new axes.
     """
-    from dcfp.study.assessment.selection import (  # late: the package imports the kernels
-        described,
-        shown_value,
-    )
-
     axes = axes or new_axes(0.62 * PAGE_WIDTH, 3.5)
     intensity = str(found.attrs["intensity"])
     grid, points = shown(found[intensity]), shown(found[intensity], found[f"{intensity}_of_curve"])
@@ -175,34 +144,21 @@ def plot_fragility(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes
     entry = described(found[intensity])
     for place, (colour, marker) in zip(range(found.sizes["capacity"]), cycle(_LOOKS), strict=False):
         one = found.isel(capacity=place)
-        name = shown_value(found["capacity"].rename(str(found.attrs["quantity"])), one["capacity"].item())
+        name = value_words(found["capacity"].rename(str(found.attrs["quantity"])), one["capacity"].item())
         label = f"{name}: no fit"
         if np.isfinite(medians[place]):
             beta = float(one["total_dispersion"])
-            label = (
-                f"{name}: " + rf"$\theta$ = {medians[place]:.3g} {entry.shown.name.replace('–', '')}".rstrip()
-            )
-            label += rf", $\beta$ = {beta:.2f}"
+            unit = f" {entry.shown.name}" if entry.shown.has_dimension else ""
+            label = rf"{name}: $\theta$ = {medians[place]:.3g}{unit}, $\beta$ = {beta:.2f}"
         low, high = one["probability_bound"].to_numpy()
         axes.fill_between(points, low, high, color=colour, alpha=0.15, linewidth=0.0)
-        axes.plot(points, one["probability"].to_numpy(), color=colour, linewidth=1.3, label=label)
-        axes.plot(
-            grid,
-            one["fraction"].to_numpy(),
-            color=colour,
-            marker=marker,
-            markersize=3.2,
-            linestyle="none",
-            clip_on=False,
-            zorder=3,
-        )
-        axes.plot([medians[place]] * 2, [0.0, 0.5], color=colour, linewidth=0.7, linestyle=":")
-        axes.plot(medians[place], 0.5, marker="+", markersize=7, color=colour, linestyle="none", zorder=4)
+        draw_line(axes, points, one["probability"].to_numpy(), colour, 1.3, label=label)
+        draw_marks(axes, grid, one["fraction"].to_numpy(), marker, 3.2, colour, clip_on=False, zorder=3)
+        draw_line(axes, [medians[place]] * 2, [0.0, 0.5], colour, 0.7, linestyle=":")
+        draw_marks(axes, medians[place], 0.5, "+", 7, colour, zorder=4)
     axes.set_xlim(0.0, float(grid[-1]))
     axes.set_ylim(0.0, 1.0)
-    calm_ticks(axes, 6, 5)
-    axes.set_xlabel(axis_label(found[intensity]))
-    axes.set_ylabel("probability that the capacity is exceeded")
+    label_axes(axes, axis_label(found[intensity]), "probability that the capacity is exceeded", 6, 5)
     axes.legend(
         loc="lower left",
         bbox_to_anchor=(0.0, 1.02),
@@ -265,34 +221,22 @@ def _governing(one: "xarray.Dataset", names: list[str]) -> list[str]:
 
 
 def _draw_bounds(axes: "Axes", one: "xarray.Dataset", name: str, looks: dict[str, str]) -> None:
-    from dcfp.study.assessment.selection import described  # late: the package imports the kernels
-
     intensity = str(one.attrs["intensity"])
     x = shown(one[intensity])
     least, largest, nominal = (
         shown(one[name], one[f"{name}_{side}"]) for side in ("least", "largest", "nominal")
     )
     axes.fill_between(x, least, largest, color=BLUE, alpha=0.15, linewidth=0.0)
-    axes.plot(x, nominal, color=INK, linewidth=1.2)
+    draw_line(axes, x, nominal, INK, 1.2)
     for side, line in (("least", least), ("largest", largest)):
-        axes.plot(x, line, color=BLUE, linewidth=0.7)
+        draw_line(axes, x, line, BLUE, 0.7)
+        face = "white" if side == "least" else BLUE
         told = one[f"{name}_{side}_at"].to_numpy().tolist()
         for at, height, combination in zip(x, line, told, strict=True):
-            if not combination:  # nothing has been run there
-                continue
-            axes.plot(
-                at,
-                height,
-                marker=looks[combination],
-                markersize=4.0,
-                color=BLUE,
-                markerfacecolor="white" if side == "least" else BLUE,
-                linestyle="none",
-            )
+            if combination:  # else nothing has been run there
+                draw_marks(axes, at, height, looks[combination], 4.0, BLUE, markerfacecolor=face)
     axes.set_ylim(bottom=min(0.0, float(np.nanmin(least))))
-    calm_ticks(axes)
-    axes.set_xlabel(axis_label(one[intensity]))
-    axes.set_ylabel(described(one[name]).label)
+    label_axes(axes, axis_label(one[intensity]), described(one[name]).label)
     axes.set_title(described(one[name]).words, loc="left")
 
 
@@ -334,11 +278,6 @@ def plot_sensitivity(found: "xarray.Dataset") -> Figure:
     InputError
         If several factors are left.
     """
-    from dcfp.study.assessment.selection import (  # late: the package imports the kernels
-        described,
-        shown_value,
-    )
-
     left = [str(name) for name in found["S1"].dims if name != "factor"]
     if len(left) > 1:
         msg = f"A figure of Sobol indices is over one factor of the grid, and {' and '.join(left)} are left; choose values first."
@@ -355,7 +294,7 @@ def plot_sensitivity(found: "xarray.Dataset") -> Figure:
             if left:
                 along = found[left[0]]
                 symbol = "PGV" if left[0] == "pgv" else described(along).title
-                axes.set_title(f"{symbol} {shown_value(along, along.to_numpy()[place])}")
+                axes.set_title(f"{symbol} {value_words(along, along.to_numpy()[place])}")
         last = panels.flat[-1]  # all share its limits
         low, high = last.get_xlim()
         last.set_xlim(min(0.0, low), max(1.0, high))
@@ -370,15 +309,9 @@ def _draw_indices(axes: "Axes", one: "xarray.Dataset") -> None:
     names = one["factor"].to_numpy().tolist()
     heights = np.arange(len(names), dtype=np.float64)
     for name, words, colour, shift in _BARS:
-        axes.barh(
-            heights + shift,
-            one[name].to_numpy(),
-            0.34,
-            xerr=one[f"{name}_confidence"].to_numpy(),
-            color=colour,
-            label=words,
-            error_kw={"elinewidth": 0.7, "capsize": 1.8, "capthick": 0.7, "ecolor": INK},
-        )
+        values, error = one[name].to_numpy(), one[f"{name}_confidence"].to_numpy()
+        look = {"elinewidth": 0.7, "capsize": 1.8, "capthick": 0.7, "ecolor": INK}
+        axes.barh(heights + shift, values, 0.34, xerr=error, color=colour, label=words, error_kw=look)
     axes.axvline(0.0, color=INK, linewidth=0.6)
     axes.set_yticks(heights, names)
     axes.set_ylim(len(names) - 0.45, -0.55)

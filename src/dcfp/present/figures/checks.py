@@ -7,6 +7,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from dcfp.present.figures.style import BLUE, GREY, INK, PAGE_WIDTH, RED, drawable, style
+from dcfp.schema.digits import true_minus
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -35,7 +36,7 @@ def plot_checks(checks: "Sequence[Check]") -> Figure:
         line = 0.0
         for name, members in groups:
             line += _HEAD
-            _write_group(axes, name, line - 1.0)
+            _write(axes, drawable(name), line - 1.0, weight="bold")
             for check in members:
                 _draw_check(axes, check, line)
                 line += 1.0
@@ -51,18 +52,15 @@ def _reach(checks: "Sequence[Check]") -> tuple[float, float]:
     return float(10.0 ** np.floor(np.log10(0.999 * least))), 3.0 * largest
 
 
-def _write_group(axes: "Axes", name: str, line: float) -> None:
-    axes.annotate(
-        drawable(name),
-        (0.0, line),
-        xycoords=axes.get_yaxis_transform(),
-        xytext=(-5.0, 0.0),
-        textcoords="offset points",
-        ha="right",
-        va="center",
-        weight="bold",
-        parse_math=False,
-    )
+def _write(axes: "Axes", words: str, line: float, *, right: bool = False, **look: Any) -> None:
+    """Write beside the panel, left of it or right."""
+    place: dict[str, Any] = {"xycoords": axes.get_yaxis_transform(), "textcoords": "offset points"}
+    ends: dict[str, Any] = {
+        "xytext": (5.0 if right else -5.0, 0.0),
+        "ha": "left" if right else "right",
+        "va": "center",
+    }
+    axes.annotate(words, (float(right), line), **place, **ends, **look, parse_math=False)
 
 
 def _draw_check(axes: "Axes", check: "Check", line: float) -> None:
@@ -71,36 +69,17 @@ def _draw_check(axes: "Axes", check: "Check", line: float) -> None:
     ratio = check.ratio if check.passed is not None else 0.0
     reach = last if ratio is None else min(max(ratio, first), last)
     axes.barh(line, reach - first, left=first, height=0.66, color=RED if failed else BLUE)
-    beside: dict[str, Any] = {"va": "center", "size": 6.5, "parse_math": False}
     colour = RED if failed else INK if check.passed else GREY
-    axes.annotate(
-        drawable(check.name),
-        (0.0, line),
-        xycoords=axes.get_yaxis_transform(),
-        xytext=(-5.0, 0.0),
-        textcoords="offset points",
-        ha="right",
-        color=colour,
-        **beside,
-    )
-    axes.annotate(
-        _numbers(check),
-        (1.0, line),
-        xycoords=axes.get_yaxis_transform(),
-        xytext=(5.0, 0.0),
-        textcoords="offset points",
-        ha="left",
-        color=colour,
-        **beside,
-    )
+    _write(axes, drawable(check.name), line, color=colour, size=6.5)
+    _write(axes, _numbers(check), line, right=True, color=colour, size=6.5)
 
 
 def _numbers(check: "Check") -> str:
     if check.passed is None:
         return "skipped"
     if check.ratio == 0.0 and check.found != check.expected:
-        return f"{check.difference}, better".replace("-", "−")
-    return f"{check.difference} of {check.limit}".replace("-", "−")
+        return true_minus(f"{check.difference}, better")
+    return true_minus(f"{check.difference} of {check.limit}")
 
 
 def _finish(axes: "Axes", checks: "Sequence[Check]") -> None:

@@ -14,8 +14,10 @@ from dcfp.present.figures.style import (
     INK,
     PALE,
     RED,
-    calm_ticks,
     colour_bar_beside,
+    draw_line,
+    draw_marks,
+    label_axes,
     legend_above,
     new_axes,
     styled,
@@ -43,9 +45,7 @@ def draw(panel: "Panel", axes: "Axes", norm: Normalize | None = None) -> Any:
     """Draw a panel of histories, and return what its picture is drawn with, if it has one."""
     shown, first = panel.y.display, panel.lines[0]
     axes.set_xlim(float(first.x[0]), float(first.x[-1]))
-    axes.set_xlabel(panel.x.label)
-    axes.set_ylabel(panel.y.label)
-    calm_ticks(axes, 8, 4)
+    label_axes(axes, panel.x.label, panel.y.label, 8, 4)
     picture = _draw_picture(axes, panel, norm)
     if panel.sliding is not None:
         look: dict[str, Any] = {"color": PALE, "linewidth": 0.0, "label": "sliding", "zorder": 0}
@@ -58,9 +58,9 @@ def draw(panel: "Panel", axes: "Axes", norm: Normalize | None = None) -> Any:
         )
     for line in panel.lines[panel.stacked :]:
         label = line.label or None
-        axes.plot(line.x, shown(line.y), color=COLOURS[line.colour], linewidth=line.width, label=label)
+        draw_line(axes, line.x, shown(line.y), COLOURS[line.colour], line.width, label=label)
     if panel.peak:
-        mark_peak(axes, first.x, first.y, millimetres)
+        mark_peak(axes, first.x, first.y, millimetres(float(np.abs(first.y).max())))
     if panel.capacity is not None:
         for side, label in ((panel.capacity, "capacity"), (-panel.capacity, None)):
             axes.axhline(side, color=RED, linewidth=0.7, linestyle=DASHED, label=label)
@@ -150,9 +150,7 @@ def plot_loop(
     reach, height = (1.08 * max(float(one), 1e-6) for one in np.abs(path).max(axis=0))
     axes.set_xlim(-reach, reach)
     axes.set_ylim(-height, height)
-    calm_ticks(axes, 5, 6)
-    axes.set_xlabel(panel.x.label)
-    axes.set_ylabel(panel.y.label)
+    label_axes(axes, panel.x.label, panel.y.label, 5, 6)
     if colour_bar:
         colour_bar_beside(axes, drawn, quantity(shows).label)
     return axes
@@ -233,21 +231,16 @@ def between_equal_limits(axes: "Axes", largest: float) -> None:
     axes.set_ylim(-limit, limit)
 
 
-def mark_peak(
-    axes: "Axes", time: "FloatArray", values: "FloatArray", words: "Callable[[float], str]"
-) -> None:
-    """Mark the largest value, and write its size beside it."""
+def mark_peak(axes: "Axes", time: "FloatArray", values: "FloatArray", words: str) -> None:
+    """Mark the largest value, and write words beside it."""
     place = int(np.abs(values).argmax())
     peak = float(values[place])
     later = time[place] > time[0] + 0.75 * (time[-1] - time[0])
-    axes.plot(time[place], peak, marker="o", markersize=3.0, color=INK, linestyle="none", zorder=4)
-    axes.annotate(
-        words(abs(peak)),
-        (float(time[place]), peak),
-        xytext=(-4 if later else 4, 2 if peak < 0.0 else -2),
-        textcoords="offset points",
-        ha="right" if later else "left",
-        va="center",
-        bbox={"boxstyle": "square,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.8},
-        zorder=5,
-    )
+    draw_marks(axes, time[place], peak, "o", 3.0, INK, zorder=4)
+    beside: dict[str, Any] = {
+        "xytext": (-4 if later else 4, 2 if peak < 0.0 else -2),
+        "textcoords": "offset points",
+    }
+    box = {"boxstyle": "square,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.8}
+    side = "right" if later else "left"
+    axes.annotate(words, (float(time[place]), peak), **beside, ha=side, va="center", bbox=box, zorder=5)

@@ -7,7 +7,20 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from dcfp.present.figures.style import BLUE, GREY, INK, OCHRE, PAGE_WIDTH, RED, calm_ticks, drawable, style
+from dcfp.present.figures.style import (
+    BLUE,
+    GREY,
+    INK,
+    OCHRE,
+    PAGE_WIDTH,
+    RED,
+    calm_ticks,
+    draw_line,
+    draw_marks,
+    drawable,
+    label_axes,
+    style,
+)
 from dcfp.schema.digits import typeset
 from dcfp.schema.nomenclature import quantity
 
@@ -110,7 +123,7 @@ def _draw_histories(drawn: list[_Drawn], panels: "Sequence[Axes]", columns: int)
         _dots(axes, test.history.time[used], test.history.coefficient[used], size=1.8)
         line = np.where(used, test.law, np.nan)
         colour = RED if test.held_out else BLUE
-        axes.plot(test.history.time, line, color=colour, linewidth=0.7, label="law")
+        draw_line(axes, test.history.time, line, colour, 0.7, label="law")
         low, high = np.quantile(test.history.coefficient[used], (0.005, 0.995))
         # the first peak is narrow, but the law must not leave the panel there
         lows.append(min(float(low), float(test.law[used].min())))
@@ -137,63 +150,43 @@ def _title_of(test: _Drawn, axes: "Axes") -> None:
 
 
 def _draw_factors(found: "Identification", panels: "Sequence[Axes]") -> None:
-    law = found.law
-    coefficient, pressure, speed, temperature = _samples(found)
-    gamma, alpha = law.pressure_factor(pressure), law.velocity_factor(speed)
-    beta = law.temperature_factor(temperature)
-    _draw_factor(
-        panels[0],
-        speed,
-        coefficient / (law.reference * gamma * beta),
-        law.velocity_factor,
-        r"$\alpha$",
-        _SPEED,
+    law, (coefficient, *places) = found.law, _samples(found)
+    described = (
+        (law.pressure_factor, r"$\gamma$", _PRESSURE, {"pressure_exponent", "pressure_floor"}),
+        (law.velocity_factor, r"$\alpha$", _SPEED, {"speed_drop", "speed_rate"}),
+        (
+            law.temperature_factor,
+            r"$\beta$",
+            quantity("temperature").label,
+            {"temperature_rate", "conductivity"},
+        ),
     )
-    _draw_factor(
-        panels[1],
-        pressure,
-        coefficient / (law.reference * alpha * beta),
-        law.pressure_factor,
-        r"$\gamma$",
-        _PRESSURE,
-    )
-    _draw_factor(
-        panels[2],
-        temperature,
-        coefficient / (law.reference * gamma * alpha),
-        law.temperature_factor,
-        r"$\beta$",
-        quantity("temperature").label,
-    )
-    parts = (("speed_drop", "speed_rate"), ("pressure_exponent", "pressure_floor"), ("temperature_rate", "conductivity"))  # fmt: skip
+    factors = [factor(at) for (factor, *_), at in zip(described, places, strict=True)]
     fitted = {one.name for one in found.estimates}
-    for axes, names in zip(panels, parts, strict=True):
-        if not fitted & set(names):
-            axes.set_title("not fitted", loc="left", size=6.5, color=RED)
+    for panel, number in enumerate((1, 0, 2)):  # velocity, pressure, temperature, as in the paper
+        factor, symbol, label, names = described[number]
+        others = np.prod([one for i, one in enumerate(factors) if i != number], axis=0)
+        values = coefficient / (law.reference * others)
+        _draw_factor(panels[panel], places[number], values, factor)
+        label_axes(panels[panel], label, symbol, 5)
+        if not fitted & names:
+            panels[panel].set_title("not fitted", loc="left", size=6.5, color=RED)
     panels[0].legend(loc="lower right", markerscale=1.0)
 
 
 def _draw_factor(
-    axes: "Axes",
-    places: "FloatArray",
-    values: "FloatArray",
-    factor: "Callable[[FloatArray], FloatArray]",
-    symbol: str,
-    label: str,
+    axes: "Axes", places: "FloatArray", values: "FloatArray", factor: "Callable[[FloatArray], FloatArray]"
 ) -> None:
     _dots(axes, places, values, name=None)
     first, last = float(places.min()), float(places.max())
     # what hardly differs is not drawn as if it did
     margin = max(0.04 * (last - first), 0.5 * (0.2 * last - (last - first)))
     along = np.linspace(max(first - margin, 1e-3), last + margin, 200)
-    axes.plot(along, factor(along), color=BLUE, linewidth=1.1, label="law", zorder=3)
+    draw_line(axes, along, factor(along), BLUE, 1.1, label="law", zorder=3)
     _means(axes, places, values, (float(along[0]), float(along[-1])))
     low, high = np.quantile(values, (0.002, 0.998))
     axes.set_xlim(along[0], along[-1])
     axes.set_ylim(max(0.0, float(low) - 0.15 * float(high - low)), float(high) + 0.15 * float(high - low))
-    calm_ticks(axes, 5)
-    axes.set_xlabel(label)
-    axes.set_ylabel(symbol)
 
 
 def _draw_residuals(found: "Identification", panels: "Sequence[Axes]") -> None:
@@ -212,38 +205,22 @@ def _draw_residuals(found: "Identification", panels: "Sequence[Axes]") -> None:
     panels[0].set_ylabel(r"$\mu$ measured − fitted")
 
 
-def _samples(found: "Identification") -> "tuple[FloatArray, FloatArray, FloatArray, FloatArray]":
+def _samples(found: "Identification") -> "list[FloatArray]":
     """Return coefficient, pressure, speed and temperature of all samples that were used."""
-    histories = list(zip(found.histories, found.temperatures, strict=True))
-    return (
-        np.concatenate([history.coefficient[history.used] for history, _ in histories]),
-        np.concatenate([history.pressure[history.used] for history, _ in histories]),
-        np.concatenate([history.speed[history.used] for history, _ in histories]),
-        np.concatenate([temperature[history.used] for history, temperature in histories]),
-    )
+    names = ("coefficient", "pressure", "speed")
+    used = [history.used for history in found.histories]
+    return [
+        *(np.concatenate([getattr(one, name)[one.used] for one in found.histories]) for name in names),
+        np.concatenate([one[part] for one, part in zip(found.temperatures, used, strict=True)]),
+    ]
 
 
 def _dots(
-    axes: "Axes",
-    places: "FloatArray",
-    values: "FloatArray",
-    name: str | None = "measured",
-    size: float = 1.2,
+    axes: "Axes", places: "FloatArray", values: "FloatArray", name: str | None = "measured", size: float = 1.2
 ) -> None:
-    every = max(1, places.size // _MOST_DOTS)
-    axes.plot(
-        places[::every],
-        values[::every],
-        linestyle="",
-        marker=".",
-        markersize=size,
-        markeredgewidth=0.0,
-        color=GREY,
-        alpha=0.6,
-        label=name,
-        rasterized=True,
-        zorder=1,
-    )
+    every = slice(None, None, max(1, places.size // _MOST_DOTS))
+    look: dict[str, Any] = {"markeredgewidth": 0.0, "alpha": 0.6, "rasterized": True, "zorder": 1}
+    draw_marks(axes, places[every], values[every], ".", size, GREY, label=name, **look)
 
 
 def _means(axes: "Axes", places: "FloatArray", values: "FloatArray", reach: tuple[float, float]) -> None:
@@ -252,15 +229,6 @@ def _means(axes: "Axes", places: "FloatArray", values: "FloatArray", reach: tupl
     # groups of equal width rather than equal number, so that a fast test shows as much as a slow one
     edges = np.linspace(*reach, _GROUPS + 1)[1:-1]
     groups = [part for part in np.split(order, np.searchsorted(places[order], edges)) if part.size >= 10]
-    axes.plot(
-        [float(places[part].mean()) for part in groups],
-        [float(values[part].mean()) for part in groups],
-        linestyle="",
-        marker="o",
-        markersize=3.0,
-        markerfacecolor=OCHRE,
-        markeredgecolor=INK,
-        markeredgewidth=0.4,
-        label="mean of neighbours",
-        zorder=4,
-    )
+    at, means = ([float(one[part].mean()) for part in groups] for one in (places, values))
+    look: dict[str, Any] = {"markerfacecolor": OCHRE, "markeredgecolor": INK, "markeredgewidth": 0.4}
+    draw_marks(axes, at, means, "o", 3.0, OCHRE, **look, label="mean of neighbours", zorder=4)

@@ -9,16 +9,23 @@ from matplotlib.figure import Figure
 from dcfp.errors import InputError
 from dcfp.motion.measures import baseline_warning
 from dcfp.present.figures.drawing import between_equal_limits, mark_peak
-from dcfp.present.figures.style import BLUE, PAGE_WIDTH, RED, calm_ticks, drawable, style
+from dcfp.present.figures.style import (
+    BLUE,
+    PAGE_WIDTH,
+    RED,
+    draw_line,
+    drawable,
+    label_axes,
+    style,
+)
 from dcfp.schema.digits import metres_per_second, millimetres
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
 
     from matplotlib.axes import Axes
 
-    from dcfp.arrays import FloatArray
     from dcfp.motion.ground_motion import GroundMotion
 
 #: Most motions beside each other, and on a page.
@@ -81,43 +88,29 @@ def _draw_block(panels: "np.ndarray", motions: "Sequence[GroundMotion]") -> None
 
 
 def _draw_column(panels: "np.ndarray", motion: "GroundMotion", columns: int) -> None:
-    drawn: list[tuple[str, FloatArray, Callable[[float], str]]] = [
-        ("ground_acceleration", motion.acceleration, _metres_per_second_squared),
-        ("ground_velocity", motion.velocity, metres_per_second),
-        ("ground_displacement", motion.displacement, millimetres),
-    ]
-    for axes, (name, values, words) in zip(panels, drawn, strict=True):
-        _draw_history(axes, motion, name, values, words, columns)
-    for axes in panels[:-1]:
-        axes.tick_params(labelbottom=False)
+    width = 0.5 if motion.duration * columns > 60.0 else 0.7
+    for axes, name, words in zip(
+        panels,
+        ("acceleration", "velocity", "displacement"),
+        (_metres_per_second_squared, metres_per_second, millimetres),
+        strict=True,
+    ):
+        entry, values = quantity(f"ground_{name}"), getattr(motion, name)
+        heights = entry.display(values)
+        draw_line(axes, motion.time, heights, BLUE, width)
+        label_axes(axes, "", entry.label, max(4, 10 // columns), 4)
+        mark_peak(axes, motion.time, heights, words(float(np.abs(values).max())))
+        axes.set_xlim(0.0, motion.duration)
+        between_equal_limits(axes, float(np.abs(heights).max()))
+        axes.tick_params(labelbottom=axes is panels[-1])
     panels[-1].set_xlabel(quantity("time").label)
     if baseline_warning(motion) is not None:
         place: Any = {"xy": (0.02, 0.03), "xycoords": "axes fraction"}
         panels[-1].annotate("baseline in doubt", color=RED, va="bottom", **place)
 
 
-def _draw_history(
-    axes: "Axes",
-    motion: "GroundMotion",
-    name: str,
-    values: "FloatArray",
-    words: "Callable[[float], str]",
-    columns: int,
-) -> None:
-    entry = quantity(name)
-    heights = entry.display(values)
-    width = 0.5 if motion.duration * columns > 60.0 else 0.7
-    axes.plot(motion.time, heights, color=BLUE, linewidth=width)
-    calm_ticks(axes, max(4, 10 // columns), 4)
-    mark_peak(axes, motion.time, heights, lambda peak: words(entry.shown.inner(peak)))
-    axes.set_xlim(0.0, motion.duration)
-    axes.set_ylabel(entry.label)
-    between_equal_limits(axes, float(np.abs(heights).max()))
-
-
 def _metres_per_second_squared(value: float) -> str:
-    acceleration = value / 1e3
-    return f"{acceleration:.2f} m/s²" if acceleration >= 0.095 else f"{acceleration:.2g} m/s²"
+    return metres_per_second(value).replace("m/s", "m/s²")
 
 
 def _share_limits(row: "list[Axes]") -> None:
@@ -137,15 +130,7 @@ def _write_head(axes: "Axes", motion: "GroundMotion", width: int) -> None:
         ", ".join(drawable(word) for word in words if word), width, max_lines=3, placeholder=" …"
     )
     name = textwrap.shorten(drawable(motion.name), max(width - 4, 12), placeholder=" …")
-    axes.annotate(
-        "\n".join(lines),
-        (0.0, 1.0),
-        xytext=(0.0, 4.0),
-        xycoords="axes fraction",
-        textcoords="offset points",
-        va="bottom",
-        size=6.5,
-        color="#555555",
-        parse_math=False,
-    )
+    place: dict[str, Any] = {"xytext": (0.0, 4.0), "xycoords": "axes fraction", "textcoords": "offset points"}
+    look: dict[str, Any] = {"va": "bottom", "size": 6.5, "color": "#555555", "parse_math": False}
+    axes.annotate("\n".join(lines), (0.0, 1.0), **place, **look)
     axes.set_title(name, loc="left", weight="bold", pad=6.0 + 9.0 * len(lines), parse_math=False)

@@ -8,9 +8,20 @@ from matplotlib.figure import Figure
 
 from dcfp.errors import InputError
 from dcfp.present.figures.drawing import draw_cross
-from dcfp.present.figures.overviews import LINES, model_handles, plot_tests
+from dcfp.present.figures.overviews import LINES, draw_model, model_handles, plot_tests
 from dcfp.present.figures.sheets import draw_measured, plot_test
-from dcfp.present.figures.style import GREY, INK, PAGE_WIDTH, RED, calm_ticks, drawable, style
+from dcfp.present.figures.style import (
+    DASHED,
+    GREY,
+    INK,
+    PAGE_WIDTH,
+    RED,
+    draw_line,
+    draw_marks,
+    drawable,
+    label_axes,
+    style,
+)
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:
@@ -75,24 +86,131 @@ def plot_dependency(
     if places is None:
         msg = f"{program.name} has no tests for both 'velocity dependency' and 'pressure dependency'."
         raise InputError(msg)
+    drawn = _Dependency(places, runs, measured)
     with style():
         figure = Figure(figsize=(PAGE_WIDTH, 5.4), layout="constrained")
         axes: Any = figure.subplots(2, 2)
-        _draw_pressure(axes[0, 0], places, runs, measured)
-        _draw_velocity(axes[0, 1], places, runs, measured)
-        _draw_friction(axes[1, 0], places, runs, measured)
-        _draw_loops(axes[1, 1], places, runs, measured)
-        first = next(iter(runs.values()))[0]
-        figure.suptitle(
-            f"{drawable(program.name)},  {drawable(first.bearing.name)},  {first.friction_law.name}",
-            fontsize=8.5,
-            x=0.01,
-            ha="left",
-            parse_math=False,
-        )
+        drawn.pressure(axes[0, 0])
+        drawn.velocity(axes[0, 1])
+        drawn.friction(axes[1, 0])
+        drawn.loops(axes[1, 1])
+        first = drawn.first[0]
+        title = f"{drawable(program.name)},  {drawable(first.bearing.name)},  {first.friction_law.name}"
+        figure.suptitle(title, fontsize=8.5, x=0.01, ha="left", parse_math=False)
         handles = model_handles(list(runs), with_measured=bool(measured))
         figure.legend(handles=handles, loc="upper right", ncols=4, frameon=False)
     return figure
+
+
+class _Dependency:
+    """What the panels of the dependencies have in common.
+
+    Parameters
+    ----------
+    places
+        Of the tests in the program.
+    runs, measured
+        As for `plot_dependency`.
+    """
+
+    def __init__(
+        self,
+        places: DependencyTests,
+        runs: "Mapping[str, Sequence[Loops]]",
+        measured: "Mapping[str, Measurement]",
+    ) -> None:
+        self.places, self.runs, self.measured = places, runs, measured
+        self.first = next(iter(runs.values()))
+        self.law = self.first[0].friction_law
+        #: Histories of every model and of the measured tests, with their colours.
+        self.all: list[tuple[Sequence[Loops | Measurement | None], str]] = [
+            (loops, colour) for loops, (colour, _) in zip(runs.values(), cycle(LINES), strict=False)
+        ]
+        if measured:
+            self.all.append(([measured.get(test.test.name) for test in self.first], GREY))
+
+    def pressure(self, axes: "Axes") -> None:
+        """Draw the factor of the pressure."""
+        pressures = [float(test.load.mean()) / test.bearing.slider_area for test in self.first]
+        slow = self.places.pressures
+        middle = sorted(slow, key=lambda i: pressures[i])[len(slow) // 2]
+        sigma = np.linspace(0.5 * min(pressures), 1.25 * max(pressures), 200)
+        curve = self.law.pressure_factor(sigma) / self.law.pressure_factor(pressures[middle])
+        draw_line(axes, sigma, curve, INK, 1.0, label=r"$\gamma$ of the law")
+        self._points(axes, pressures, slow, middle, 2)
+        label_axes(
+            axes, "pressure on the slider [N/mm²]", rf"$\mu\,/\,\mu$ at {pressures[middle]:.0f} N/mm²", 6, 5
+        )
+        axes.set_title("(a) pressure: slow tests, reduced by their heat", loc="left")
+        axes.set_ylim(0.0, 1.15 * float(curve.max()))
+        axes.legend(loc="lower left")
+
+    def velocity(self, axes: "Axes") -> None:
+        """Draw the factor of the velocity."""
+        fast, law = self.places.velocity, self.law
+        speeds = [test.test.waveform.peak_velocity for test in self.first]
+        share = min(self.first[0].bearing.shares) if law.speed_is_of_surface else 1.0
+        speed = np.linspace(0.0, 1.1 * speeds[fast], 300)
+        curve = law.velocity_factor(speed * share) / law.velocity_factor(speeds[fast] * share)
+        draw_line(axes, speed, curve, INK, 1.0, label=r"$\alpha$ of the law")
+        pressure = float(self.first[fast].load[0])
+        same = [i for i in self.places.pressures if abs(float(self.first[i].load[0]) / pressure - 1.0) < 0.01]
+        self._points(axes, speeds, (fast, *same), fast, 1)
+        label_axes(axes, "relative velocity [mm/s]", rf"$\mu\,/\,\mu$ at {speeds[fast]:.0f} mm/s", 6, 5)
+        axes.set_title("(b) velocity: first cycle, reduced by its heat", loc="left")
+        axes.set_ylim(0.0, 1.3)
+        axes.legend(loc="lower right")
+
+    def _points(
+        self, axes: "Axes", at: "Sequence[float]", chosen: "Sequence[int]", reference: int, number: int
+    ) -> None:
+        """Draw the friction of chosen tests in a cycle over that of the reference test."""
+        for histories, colour in self.all:
+            base = histories[reference]
+            if base is None:
+                continue
+            scale = _friction_in(base, number)
+            for i, one in enumerate(histories):
+                if one is not None and i in chosen:
+                    draw_marks(axes, at[i], _friction_in(one, number) / scale, "o", 4, colour, alpha=0.85)
+
+    def friction(self, axes: "Axes") -> None:
+        """Draw the friction at zero displacement over time."""
+        for histories, colour in self.all:
+            fast = histories[self.places.velocity]
+            if fast is not None:
+                crossings = fast.crossings
+                friction = np.abs(crossings[:, 1]) / crossings[:, 2]
+                draw_line(axes, crossings[:, 0], friction, colour, 0.7, marker="o", markersize=3.5)
+        # late: the package of bearings imports the kernels
+        from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
+
+        axes.axhline(NOMINAL_COEFFICIENT, color=RED, linewidth=0.7, linestyle=DASHED)
+        look: dict[str, Any] = {
+            "color": RED,
+            "ha": "right",
+            "va": "bottom",
+            "transform": axes.get_yaxis_transform(),
+        }
+        axes.text(0.985, 1.08 * NOMINAL_COEFFICIENT, r"$\mu_n = 0.043$, tests of Li et al.", **look)
+        axes.set_xlim(left=0.0)
+        axes.set_ylim(0.0, 1.25 * self.law.reference)
+        label_axes(axes, quantity("time").label, r"$\mu$ at zero displacement", 6, 5)
+        name = self.first[self.places.velocity].test.name
+        axes.set_title(f"(c) {name}: friction at zero displacement", loc="left")
+
+    def loops(self, axes: "Axes") -> None:
+        """Draw the loops of the fast test."""
+        tests = [loops[self.places.velocity] for loops in self.runs.values()]
+        name = tests[0].test.name
+        if name in self.measured:
+            draw_measured(axes, self.measured[name])
+        for test, look in zip(tests, cycle(LINES), strict=False):
+            draw_model(axes, test, look, slice(None), 0.8)
+        _mark_second_cycle(axes, tests[0])
+        draw_cross(axes)
+        label_axes(axes, quantity("displacement").label, quantity("force").label, 5, 5)
+        axes.set_title(f"(d) {name}: loops, c and d in the second cycle", loc="left")
 
 
 def _friction_in(history: "Loops | Measurement", number: int) -> float:
@@ -112,161 +230,13 @@ def _is_loops(history: "Loops | Measurement") -> "TypeGuard[Loops]":
     return hasattr(history, "friction_law")
 
 
-def _reduced(
-    histories: "Sequence[Loops | Measurement | None]", reference: int, number: int
-) -> list[tuple[int, float]]:
-    """Return the place and the friction of each history over that of the reference."""
-    base = histories[reference]
-    if base is None:
-        return []
-    scale = _friction_in(base, number)
-    return [(i, _friction_in(h, number) / scale) for i, h in enumerate(histories) if h is not None]
-
-
-def _measured_in_order(
-    program: "Sequence[Loops]", measured: "Mapping[str, Measurement]"
-) -> "list[Measurement | None]":
-    return [measured.get(test.test.name) for test in program]
-
-
-def _draw_pressure(
-    axes: "Axes",
-    places: DependencyTests,
-    runs: "Mapping[str, Sequence[Loops]]",
-    measured: "Mapping[str, Measurement]",
-) -> None:
-    first = next(iter(runs.values()))
-    pressures = [float(test.load.mean()) / test.bearing.slider_area for test in first]
-    middle = sorted(places.pressures, key=lambda i: pressures[i])[len(places.pressures) // 2]
-    law = first[0].friction_law
-    sigma = np.linspace(0.5 * min(pressures), 1.25 * max(pressures), 200)
-    curve = law.pressure_factor(sigma) / law.pressure_factor(pressures[middle])
-    axes.plot(sigma, curve, color=INK, linewidth=1.0, label=r"$\gamma$ of the law")
-    for histories, colour in _all(runs, measured, first):
-        for i, ratio in _reduced(histories, middle, 2):
-            if i in places.pressures:
-                axes.plot(
-                    pressures[i], ratio, marker="o", markersize=4, color=colour, linestyle="none", alpha=0.85
-                )
-    axes.set_xlabel("pressure on the slider [N/mm²]")
-    axes.set_ylabel(rf"$\mu\,/\,\mu$ at {pressures[middle]:.0f} N/mm²")
-    axes.set_title("(a) pressure: slow tests, reduced by their heat", loc="left")
-    axes.set_ylim(0.0, 1.15 * float(curve.max()))
-    axes.legend(loc="lower left")
-    calm_ticks(axes, 6, 5)
-
-
-def _draw_velocity(
-    axes: "Axes",
-    places: DependencyTests,
-    runs: "Mapping[str, Sequence[Loops]]",
-    measured: "Mapping[str, Measurement]",
-) -> None:
-    first = next(iter(runs.values()))
-    law = first[0].friction_law
-    fastest = first[places.velocity].test.waveform.peak_velocity
-    share = min(first[0].bearing.shares) if law.speed_is_of_surface else 1.0
-    speed = np.linspace(0.0, 1.1 * fastest, 300)
-    curve = law.velocity_factor(speed * share) / law.velocity_factor(fastest * share)
-    axes.plot(speed, curve, color=INK, linewidth=1.0, label=r"$\alpha$ of the law")
-    pressure = float(first[places.velocity].load[0])
-    same = [i for i in places.pressures if abs(float(first[i].load[0]) / pressure - 1.0) < 0.01]
-    for histories, colour in _all(runs, measured, first):
-        for i, ratio in _reduced(histories, places.velocity, 1):
-            if i == places.velocity or i in same:
-                at = first[i].test.waveform.peak_velocity
-                axes.plot(at, ratio, marker="o", markersize=4, color=colour, linestyle="none", alpha=0.85)
-    axes.set_xlabel("relative velocity [mm/s]")
-    axes.set_ylabel(rf"$\mu\,/\,\mu$ at {fastest:.0f} mm/s")
-    axes.set_title("(b) velocity: first cycle, reduced by its heat", loc="left")
-    axes.set_ylim(0.0, 1.3)
-    axes.legend(loc="lower right")
-    calm_ticks(axes, 6, 5)
-
-
-def _draw_friction(
-    axes: "Axes",
-    places: DependencyTests,
-    runs: "Mapping[str, Sequence[Loops]]",
-    measured: "Mapping[str, Measurement]",
-) -> None:
-    first = next(iter(runs.values()))
-    for histories, colour in _all(runs, measured, first):
-        fast = histories[places.velocity]
-        if fast is not None:
-            time, friction = _at_zero(fast)
-            axes.plot(time, friction, marker="o", markersize=3.5, linewidth=0.7, color=colour)
-    # late: the package of bearings imports the kernels
-    from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
-
-    axes.axhline(NOMINAL_COEFFICIENT, color=RED, linewidth=0.7, linestyle=(0, (5, 3)))
-    axes.text(0.985, 1.08 * NOMINAL_COEFFICIENT, r"$\mu_n = 0.043$, tests of Li et al.", color=RED, ha="right", va="bottom",
-              transform=axes.get_yaxis_transform())  # fmt: skip
-    axes.set_xlim(left=0.0)
-    axes.set_ylim(0.0, 1.25 * first[0].friction_law.reference)
-    axes.set_xlabel(quantity("time").label)
-    axes.set_ylabel(r"$\mu$ at zero displacement")
-    axes.set_title(f"(c) {first[places.velocity].test.name}: friction at zero displacement", loc="left")
-    calm_ticks(axes, 6, 5)
-
-
-def _at_zero(history: "Loops | Measurement") -> "tuple[np.ndarray, np.ndarray]":
-    crossings = history.crossings
-    return crossings[:, 0], np.abs(crossings[:, 1]) / crossings[:, 2]
-
-
-def _draw_loops(
-    axes: "Axes",
-    places: DependencyTests,
-    runs: "Mapping[str, Sequence[Loops]]",
-    measured: "Mapping[str, Measurement]",
-) -> None:
-    tests = [loops[places.velocity] for loops in runs.values()]
-    name = tests[0].test.name
-    if name in measured:
-        draw_measured(axes, measured[name])
-    for test, (colour, line) in zip(tests, cycle(LINES), strict=False):
-        shown = (test.displacement, test.force)
-        axes.plot(
-            *(quantity(n).display(v) for n, v in zip(("displacement", "force"), shown, strict=True)),
-            color=colour,
-            linestyle=line,
-            linewidth=0.8,
-        )
-    _mark_second_cycle(axes, tests[0])
-    draw_cross(axes)
-    axes.set_xlabel(quantity("displacement").label)
-    axes.set_ylabel(quantity("force").label)
-    axes.set_title(f"(d) {name}: loops, c and d in the second cycle", loc="left")
-    calm_ticks(axes, 5, 5)
-
-
 def _mark_second_cycle(axes: "Axes", test: "Loops") -> None:
     """Mark the points at zero displacement from which the nominal coefficient is taken."""
     if test.cycle_times.size < 3:
         return
-    crossings = test.crossings
-    slack = 1e-9 * test.time[-1]
-    inside = (crossings[:, 0] >= test.cycle_times[1] - slack) & (
-        crossings[:, 0] < test.cycle_times[2] - slack
-    )
-    for (_, force, _), letter in zip(crossings[inside], "cd", strict=False):
-        height = float(quantity("force").display(force))
-        axes.plot(0.0, height, marker="o", markersize=4, color=INK, linestyle="none", zorder=4)
-        axes.annotate(
-            letter,
-            (0.0, height),
-            xytext=(4, 4 if height > 0.0 else -9),
-            textcoords="offset points",
-            weight="bold",
-        )
-
-
-def _all(
-    runs: "Mapping[str, Sequence[Loops]]", measured: "Mapping[str, Measurement]", first: "Sequence[Loops]"
-) -> "list[tuple[Sequence[Loops | Measurement | None], str]]":
-    """Return the histories of every model and of the measured tests, with their colours."""
-    found: list[tuple[Sequence[Loops | Measurement | None], str]] = [
-        (loops, colour) for loops, (colour, _) in zip(runs.values(), cycle(LINES), strict=False)
-    ]
-    return [*found, (_measured_in_order(first, measured), GREY)] if measured else found
+    times, forces = test.crossings[:, 0], quantity("force").display(test.crossings[:, 1])
+    first, last = test.cycle_times[1:3] - 1e-9 * test.time[-1]
+    for height, letter in zip(forces[(times >= first) & (times < last)].tolist(), "cd", strict=False):
+        draw_marks(axes, 0.0, height, "o", 4, INK, zorder=4)
+        beside = (4, 4 if height > 0.0 else -9)
+        axes.annotate(letter, (0.0, height), xytext=beside, textcoords="offset points", weight="bold")
