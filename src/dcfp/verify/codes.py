@@ -6,8 +6,7 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from scipy import optimize, signal
-from scipy.linalg import block_diag
+from scipy import linalg, optimize, signal
 
 from dcfp.arrays import FloatArray
 from dcfp.constants import STANDARD_GRAVITY
@@ -25,6 +24,7 @@ _FINER = 20
 
 _optimize: Any = optimize
 _signal: Any = signal
+_linalg: Any = linalg
 
 
 def _simulated(name: str) -> FloatArray:
@@ -34,7 +34,7 @@ def _simulated(name: str) -> FloatArray:
     states = [np.array([[0.0, 1.0], [-(omega**2), -0.1 * omega]]) for omega in 2.0 * np.pi / _PERIODS]
     count = len(states)
     system = _signal.StateSpace(
-        block_diag(*states),
+        _linalg.block_diag(*states),
         np.tile([[0.0], [-1.0]], (count, 1)),
         np.kron(np.eye(count), [1.0, 0.0]),
         np.zeros((count, 1)),
