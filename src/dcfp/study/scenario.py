@@ -220,7 +220,7 @@ def scenario_toml(
 
 
 @dataclass(frozen=True, eq=False)
-class Result:
+class ScenarioResult:
     """One ground motion on the bearing.
 
     Attributes
@@ -261,7 +261,7 @@ class Calculation:
     scenario: Scenario
     setting: Setting
     nominal: Nominal
-    results: tuple[Result, ...]
+    results: tuple[ScenarioResult, ...]
 
     @cached_property
     def summary(self) -> list[dict[str, Any]]:
@@ -285,7 +285,7 @@ def calculate(scenario: Scenario, report: Callable[[], None] | None = None) -> C
         If an analysis cannot be finished.
     """
     setting, nominal = setting_of(scenario.model)
-    results: list[Result] = []
+    results: list[ScenarioResult] = []
     for motion in scenario.motions:
         results.append(_result(motion, scenario, setting))
         if report is not None:
@@ -293,6 +293,6 @@ def calculate(scenario: Scenario, report: Callable[[], None] | None = None) -> C
     return Calculation(scenario, setting, nominal, tuple(results))
 
 
-def _result(motion: GroundMotion, scenario: Scenario, setting: Setting) -> Result:
+def _result(motion: GroundMotion, scenario: Scenario, setting: Setting) -> ScenarioResult:
     response = analyse(motion, scenario.model, scenario.study.settings, keep=PLATES)
-    return Result(motion, response, compare(motion, setting, codes=True, response=response))
+    return ScenarioResult(motion, response, compare(motion, setting, codes=True, response=response))

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from dcfp.inference import Case
-    from dcfp.study.scenario import Calculation, Result
+    from dcfp.study.scenario import Calculation, ScenarioResult
 
 _METHODS = (
     Head("Case", width=18),
@@ -73,7 +73,7 @@ def _write_notes(sheet: Sheet, calculation: "Calculation") -> None:
         sheet.note(note)
 
 
-def _analysis(name: str, one: "Result") -> list[object]:
+def _analysis(name: str, one: "ScenarioResult") -> list[object]:
     whole = one.case.analysed.whole
     response = one.response
     shear = response.peak_force / response.bearing.vertical_force

@@ -11,12 +11,12 @@ from dcfp.methods.result import Answer
 from dcfp.methods.spectra import response_spectrum
 from dcfp.methods.spectra.elastic import displacement
 from dcfp.schema.formulas import Formula, number
-from dcfp.study.scenario import Calculation, Result
+from dcfp.study.scenario import Calculation, ScenarioResult
 
 _MECHANICS = "mechanics"
 
 
-def code_formulas(calculation: Calculation, result: Result) -> dict[str, tuple[Formula, ...]]:
+def code_formulas(calculation: Calculation, result: ScenarioResult) -> dict[str, tuple[Formula, ...]]:
     """Return the formulas of every method that has an answer, by its name."""
     pendulum = pendulum_of(calculation.setting)
     found: dict[str, tuple[Formula, ...]] = {}
@@ -50,7 +50,7 @@ def _equivalent(
     )  # fmt: skip
 
 
-def _demand(said: Answer, result: Result) -> Formula:
+def _demand(said: Answer, result: ScenarioResult) -> Formula:
     """Return the ordinate of the record's spectrum at the effective period of an answer."""
     spectrum = response_spectrum(result.motion)
     ordinate = float(displacement(spectrum, np.array([said.period]))[0])
@@ -72,7 +72,7 @@ def _shear(pendulum: PendulumWithFriction, said: Answer, source: str, symbol: st
     )
 
 
-def _asce(pendulum: PendulumWithFriction, said: Answer, result: Result) -> tuple[Formula, ...]:
+def _asce(pendulum: PendulumWithFriction, said: Answer, result: ScenarioResult) -> tuple[Formula, ...]:
     demand, beta = _demand(said, result), said.damping or 0.0
     factor = asce_2016.damping_factor(beta)
     return (
@@ -85,7 +85,7 @@ def _asce(pendulum: PendulumWithFriction, said: Answer, result: Result) -> tuple
     )  # fmt: skip
 
 
-def _eurocode(pendulum: PendulumWithFriction, said: Answer, result: Result) -> tuple[Formula, ...]:
+def _eurocode(pendulum: PendulumWithFriction, said: Answer, result: ScenarioResult) -> tuple[Formula, ...]:
     demand, xi = _demand(said, result), said.damping or 0.0
     eta = eurocode_8.damping_correction(xi)
     return (
@@ -98,7 +98,7 @@ def _eurocode(pendulum: PendulumWithFriction, said: Answer, result: Result) -> t
     )  # fmt: skip
 
 
-def _method_1(pendulum: PendulumWithFriction, said: Answer, result: Result) -> tuple[Formula, ...]:
+def _method_1(pendulum: PendulumWithFriction, said: Answer, result: ScenarioResult) -> tuple[Formula, ...]:
     demand, h = _demand(said, result), said.damping or 0.0
     reduction = aij_2016.damping_correction(h)
     loop = pendulum.effective_damping(said.displacement)
@@ -113,7 +113,7 @@ def _method_1(pendulum: PendulumWithFriction, said: Answer, result: Result) -> t
     )  # fmt: skip
 
 
-def _method_2(pendulum: PendulumWithFriction, said: Answer, result: Result) -> tuple[Formula, ...]:
+def _method_2(pendulum: PendulumWithFriction, said: Answer, result: ScenarioResult) -> tuple[Formula, ...]:
     level = constant_velocity(response_spectrum(result.motion), pendulum)
     alpha, h = pendulum.rest / said.displacement, said.damping or 0.0
     reduction, omega = aij_2016.damping_correction(h), pendulum.free_frequency
@@ -129,7 +129,9 @@ def _method_2(pendulum: PendulumWithFriction, said: Answer, result: Result) -> t
     )  # fmt: skip
 
 
-def _energy_balance(pendulum: PendulumWithFriction, said: Answer, result: Result) -> tuple[Formula, ...]:
+def _energy_balance(
+    pendulum: PendulumWithFriction, said: Answer, result: ScenarioResult
+) -> tuple[Formula, ...]:
     equivalent, omega = input_velocity(result.motion, pendulum), pendulum.free_frequency
     b = 4.0 * aij_2016.LOOPS * pendulum.friction * pendulum.radius * omega / equivalent
     source = "AIJ (2016), energy balance"

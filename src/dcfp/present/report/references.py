@@ -13,7 +13,7 @@ from dcfp.present.report.document import DECIMALS
 from dcfp.schema.check import COLUMNS
 from dcfp.schema.citations import bibliography, citation
 from dcfp.schema.formulas import Formula
-from dcfp.study.scenario import Calculation, Result
+from dcfp.study.scenario import Calculation, ScenarioResult
 from dcfp.version import version
 
 #: What the formulas and conditions of each method of a code cite.
@@ -134,7 +134,7 @@ def numbers_of(calculation: Calculation, formulas: tuple[Formula, ...]) -> dict[
     }
 
 
-def energies_of(result: Result) -> dict[str, float]:
+def energies_of(result: ScenarioResult) -> dict[str, float]:
     """Return the energies at the end of an analysis [kN m], and the residual of their balance over the largest input [-]."""
     energy = result.response.energy
     ends = {
@@ -150,7 +150,7 @@ def energies_of(result: Result) -> dict[str, float]:
     }
 
 
-def _case(one: Result, row: dict[str, Any], compared: dict[str, Any]) -> dict[str, Any]:
+def _case(one: ScenarioResult, row: dict[str, Any], compared: dict[str, Any]) -> dict[str, Any]:
     motion = one.motion
     return {
         **compared,

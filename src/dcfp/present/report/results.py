@@ -28,7 +28,7 @@ from dcfp.present.report.document import (
 )
 from dcfp.present.report.references import energies_of
 from dcfp.schema.check import Verdict
-from dcfp.study.scenario import Calculation, Result
+from dcfp.study.scenario import Calculation, ScenarioResult
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -93,7 +93,7 @@ def _peaks_row(row: dict[str, Any]) -> tuple[Cell, ...]:
     return (*cells(str(row["record"])), *numbers, Cell((status,), verdict))
 
 
-def _case(one: Result, calculation: Calculation) -> tuple[Block, ...]:
+def _case(one: ScenarioResult, calculation: Calculation) -> tuple[Block, ...]:
     name = label_of(one)
     blocks: list[Block] = [
         Drawing(
@@ -109,7 +109,7 @@ def _case(one: Result, calculation: Calculation) -> tuple[Block, ...]:
     return tuple(blocks)
 
 
-def _energies(one: Result) -> Table:
+def _energies(one: ScenarioResult) -> Table:
     found = energies_of(one)
     names = ("input", "hysteretic", "strain", "kinetic", "residual", "absolute_input")
     symbols = ("E", "E_h", "E_s", "E_k", "", 'E_"abs"')
@@ -143,7 +143,7 @@ def methods_section(calculation: Calculation) -> Section:
     return Section("Predictions and codes against the analysis", (note,), tuple(parts), on_new_page=True)
 
 
-def _methods(one: Result) -> tuple[Block, ...]:
+def _methods(one: ScenarioResult) -> tuple[Block, ...]:
     analysed = one.case.analysed.whole
     y = one.response.peak_displacement
     rows: list[tuple[Cell, ...]] = [
@@ -189,7 +189,7 @@ def _methods(one: Result) -> tuple[Block, ...]:
     return (*blocks, words(" ".join(remarks), tone=Tone.NOTE)) if remarks else tuple(blocks)
 
 
-def _codes(one: Result, y: float) -> Table:
+def _codes(one: ScenarioResult, y: float) -> Table:
     rows: list[tuple[Cell, ...]] = []
     for said in one.case.answers.values():
         ratio = said.displacement / y if y > 0.0 else None
@@ -212,7 +212,7 @@ def _verdict(said: Answer) -> Verdict:
     return Verdict.MET if said.valid else Verdict.NOT_MET
 
 
-def _ratios(one: Result, view: View, said: Prediction) -> tuple[Cell, ...]:
+def _ratios(one: ScenarioResult, view: View, said: Prediction) -> tuple[Cell, ...]:
     """Return change of displacement and largest displacement over the analysis, and the word on what the method predicts."""
     y = one.response.peak_displacement
     change = _known(float(ratios([one.case], view, CHANGE)[0]))
@@ -241,7 +241,7 @@ _SHEET_WITH_PROFILE, _PULSES = 5.35, 3.55
 _LONGEST = 40
 
 
-def draw_response(result: "Result") -> "Figure":
+def draw_response(result: "ScenarioResult") -> "Figure":
     """Draw loop and histories."""
     from dcfp.present.figures import plot_response  # late: Matplotlib takes long to import
 
@@ -251,7 +251,7 @@ def draw_response(result: "Result") -> "Figure":
     return figure
 
 
-def draw_pulses(result: "Result", constants: "Constants") -> "Figure":
+def draw_pulses(result: "ScenarioResult", constants: "Constants") -> "Figure":
     """Draw the pulses, the velocities and the displacement."""
     from dcfp.present.figures import plot_pulses
 

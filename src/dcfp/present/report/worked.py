@@ -29,7 +29,7 @@ from dcfp.present.report.document import (
 )
 from dcfp.present.report.references import source_of
 from dcfp.schema.formulas import Formula, number
-from dcfp.study.scenario import Calculation, Result
+from dcfp.study.scenario import Calculation, ScenarioResult
 
 #: Rounds of an iteration that are printed, besides the last.
 _FIRST_ROUNDS = 4
@@ -43,7 +43,7 @@ class Worked:
     formulas: tuple[Formula, ...]
 
 
-def governing(calculation: Calculation) -> Result:
+def governing(calculation: Calculation) -> ScenarioResult:
     """Return the case with the largest displacement."""
     return max(calculation.results, key=lambda one: one.response.peak_displacement)
 
@@ -163,7 +163,7 @@ def friction_deceleration(calculation: Calculation) -> Formula:
     )
 
 
-def pulse_formulas(calculation: Calculation, result: Result) -> tuple[Formula, ...]:
+def pulse_formulas(calculation: Calculation, result: ScenarioResult) -> tuple[Formula, ...]:
     """Return the pulse method for its governing pulse; nothing where nothing is predicted to move."""
     pulses, constants = result.case.pulses, calculation.setting.constants
     predicted = predict_from_pulses(pulses, constants)
@@ -198,7 +198,7 @@ def pulse_formulas(calculation: Calculation, result: Result) -> tuple[Formula, .
     )  # fmt: skip
 
 
-def simplified_formulas(calculation: Calculation, result: Result) -> tuple[Formula, ...]:
+def simplified_formulas(calculation: Calculation, result: ScenarioResult) -> tuple[Formula, ...]:
     """Return the simplified method for its governing pulse; nothing where it cannot be used."""
     pulses, constants = result.case.pulses, calculation.setting.constants
     if not constants.slides_on_average:
@@ -247,7 +247,7 @@ def largest_elsewhere(predicted: PulsePrediction) -> tuple[Paragraph, ...]:
     return (words(start, *parts, ".", tone=Tone.NOTE),)
 
 
-def design_formulas(calculation: Calculation, result: Result) -> tuple[Formula, ...]:
+def design_formulas(calculation: Calculation, result: ScenarioResult) -> tuple[Formula, ...]:
     """Return the design method; nothing where it cannot be used."""
     constants, pgv = calculation.setting.constants, result.motion.peak_velocity
     if not (constants.slides_on_average and pgv > 0.0):

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 REMARKS = Quantity("remarks", "what a reader must know", get="remarks", printed=False)
 
 
-class Result(Protocol):
+class Tabulated(Protocol):
     """What has histories."""
 
     def to_dataset(self) -> "xarray.Dataset":
@@ -142,7 +142,7 @@ def _different(choices: Sequence[Sequence[str]]) -> list[str]:
 def _write(
     path: Path,
     kind: str,
-    results: Sequence[Result],
+    results: Sequence[Tabulated],
     names: Sequence[str],
     table: Table,
     dimension: str,
