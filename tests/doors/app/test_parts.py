@@ -229,12 +229,18 @@ def test_a_peak_is_shown_in_the_unit_that_is_chosen(american):
         ("temperature", 100.0, 0, "100 °C", "212 °F"),
         ("input_energy", 4448.2216 * 304.8, 0, "1 kN m", "1 kip ft"),
         ("friction", 0.05, 3, "0.050 –", "0.050 –"),
+        ("ground_acceleration", 9806.65, 2, "9.81 m/s²", "9.81 m/s²"),
     ],
 )
 def test_values_are_shown_in_the_unit_that_is_chosen(american, name, value, decimals, given, chosen):
     one = replace(quantity(name), decimals=decimals)
     for units, expected in ((Units(), given), (american, chosen)):
         assert f"{units.written(one, value)} {units.name(one)}" == expected
+
+
+def test_decimals_follow_a_unit_that_is_not_among_the_choices():
+    one = Quantity("v", "velocity", MM_PER_S, decimals=0)
+    assert (Units().written(one, 412.3), Units().name(one)) == ("0.412", "m/s")
 
 
 def test_a_stiffness_follows_from_force_and_length(american):

@@ -1,6 +1,6 @@
 """Files to take away, made in memory or in a folder that is gone when they are sent."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from io import BytesIO
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -16,31 +16,14 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-def responses_netcdf(responses: list[Response]) -> bytes:
-    """Return analyses as NetCDF."""
-    return _file(lambda path: write_responses(path, responses, ".nc"))
+def responses_file(responses: Sequence[Response], kind: str) -> bytes:
+    """Return analyses as ``".nc"``, or as ``".csv"`` the histories of one or the peaks of several."""
+    return _file(lambda path: write_responses(path, responses, kind))
 
 
-def responses_csv(responses: list[Response]) -> bytes:
-    """Return the histories of one analysis as CSV, or the peaks of several."""
-    return _file(lambda path: write_responses(path, responses, ".csv"))
-
-
-def tests_netcdf(tests: list[Loops]) -> bytes:
-    """Return tests as NetCDF."""
-    return _file(lambda path: write_tests(path, tests, ".nc"))
-
-
-def tests_csv(tests: list[Loops]) -> bytes:
-    """Return the history of one test as CSV, or the measures of several."""
-    return _file(lambda path: write_tests(path, tests, ".csv"))
-
-
-def response_png(response: Response) -> bytes:
-    """Return the sheet of an analysis as PNG."""
-    from dcfp.present.figures import plot_response  # late: Matplotlib takes long to import
-
-    return figure_png(plot_response(response))
+def tests_file(tests: Sequence[Loops], kind: str) -> bytes:
+    """Return tests as ``".nc"``, or as ``".csv"`` the history of one or the measures of several."""
+    return _file(lambda path: write_tests(path, tests, kind))
 
 
 def report_pdf(task: Task) -> bytes:
@@ -60,7 +43,7 @@ def workbook(task: Task) -> bytes:
 
 def figure_png(figure: "Figure") -> bytes:
     """Return a figure as PNG."""
-    from dcfp.present.figures import save_figure
+    from dcfp.present.figures import save_figure  # late: Matplotlib takes long to import
 
     stream = BytesIO()
     save_figure(figure, stream, "png")

@@ -1,20 +1,21 @@
 """The page of the test machine."""
 
 import asyncio
-from collections.abc import Callable
 from functools import partial
 
+import numpy as np
 from nicegui import ui
 
 from dcfp.analysis.rig import Loops, Program, RigTest, Sine, load_program, run_program
+from dcfp.analysis.rig.loops import CYCLES, cycles_of_tests
 from dcfp.doors.app import downloads
-from dcfp.doors.app.charts import machine as charts
-from dcfp.doors.app.charts.look import chart, legend
-from dcfp.doors.app.elements import Chart, Grid, Text
-from dcfp.doors.app.fields import Alert, BearingPanel, action, card, choice_field, parameter_field
+from dcfp.doors.app.charts.look import BLUE, OCHRE, axis, chart, legend, line, simple
+from dcfp.doors.app.elements import Chart, Grid, Options, Text
+from dcfp.doors.app.fields import card, choice_field, parameter_field
 from dcfp.doors.app.forms import read_field
-from dcfp.doors.app.session import Latest, Session
-from dcfp.errors import DcfpError
+from dcfp.doors.app.session import Session
+from dcfp.doors.app.tab import Tab, write_list
+from dcfp.doors.app.thinning import points
 from dcfp.present import panels
 from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import MM, MM_PER_S, NONE
@@ -38,39 +39,39 @@ _WAVE = {
     "cycles": Parameter("number of cycles", NONE, 1, 50, step=1, kind=int, default=4),
     "start": Parameter("start", choices=tuple(_STARTS), kind=str, default="speed"),
 }
+#: What is told of a cycle here, besides what tables have.
+_ALSO = ("displacement_min_mm", "friction_of_loop")
+#: Cycles that are drawn with a mark each.
+_FEW = 40
 
 
-class MachineTab:
-    """Fields and results of the test machine; arguments as for `ResponseTab`."""
+class MachineTab(Tab):
+    """Fields and results of the test machine.
+
+    Parameters
+    ----------
+    session
+        Of the visitor.
+    """
 
     def __init__(self, session: Session) -> None:
-        self._session = session
-        self._client = ui.context.client
         self._name, self._chosen = "dependency", _ALL
         self._wave = {key: one.default for key, one in _WAVE.items()}
         self._tests: list[Loops] = []
-        self._latest = Latest(self._work)
-        with ui.element("div").classes("body"):
-            with ui.element("aside").classes("side").props('aria-label="What is tested"'):
-                self._add_program()
-                self._bearing = BearingPanel(session.bearing, self.ask)
-            with ui.element("div").classes("results"):
-                self._alert = Alert()
-                self._add_results()
+        super().__init__(session, "What is tested", "Test machine")
 
-    def _add_program(self) -> None:
+    def add_fields(self) -> None:
+        """Add the program."""
         with card("Test program"):
             choice_field("Program", PROGRAMS, self._name, self._choose_program)
             with ui.element("div").classes("pair") as self._own:
                 for key, one in _WAVE.items():
                     parameter_field(one, one.default, partial(self._set_wave, key), _STARTS)
             self._own.set_visibility(False)
-            self._which = choice_field("Shown", {_ALL: _ALL}, _ALL, self._choose_test)  # fmt: skip
+            self._which = choice_field("Shown", {_ALL: _ALL}, _ALL, self._choose_test)
 
-    def _add_results(self) -> None:
-        with ui.element("div").classes("head-row"):
-            self._title = Text("h2", "Test machine")
-            self._busy = Text("span", "").classes("busy").props("role=status")
+    def add_results(self) -> None:
+        """Add charts and table."""
         with ui.element("div").classes("halves"):
             with card("Loops", "h3"):
                 self._loops = Chart("Force against displacement of the tests", "middle")
@@ -80,58 +81,49 @@ class MachineTab:
             self._temperature = Chart("Temperature of the contact over the time of each test")
         with card("Measures of each cycle", "h3"):
             self._measures = Grid("Measures of each cycle")
-            Text("p", "k_eff and β_eff as ASCE/SEI 7-16, section 17.8; µ at zero: force over load where the displacement passes zero.").classes("note")  # fmt: skip
+            Text("p", "k_eff and b_eff as ASCE/SEI 7-16, section 17.8; mu_0: force over load where the displacement passes zero.").classes("note")  # fmt: skip
         self._remarks = ui.element("ul").classes("remarks")
-        with card("Take it away", "h3"), ui.element("div").classes("actions"):
-            self._add_download("Measures (CSV)", "tests.csv", downloads.tests_csv)
-            self._add_download("All data (NetCDF)", "tests.nc", downloads.tests_netcdf)
 
-    def open(self) -> None:
-        """Show the fields as another page may have left them, and test."""
-        self._bearing.refresh()
-        self.ask()
+        def file(kind: str) -> bytes | None:
+            return downloads.tests_file(self._tests, kind) if self._tests else None
 
-    def ask(self) -> None:
-        """Test what the fields hold."""
-        self._latest.ask()
-
-    def show_again(self) -> None:
-        """Show the same in other units, or another test of them."""
-        if not self._tests:
-            return
-        units = self._session.units
-        some = [test for test in self._tests if self._chosen in (_ALL, test.test.name)]
-        self._loops.draw(chart(panels.loops(some), units))
-        self._friction.draw(charts.friction_chart(self._tests))
-        scroll = legend(type="scroll", left=230)
-        self._temperature.draw(chart(panels.temperatures(some), units, 300, legend=scroll))
-        self._measures.fill(charts.cycle_head(units), charts.cycle_rows(some, units))
-        self._remarks.clear()
-        with self._remarks:
-            for sentence in grouped(self._tests):
-                Text("li", sentence)
-
-    async def _work(self) -> None:
-        try:
-            model = self._session.bearing.system()
-            program = self._own_program() if self._name == _SINE else load_program(self._name)
-            tests = await asyncio.to_thread(
-                run_program, program, model.bearing, model.friction, model.heating
+        self.add_files(
+            (
+                ("Measures (CSV)", "tests.csv", partial(file, ".csv")),
+                ("All data (NetCDF)", "tests.nc", partial(file, ".nc")),
             )
-        except DcfpError as error:
-            if not self._client.is_deleted:
-                self._alert.say(str(error))
+        )
+
+    async def work(self) -> None:
+        """Run the program."""
+        system = self.session.bearing.system()
+        program = self._own_program() if self._name == _SINE else load_program(self._name)
+        tests = await asyncio.to_thread(run_program, program, system)
+        if self.is_gone:
             return
-        if self._client.is_deleted:
-            return
-        self._alert.say("")
+        self.complain("")
         self._tests = list(tests)
-        self._title.text = PROGRAMS[self._name][:1].upper() + PROGRAMS[self._name][1:]
+        self.title.text = PROGRAMS[self._name][:1].upper() + PROGRAMS[self._name][1:]
         names = [_ALL, *(test.test.name for test in tests)]
         if self._chosen not in names:
             self._chosen = _ALL
         self._which.set_options({name: name for name in names}, value=self._chosen)
         self.show_again()
+
+    def show_again(self) -> None:
+        """Show the same in other units, or another test of them."""
+        if not self._tests:
+            return
+        units = self.session.units
+        some = [test for test in self._tests if self._chosen in (_ALL, test.test.name)]
+        self._loops.draw(chart(panels.loops(some), units))
+        self._friction.draw(friction_chart(self._tests))
+        scroll = legend(type="scroll", left=230)
+        self._temperature.draw(chart(panels.temperatures(some), units, 300, legend=scroll))
+        told = [one for one in CYCLES if one.printed or one.key in _ALSO]
+        cells = [[units.text(one, cycle) for one in told] for cycle in cycles_of_tests(some)]
+        self._measures.fill(units.heads(told), cells)
+        write_list(self._remarks, grouped(self._tests))
 
     def _choose_program(self, name: str) -> None:
         self._name = name
@@ -152,12 +144,21 @@ class MachineTab:
         wave = {key: read_field(one, self._wave[key]) for key, one in _WAVE.items()}
         return Program("sine", (RigTest("sine", Sine(**wave)),))
 
-    def _add_download(self, label: str, name: str, make: Callable[[list[Loops]], bytes]) -> None:
-        async def give() -> None:
-            if self._tests:
-                ui.download(await asyncio.to_thread(make, self._tests), name)
 
-        action(label, give)
+def friction_chart(tests: list[Loops]) -> Options:
+    """Draw the coefficient at zero displacement and of the whole loop in each cycle, the tests one after another."""
+    cycles = [cycle for test in tests for cycle in test.cycles]
+    number = np.arange(1.0, len(cycles) + 1.0)
+    marks = {"showSymbol": len(cycles) <= _FEW, "symbol": "circle", "symbolSize": 6}
+    series = [
+        line(words, points(number, np.array([getattr(cycle, name) for cycle in cycles])), colour, **marks)
+        for words, name, colour in (
+            ("at zero displacement", "friction", BLUE),
+            ("whole loop", "loop_friction", OCHRE),
+        )
+    ]
+    x = axis("Cycle, all tests in order", "x", minInterval=1, min=0.5, max=len(cycles) + 0.5)
+    return simple(x, axis("µ [–]", "y"), series, legend=legend())
 
 
 def grouped(tests: list[Loops]) -> list[str]:

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Protocol
+from typing import TYPE_CHECKING
 
 from nicegui import ui
 from nicegui.events import ValueChangeEventArguments
@@ -16,20 +16,11 @@ from dcfp.doors.app.surveys import Surveys
 from dcfp.doors.app.units import CHOICES, Units
 from dcfp.schema.units import Unit
 
+if TYPE_CHECKING:
+    from dcfp.doors.app.tab import Tab
+
 #: Themes in the order of the button: that of the system, light, dark.
 _THEMES = ((None, "system"), (False, "light"), (True, "dark"))
-
-
-class _Tab(Protocol):
-    """One of the pages."""
-
-    def open(self) -> None:
-        """Become seen."""
-        ...
-
-    def show_again(self) -> None:
-        """Show the same in other units."""
-        ...
 
 
 async def build_page(surveys: Surveys) -> None:
@@ -56,14 +47,14 @@ class _Pages:
     """The three pages, each built when it is first seen."""
 
     def __init__(self, session: Session, surveys: Surveys) -> None:
-        self._makers: Sequence[tuple[str, Callable[[], _Tab]]] = (
+        self._makers: Sequence[tuple[str, Callable[[], Tab]]] = (
             ("Response", lambda: ResponseTab(session)),
             ("Test machine", lambda: MachineTab(session)),
             ("Design chart", lambda: DesignTab(session, surveys)),
         )
         self._buttons: list[Text] = []
         self._places: list[ui.element] = []
-        self._tabs: dict[int, _Tab] = {}
+        self._tabs: dict[int, Tab] = {}
         self._seen = -1
 
     def add_buttons(self) -> None:
@@ -86,7 +77,7 @@ class _Pages:
         if number == self._seen:
             return
         before = self._tabs.get(self._seen)
-        if isinstance(before, DesignTab):
+        if before is not None:
             before.close()
         self._seen = number
         for one, (button, place) in enumerate(zip(self._buttons, self._places, strict=True)):

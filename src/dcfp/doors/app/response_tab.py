@@ -1,7 +1,6 @@
 """The page of the response: fields at the side, and what follows from them."""
 
 import asyncio
-from collections.abc import Callable
 
 from nicegui import ui
 
@@ -12,17 +11,20 @@ from dcfp.doors.app.analysis import Predicted, Task, analyse, predict, remarks_o
 from dcfp.doors.app.charts import response as charts
 from dcfp.doors.app.charts.look import chart, rows
 from dcfp.doors.app.elements import Cell, Chart, Grid, Section, Text
-from dcfp.doors.app.fields import Alert, BearingPanel, action, card
+from dcfp.doors.app.fields import card
 from dcfp.doors.app.forms import label_of
 from dcfp.doors.app.records_panel import RecordsPanel
-from dcfp.doors.app.session import Latest, Session
-from dcfp.doors.app.units import Units
+from dcfp.doors.app.session import Session
+from dcfp.doors.app.tab import Latest, Tab, write_list
 from dcfp.errors import DcfpError
 from dcfp.present import panels
-from dcfp.schema.quantities import NOTHING, Quantity
+from dcfp.schema.quantities import NOTHING
+
+_TONES = {Status.OK: "good", Status.BEYOND_CAPACITY: "bad", Status.STILL_MOVING: "doubt"}
+_CELL_TONES = {status.value: tone for status, tone in _TONES.items()}
 
 
-class ResponseTab:
+class ResponseTab(Tab):
     """Fields and results of the response.
 
     Parameters
@@ -32,150 +34,30 @@ class ResponseTab:
     """
 
     def __init__(self, session: Session) -> None:
-        self._session = session
-        self._client = ui.context.client
         self._shown = 0
         self._task: Task | None = None
         self._responses: list[Response] = []
         self._predicted: Predicted | None = None
-        self._latest = Latest(self._work)
-        self._latest_prediction = Latest(self._predict)
-        with ui.element("div").classes("body"):
-            with ui.element("aside").classes("side").props('aria-label="What is analysed"'):
-                RecordsPanel(session, self.ask)
-                self._bearing = BearingPanel(session.bearing, self.ask)
-            with ui.element("div").classes("results"):
-                self._alert = Alert()
-                self._results = ResponseResults(self._pick)
-                self._add_downloads()
+        self._latest_prediction = Latest(lambda: self.safely(self._predict))
+        super().__init__(session, "What is analysed", "Response")
 
-    def open(self) -> None:
-        """Show the fields as another page may have left them, and analyse."""
-        self._bearing.refresh()
-        self.ask()
+    def add_fields(self) -> None:
+        """Add the records."""
+        RecordsPanel(self.session, self.ask)
 
-    def ask(self) -> None:
-        """Analyse what the fields hold."""
-        self._latest.ask()
-
-    def show_again(self) -> None:
-        """Show the same in other units."""
-        if self._responses:
-            self._results.show(self._responses, self._shown, self._session.units)
-            if self._predicted is not None:
-                self._results.show_predictions(
-                    self._responses[self._shown], self._predicted, self._session.units
-                )
-
-    async def _work(self) -> None:
-        session = self._session
-        try:
-            task = Task.of(session)
-            self._results.say_busy(True)
-            responses = await asyncio.to_thread(analyse, task)
-        except DcfpError as error:
-            self._complain(str(error))
-            if not self._client.is_deleted:
-                self._results.say_old()
-            return
-        if self._client.is_deleted:
-            return
-        self._task, self._responses, self._predicted = task, responses, None
-        self._shown = min(self._shown, len(responses) - 1)
-        self._alert.say("")
-        self._results.show(responses, self._shown, session.units)
-        self._latest_prediction.ask()
-
-    async def _predict(self) -> None:
-        """Predict what is shown; neither these numbers of the analysis nor the next ones wait for it."""
-        if self._task is None or self._latest.outdated:
-            return
-        responses, response, model = self._responses, self._responses[self._shown], self._task.model
-        try:
-            predicted = await asyncio.to_thread(predict, response, model)
-        except DcfpError as error:
-            self._complain(str(error))
-            return
-        if (
-            self._client.is_deleted
-            or responses is not self._responses
-            or response is not responses[self._shown]
-        ):
-            return  # something else is shown by now
-        self._predicted = predicted
-        self._results.show_predictions(response, predicted, self._session.units)
-        self._results.say_busy(False)
-
-    def _complain(self, sentence: str) -> None:
-        if not self._client.is_deleted:
-            self._alert.say(sentence)
-            self._results.say_busy(False)
-
-    def _pick(self, number: int) -> None:
-        if 0 <= number < len(self._responses):
-            self._shown = number
-            self._latest.ask()
-
-    def _add_downloads(self) -> None:
-        def of_shown(make: Callable[[Response], bytes]) -> Callable[[], bytes]:
-            return lambda: make(self._responses[self._shown])
-
-        files: list[tuple[str, str, Callable[[], bytes]]] = [
-            ("Scenario (TOML)", "scenario.toml", lambda: scenario_text(self._session).encode()),
-            ("Histories (CSV)", "response.csv", of_shown(lambda one: downloads.responses_csv([one]))),
-            ("All data (NetCDF)", "response.nc", lambda: downloads.responses_netcdf(self._responses)),
-            ("Figure (PNG)", "response.png", of_shown(downloads.response_png)),
-            ("Report (PDF)", "report.pdf", lambda: downloads.report_pdf(Task.of(self._session))),
-            ("Workbook (Excel)", "response.xlsx", lambda: downloads.workbook(Task.of(self._session))),
-        ]
-        with card("Take it away", "h3"), ui.element("div").classes("actions"):
-            for label, name, make in files:
-                self._add_download(label, name, make)
-        Text(
-            "p",
-            "Your files stay in the memory of this page and are gone when you close it. A scenario file looks for them in its own folder.",
-        ).classes("note")
-
-    def _add_download(self, label: str, name: str, make: Callable[[], bytes]) -> None:
-        async def give() -> None:
-            if not self._responses:
-                return
-            try:
-                content = await asyncio.to_thread(make)
-            except DcfpError as error:
-                self._complain(str(error))
-                return
-            if not self._client.is_deleted:
-                ui.download(content, name)
-
-        action(label, give)
-
-
-# What is shown of analyses.
-
-
-_TONES = {Status.OK: "good", Status.BEYOND_CAPACITY: "bad", Status.STILL_MOVING: "doubt"}
-
-
-class ResponseResults:
-    """Numbers, table and charts.
-
-    Parameters
-    ----------
-    pick
-        Called with the number of the analysis that is to be shown.
-    """
-
-    def __init__(self, pick: Callable[[int], None]) -> None:
-        with ui.element("div").classes("head-row"):
-            with ui.element("div").classes("title-row"):
-                self._title = Text("h2", "Response")
-                self._status = Text("span", "").classes("status")
-            self._busy = Text("span", "Calculating …").classes("busy").props("role=status")
-        self._tiles = self._add_tiles()
+    def add_results(self) -> None:
+        """Add numbers, table and charts."""
+        self._tiles: dict[str, tuple[Text, Text]] = {}
+        with ui.element("div").classes("tiles"):
+            for name, one in PEAKS.items():
+                if one.printed and one.is_number:
+                    with ui.element("div").classes("tile"):
+                        Text("div", label_of(one)).classes("tile-name")
+                        value = Text("span", NOTHING).classes("tile-value").props(f"data-tile={name}")
+                        self._tiles[name] = (value, Text("span").classes("tile-unit"))
         self._remarks = ui.element("ul").classes("remarks")
         with card("All records", "h3") as self._summary_card:
-            self._summary = Grid("Peaks of every record", pick)
+            self._summary = Grid("Peaks of every record", self._pick)
         with ui.element("div").classes("halves"):
             with card("Force and displacement", "h3"):
                 self._loop = Chart("Horizontal force against displacement")
@@ -196,44 +78,96 @@ class ResponseResults:
             self._bars = Chart("What each method offers for the largest displacement", "middle")
             self._predictions = Grid("Predictions beside the analysis")
             self._code_remarks = ui.element("ul").classes("remarks")
+        self._add_files()
 
-    @staticmethod
-    def _add_tiles() -> dict[str, tuple[Text, Text]]:
-        """Add a tile for each number that is told of a response, and return its value and its unit by name."""
-        tiles: dict[str, tuple[Text, Text]] = {}
-        with ui.element("div").classes("tiles"):
-            for name, one in PEAKS.items():
-                if one.printed and one.is_number:
-                    with ui.element("div").classes("tile"):
-                        Text("div", label_of(one)).classes("tile-name")
-                        value = Text("span", NOTHING).classes("tile-value").props(f"data-tile={name}")
-                        tiles[name] = (value, Text("span").classes("tile-unit"))
-        return tiles
+    def _add_files(self) -> None:
+        def figure() -> bytes | None:
+            return downloads.figure_png(self._responses[self._shown].plot()) if self._responses else None
 
-    def say_busy(self, busy: bool) -> None:
-        """Say whether something is being calculated."""
-        self._busy.text = "Calculating …" if busy else ""
+        def histories() -> bytes | None:
+            one = self._responses[self._shown : self._shown + 1]
+            return downloads.responses_file(one, ".csv") if one else None
 
-    def say_old(self) -> None:
-        """Say that what is shown is not of the input that was refused since."""
-        self._status.text = "of the last valid input"
-        self._status.classes(replace="status old")
+        def everything() -> bytes | None:
+            return downloads.responses_file(self._responses, ".nc") if self._responses else None
 
-    def show(self, responses: list[Response], number: int, units: Units) -> None:
-        """Show analyses, one of them in all detail."""
-        one = responses[number]
+        self.add_files(
+            (
+                ("Scenario (TOML)", "scenario.toml", lambda: scenario_text(self.session).encode()),
+                ("Histories (CSV)", "response.csv", histories),
+                ("All data (NetCDF)", "response.nc", everything),
+                ("Figure (PNG)", "response.png", figure),
+                ("Report (PDF)", "report.pdf", lambda: downloads.report_pdf(Task.of(self.session))),
+                ("Workbook (Excel)", "response.xlsx", lambda: downloads.workbook(Task.of(self.session))),
+            )
+        )
+        Text(
+            "p",
+            "Your files stay in the memory of this page and are gone when you close it. A scenario file looks for them in its own folder.",
+        ).classes("note")
+
+    async def work(self) -> None:
+        """Analyse every record."""
+        try:
+            task = Task.of(self.session)
+            self.busy.text = "Calculating …"
+            responses = await asyncio.to_thread(analyse, task)
+        except DcfpError:
+            if not self.is_gone:
+                self.status.text = "of the last valid input"
+                self.status.classes(replace="status old")
+            raise
+        if self.is_gone:
+            return
+        self._task, self._responses, self._predicted = task, responses, None
+        self._shown = min(self._shown, len(responses) - 1)
+        self.complain("")
+        self.show_again()
+        self._latest_prediction.ask()
+
+    async def _predict(self) -> None:
+        """Predict what is shown; neither these numbers of the analysis nor the next ones wait for it."""
+        if self._task is None or self.latest.outdated:
+            return
+        responses, shown, system = self._responses, self._shown, self._task.model
+        predicted = await asyncio.to_thread(predict, responses[shown], system)
+        if self.is_gone or responses is not self._responses or shown != self._shown:
+            return  # something else is shown by now
+        self._predicted = predicted
+        self._show_predictions()
+        self.busy.text = ""
+
+    def complain(self, sentence: str) -> None:
+        """Say what is wrong; nothing is being calculated then."""
+        super().complain(sentence)
+        if sentence and not self.is_gone:
+            self.busy.text = ""
+
+    def _pick(self, number: int) -> None:
+        if 0 <= number < len(self._responses):
+            self._shown = number
+            self.ask()
+
+    def show_again(self) -> None:
+        """Show the analyses, one of them in all detail, and what is predicted of it."""
+        if not self._responses:
+            return
+        one, units = self._responses[self._shown], self.session.units
         pgv = PEAKS["peak_ground_velocity"]
-        self._title.text = f"{one.motion.name}, PGV {units.text(pgv, one)} {units.name(pgv)}"
-        self._status.text = one.status.value
-        self._status.classes(replace=f"status {_TONES[one.status]}")
+        self.title.text = f"{one.motion.name}, PGV {units.text(pgv, one)} {units.name(pgv)}"
+        self.status.text = one.status.value
+        self.status.classes(replace=f"status {_TONES[one.status]}")
+        self.status.set_visibility(True)
         for name, (value, unit) in self._tiles.items():
             quantity = PEAKS[name]
             value.text = units.text(quantity, one)
             unit.text = units.name(quantity) if quantity.shown.has_dimension else ""
-        _write_list(self._remarks, remarks_on(one))
-        self._summary_card.set_visibility(len(responses) > 1)
+        write_list(self._remarks, remarks_on(one))
+        self._summary_card.set_visibility(len(self._responses) > 1)
         told = [quantity for quantity in PEAKS.values() if quantity.printed]
-        self._summary.fill(units.heads(told), [_row(told, each, units) for each in responses], number)
+        cells = [[units.text(quantity, each) for quantity in told] for each in self._responses]
+        marked = [[Cell(text, _CELL_TONES.get(text, "")) for text in row] for row in cells]
+        self._summary.fill(units.heads(told), marked, self._shown)
         self._loop.draw(chart(panels.loop(one), units))
         self._section.load(charts.scene(one, units))
         histories = (panels.velocities, panels.displacement, panels.temperature, panels.friction)
@@ -242,26 +176,16 @@ class ResponseResults:
         self._plate_card.set_visibility(one.profiles is not None)
         if one.profiles is not None:
             self._plate.draw(chart(panels.profile(one), units))
+        self._show_predictions()
 
-    def show_predictions(self, response: Response, predicted: Predicted, units: Units) -> None:
+    def _show_predictions(self) -> None:
         """Show predictions and codes beside the analysis."""
-        case, nominal = predicted.case, predicted.nominal
+        if self._predicted is None:
+            return
+        units, case, nominal = self.session.units, self._predicted.case, self._predicted.nominal
+        response = self._responses[self._shown]
         self._pulses.draw(chart(panels.pulses(response, case.pulses, case.analysed.pulse), units))
         self._nominal.text = f"The methods take a constant µ of {nominal.value:.4g}: {nominal.source}."
         self._bars.draw(charts.bars(case, units))
         self._predictions.fill(charts.prediction_head(units), charts.prediction_rows(case, units), 0)
-        _write_list(self._code_remarks, charts.code_remarks(case))
-
-
-def _write_list(place: ui.element, sentences: list[str]) -> None:
-    place.clear()
-    place.set_visibility(bool(sentences))
-    with place:
-        for sentence in sentences:
-            Text("li", sentence)
-
-
-def _row(told: list[Quantity], response: Response, units: Units) -> list[Cell | str]:
-    tones = {status.value: tone for status, tone in _TONES.items()}
-    texts = [units.text(one, response) for one in told]
-    return [Cell(text, tones.get(text, "")) for text in texts]
+        write_list(self._code_remarks, charts.code_remarks(case))

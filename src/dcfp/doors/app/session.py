@@ -1,12 +1,9 @@
-"""What belongs to one visitor: what is chosen, records that are sent, read from memory, within limits, and calculations of which only the latest matters."""
+"""What belongs to one visitor: what is chosen, and records that are sent, read from memory, within limits."""
 
 import re
-from collections.abc import Awaitable, Callable
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import PurePosixPath
-
-from nicegui import background_tasks
 
 from dcfp.doors.app.forms import BearingForm
 from dcfp.doors.app.units import Units
@@ -14,44 +11,6 @@ from dcfp.errors import InputError
 from dcfp.motion.ground_motion import LONGEST_TAIL, GroundMotion
 from dcfp.motion.load import motions_of
 from dcfp.motion.named import named_motion, named_records
-
-# Calculations of which only the latest matters.
-
-
-class Latest:
-    """Does a piece of work again whenever it is asked to, one at a time; what is asked meanwhile is done once, with the latest values.
-
-    Parameters
-    ----------
-    work
-        Looks up what is wanted, calculates in another thread, and shows it.
-    """
-
-    def __init__(self, work: Callable[[], Awaitable[None]]) -> None:
-        self._work = work
-        self._wanted = False
-        self._runs = False
-
-    @property
-    def outdated(self) -> bool:
-        """Whether something newer is wanted than what is being done."""
-        return self._wanted
-
-    def ask(self) -> None:
-        """Do the work, now or after the present one."""
-        self._wanted = True
-        if not self._runs:
-            self._runs = True
-            background_tasks.create(self._run())
-
-    async def _run(self) -> None:
-        try:
-            while self._wanted:
-                self._wanted = False
-                await self._work()
-        finally:
-            self._runs = False
-
 
 # Records that a visitor sends: read from memory, within limits.
 

@@ -1,5 +1,6 @@
 """Units in which results are shown; what is put in keeps the units beside its fields."""
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
@@ -72,9 +73,14 @@ class Units:
         """Return a value of a quantity as it is shown, without its unit."""
         unit = self.of(one)
         _, few = CHOICES.get(one.unit.inner_unit, ("", dict[Unit, int]()))
-        more = few.get(unit, 0) - few.get(one.shown, 0)
-        return one.written(value, unit, None if one.decimals is None else max(0, one.decimals + more))
+        if one.decimals is None or not few or unit is one.shown:
+            return one.written(value, unit, one.decimals)
+        finer = round(math.log10(unit.size / one.shown.size))
+        more = few[unit] - few[one.shown] if one.shown in few else finer
+        return one.written(value, unit, max(0, one.decimals + more))
 
     def heads(self, columns: Iterable[Quantity]) -> list[Head]:
         """Return the heads of a table of quantities."""
-        return [Head(one.head or one.title, self.name(one), number=one.is_number) for one in columns]
+        return [
+            Head((one.head or one.title).strip(), self.name(one), number=one.is_number) for one in columns
+        ]

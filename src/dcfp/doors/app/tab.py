@@ -1,0 +1,152 @@
+"""What the pages have in common: fields at the side, results beside them, files to take away, and work of which only the latest matters."""
+
+import asyncio
+from abc import ABC, abstractmethod
+from collections.abc import Awaitable, Callable, Collection, Iterable
+from typing import Any
+
+from nicegui import background_tasks, ui
+
+from dcfp.doors.app.elements import Text
+from dcfp.doors.app.fields import Alert, BearingPanel, action, card
+from dcfp.doors.app.session import Session
+from dcfp.errors import DcfpError
+
+
+class Latest:
+    """Does a piece of work again whenever it is asked to, one at a time; what is asked meanwhile is done once, with the latest values.
+
+    Parameters
+    ----------
+    work
+        Looks up what is wanted, calculates in another thread, and shows it.
+    """
+
+    def __init__(self, work: Callable[[], Awaitable[None]]) -> None:
+        self._work = work
+        self._wanted = False
+        self._runs = False
+
+    @property
+    def outdated(self) -> bool:
+        """Whether something newer is wanted than what is being done."""
+        return self._wanted
+
+    def ask(self) -> None:
+        """Do the work, now or after the present one."""
+        self._wanted = True
+        if not self._runs:
+            self._runs = True
+            background_tasks.create(self._run())
+
+    async def _run(self) -> None:
+        try:
+            while self._wanted:
+                self._wanted = False
+                await self._work()
+        finally:
+            self._runs = False
+
+
+class Tab(ABC):
+    """One of the pages.
+
+    Parameters
+    ----------
+    session
+        Of the visitor.
+    asks
+        What the fields are, in words.
+    title
+        Of the results, before there are any.
+    varies
+        Fields of the bearing that this page varies itself.
+    """
+
+    def __init__(self, session: Session, asks: str, title: str, varies: Collection[str] = ()) -> None:
+        self.session, self._client, self.is_seen = session, ui.context.client, False
+        self.latest = Latest(lambda: self.safely(self.work))
+        with ui.element("div").classes("body"):
+            with ui.element("aside").classes("side").props(f'aria-label="{asks}"'):
+                self.add_fields()
+                self._bearing = BearingPanel(session.bearing, self.ask, varies)
+            with ui.element("div").classes("results"):
+                self._alert = Alert()
+                with ui.element("div").classes("head-row"):
+                    with ui.element("div").classes("title-row"):
+                        self.title = Text("h2", title)
+                        self.status = Text("span", "").classes("status")
+                        self.status.set_visibility(False)
+                    self.busy = Text("span", "").classes("busy").props("role=status")
+                self.add_results()
+
+    @abstractmethod
+    def add_fields(self) -> None:
+        """Add the fields above those of the bearing."""
+
+    @abstractmethod
+    def add_results(self) -> None:
+        """Add the places of the results."""
+
+    @abstractmethod
+    async def work(self) -> None:
+        """Calculate what the fields ask for, and show it."""
+
+    @abstractmethod
+    def show_again(self) -> None:
+        """Show the same in other units."""
+
+    def open(self) -> None:
+        """Show the fields as another page may have left them, and calculate."""
+        self.is_seen = True
+        self._bearing.refresh()
+        self.ask()
+
+    def close(self) -> None:
+        """Be seen no longer."""
+        self.is_seen = False
+
+    def ask(self) -> None:
+        """Calculate what the fields hold."""
+        self.latest.ask()
+
+    @property
+    def is_gone(self) -> bool:
+        """Whether the visitor has left."""
+        return self._client.is_deleted
+
+    async def safely(self, work: Callable[[], Awaitable[None]]) -> None:
+        """Do a piece of work; what is wrong with it is said."""
+        try:
+            await work()
+        except DcfpError as error:
+            self.complain(str(error))
+
+    def complain(self, sentence: str) -> None:
+        """Say what is wrong; an empty sentence takes it away."""
+        if not self.is_gone:
+            self._alert.say(sentence)
+
+    def add_files(self, files: Iterable[tuple[str, str, Callable[[], bytes | None]]]) -> None:
+        """Add files to take away: what each is, its name, and what makes it, or nothing as long as there are no results."""
+
+        def giver(name: str, make: Callable[[], bytes | None]) -> Callable[[], Awaitable[None]]:
+            async def give() -> None:
+                content = await asyncio.to_thread(make)
+                if content is not None and not self.is_gone:
+                    ui.download(content, name)
+
+            return lambda: self.safely(give)
+
+        with card("Take it away", "h3"), ui.element("div").classes("actions"):
+            for label, name, make in files:
+                action(label, giver(name, make))
+
+
+def write_list(place: ui.element, sentences: Iterable[Any]) -> None:
+    """Write sentences into a list, which is not there without any."""
+    place.clear()
+    with place:
+        for sentence in sentences:
+            Text("li", str(sentence))
+    place.set_visibility(bool(place.default_slot.children))
