@@ -5,11 +5,11 @@ from figure import Figure
 from stopwatch import in_turn, microseconds, once, ratio
 
 import dcfp
-from dcfp.inference import Setting, compare
+from dcfp.inference import Methods, compare
 from dcfp.inference.calibration import calibration_set
 from dcfp.methods import find_pulses, march_through_pulses
 from dcfp.methods.li_2020 import predict_from_pulses, predict_simplified
-from dcfp.methods.pulse_march import MARCH_THRESHOLD
+from dcfp.methods.pulses import MARCH_THRESHOLD
 from dcfp.motion.named import VELOCITIES
 
 ROUNDS = 5
@@ -40,10 +40,10 @@ def figures() -> list[Figure]:
         )
         for motion in motions
     )
-    setting = Setting()
+    methods = Methods()
     comparisons = once(
         lambda: [
-            compare(motion.scaled_to_pgv(v), setting) for motion in calibration_set() for v in VELOCITIES
+            compare(motion.scaled_to_pgv(v), methods) for motion in calibration_set() for v in VELOCITIES
         ]
     )
     return [

@@ -8,9 +8,10 @@ Figure 23: accuracy of the simplified method, dissipated energy
 """
 
 import dcfp
-from dcfp.inference import printed
-from dcfp.inference.case import HYSTERETIC, Basis, Method
 from dcfp.inference.statistics import ratios
+from dcfp.methods.li_2020.constants import PRINTED_RANGES, PRINTED_ROUNDING, SIMPLIFIED
+from dcfp.methods.method import Information, Variant
+from dcfp.methods.pulses import HYSTERETIC
 from dcfp.motion.named import VELOCITIES
 from dcfp.present.figures.li_2020 import paper_figures
 
@@ -23,13 +24,13 @@ cases = [
 drawn = {one.number: one for one in paper_figures(cases, {})}
 figure = drawn["23"].figure
 
-view = (Method.SIMPLIFIED, Basis.BLIND)
-low, high, _ = printed.RANGES[view, HYSTERETIC]
-found = ratios(cases, view, HYSTERETIC)
-inside = ((found >= low - printed.ROUNDING) & (found <= high + printed.ROUNDING)).sum()
+variant = Variant(SIMPLIFIED, Information.BLIND)
+low, high, _ = PRINTED_RANGES[variant, HYSTERETIC]
+found = ratios(cases, variant, HYSTERETIC)
+inside = ((found >= low - PRINTED_ROUNDING) & (found <= high + PRINTED_ROUNDING)).sum()
 print(
     f"paper {low:.1f} to {high:.1f}, ours {found.min():.2f} to {found.max():.2f}; {inside} of {found.size} inside"
 )
 for case, ratio in zip(cases, found, strict=True):
-    if not low - printed.ROUNDING <= ratio <= high + printed.ROUNDING:
+    if not low - PRINTED_ROUNDING <= ratio <= high + PRINTED_ROUNDING:
         print(f"outside: {case.record} at {case.pgv / 1e3:.2f} m/s, {ratio:.2f}")

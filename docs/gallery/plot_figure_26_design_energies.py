@@ -8,9 +8,9 @@ Figure 26: energies from the PGV alone
 """
 
 import dcfp
-from dcfp.inference import printed
-from dcfp.inference.case import HYSTERETIC, INPUT
 from dcfp.methods.li_2020 import predict_from_pgv
+from dcfp.methods.li_2020.constants import PRINTED_DESIGN
+from dcfp.methods.pulses import HYSTERETIC, INPUT
 from dcfp.motion.named import VELOCITIES
 from dcfp.present.figures.li_2020 import paper_figures
 
@@ -23,7 +23,7 @@ cases = [
 drawn = {one.number: one for one in paper_figures(cases, {})}
 figure = drawn["26"].figure
 
-for pgv, known in printed.DESIGN.items():
+for pgv, known in PRINTED_DESIGN.items():
     said = predict_from_pgv(pgv)
     print(
         f"PGV {pgv / 1e3:.2f} m/s: V_dE {said.input_velocity:.1f} (paper {known[INPUT][0]:.1f}),"

@@ -8,9 +8,9 @@ Figure 27: displacement from the PGV alone
 """
 
 import dcfp
-from dcfp.inference import printed
-from dcfp.inference.case import CHANGE
 from dcfp.methods.li_2020 import predict_from_pgv
+from dcfp.methods.li_2020.constants import PRINTED_DESIGN
+from dcfp.methods.pulses import CHANGE
 from dcfp.motion.named import VELOCITIES
 from dcfp.present.figures.li_2020 import paper_figures
 
@@ -23,7 +23,7 @@ cases = [
 drawn = {one.number: one for one in paper_figures(cases, {})}
 figure = drawn["27"].figure
 
-for pgv, known in printed.DESIGN.items():
+for pgv, known in PRINTED_DESIGN.items():
     print(
         f"PGV {pgv / 1e3:.2f} m/s: dy {predict_from_pgv(pgv).displacement_change:.1f} mm, paper {known[CHANGE][0]:g} mm"
     )

@@ -15,7 +15,7 @@ from dcfp.analysis import Response
 from dcfp.inference.statistics import Scatter, scatter
 from dcfp.methods import Prediction, Pulses, find_pulses, march_through_pulses
 from dcfp.methods.li_2020 import LI_2020, predict_from_pulses
-from dcfp.methods.pulse_march import MARCH_THRESHOLD
+from dcfp.methods.pulses import MARCH_THRESHOLD
 from dcfp.system import LI_2020 as BEARING
 from dcfp.system.plates import structure_of
 

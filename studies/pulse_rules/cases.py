@@ -10,23 +10,16 @@ from rules import Rule
 import dcfp
 from dcfp.analysis import Response
 from dcfp.analysis.swings import swings_of
-from dcfp.inference import printed
-from dcfp.inference.case import (
-    CHANGE,
-    HYSTERETIC,
-    INPUT,
-    Basis,
-    Case,
-    Method,
-    Setting,
-    View,
-    analysed_of,
-    predictions,
-)
+from dcfp.inference import Methods
+from dcfp.inference.case import Case, analysed_of, predictions
 from dcfp.inference.earthquake import event_of
 from dcfp.inference.refit import average_slope, change_ratio, fall_ratio
 from dcfp.inference.statistics import Scatter, ratios, scatter
 from dcfp.methods.li_2020 import LI_2020, predict_from_pulses
+from dcfp.methods.li_2020.constants import PRINTED_RANGES, PRINTED_ROUNDING, PULSE, SIMPLIFIED
+from dcfp.methods.method import Information, Variant
+from dcfp.methods.prediction import Ground
+from dcfp.methods.pulses import CHANGE, HYSTERETIC, INPUT
 from dcfp.motion.named import VELOCITIES as PGVS
 from dcfp.motion.p695 import StoredRecord, all_keys, read_stored
 
@@ -36,11 +29,11 @@ NAMED = ("NCC", "KNA", "LPG", "IVD")
 #: Ranges of prediction over analysis in the paper, of dy, V_dE and V_dEhr [-].
 RANGES = {
     method: tuple(
-        printed.RANGES[(method, Basis.BLIND), quantity][:2] for quantity in (CHANGE, INPUT, HYSTERETIC)
+        PRINTED_RANGES[(method, Information.BLIND), quantity][:2] for quantity in (CHANGE, INPUT, HYSTERETIC)
     )
-    for method in (Method.PULSE, Method.SIMPLIFIED)
+    for method in (PULSE, SIMPLIFIED)
 }
-BASES = (Basis.BLIND, Basis.INFORMED)
+BASES = (Information.BLIND, Information.INFORMED)
 
 
 def stored() -> list[StoredRecord]:
@@ -53,17 +46,18 @@ def analyses(motions: Sequence[dcfp.GroundMotion]) -> list[Response]:
     return [dcfp.respond(motion.scaled_to_pgv(pgv)) for pgv in PGVS for motion in motions]
 
 
-def cases_by(rule: Rule, responses: Sequence[Response], setting: Setting | None = None) -> list[Case]:
+def cases_by(rule: Rule, responses: Sequence[Response], methods: Methods | None = None) -> list[Case]:
     """Return the cases with the pulses of a rule; the march through the pulses keeps those of the package."""
-    setting = Setting() if setting is None else setting
-    return [_case(rule, response, setting) for response in responses]
+    methods = Methods() if methods is None else methods
+    return [_case(rule, response, methods) for response in responses]
 
 
-def _case(rule: Rule, response: Response, setting: Setting) -> Case:
+def _case(rule: Rule, response: Response, methods: Methods) -> Case:
     motion = response.motion
     pulses = rule(motion)
     analysed = analysed_of(response, pulses)
-    predicted = predictions(motion, setting, pulses, analysed.pulse)
+    ground = Ground(motion.peak_velocity, motion, {methods.threshold: pulses})
+    predicted = predictions(ground, methods, analysed.pulse)
     return Case(motion.name, event_of(motion), motion.peak_velocity, pulses, analysed, predicted)
 
 
@@ -90,8 +84,8 @@ class Marks:
     """
 
     pulses: float
-    inside: dict[View, int]
-    inside_rounded: dict[View, int]
+    inside: dict[Variant, int]
+    inside_rounded: dict[Variant, int]
     slope: float
     slope_of_all: float
     change: Scatter
@@ -107,32 +101,33 @@ class Marks:
 def marks(rule: Rule, few: Sequence[Response], many: Sequence[Response]) -> Marks:
     """Return what is to be said of a rule on the paper's records and on the hundred."""
     own, all_cases = cases_by(rule, few), cases_by(rule, many)
-    blind = view_ratios(own, (Method.PULSE, Basis.BLIND))
+    blind = view_ratios(own, Variant(PULSE, Information.BLIND))
     return Marks(
         pulses=float(np.mean([case.pulses.count for case in all_cases])),
-        inside={(m, b): inside(own, (m, b)) for m in RANGES for b in BASES},
-        inside_rounded={(m, b): inside(own, (m, b), printed.ROUNDING) for m in RANGES for b in BASES},
+        inside={(m, b): inside(own, Variant(m, b)) for m in RANGES for b in BASES},
+        inside_rounded={(m, b): inside(own, Variant(m, b), PRINTED_ROUNDING) for m in RANGES for b in BASES},
         slope=average_slope(own),
         slope_of_all=average_slope(all_cases),
-        change=scatter(ratios(all_cases, (Method.PULSE, Basis.BLIND), CHANGE)),
-        change_simplified=scatter(ratios(all_cases, (Method.SIMPLIFIED, Basis.BLIND), CHANGE)),
+        change=scatter(ratios(all_cases, Variant(PULSE, Information.BLIND), CHANGE)),
+        change_simplified=scatter(ratios(all_cases, Variant(SIMPLIFIED, Information.BLIND), CHANGE)),
         least=float(blind[0].min()),
         most=float(blind[0].max()),
         zeta=change_ratio(all_cases),
         eps=fall_ratio(all_cases),
         unmatched=sum(case.analysed.pulse is None for case in all_cases),
         unmoved=sum(
-            case.predicted[Method.PULSE, Basis.INFORMED].displacement_change == 0.0 for case in all_cases
+            case.predicted[Variant(PULSE, Information.INFORMED)].displacement_change == 0.0
+            for case in all_cases
         ),
     )
 
 
-def view_ratios(cases: Sequence[Case], view: View) -> Array:
+def view_ratios(cases: Sequence[Case], view: Variant) -> Array:
     """Return prediction over analysis of dy, V_dE and V_dEhr, shape (3, cases)."""
     return np.array([ratios(cases, view, quantity) for quantity in (CHANGE, INPUT, HYSTERETIC)])
 
 
-def inside(cases: Sequence[Case], view: View, wider: float = 0.0) -> int:
+def inside(cases: Sequence[Case], view: Variant, wider: float = 0.0) -> int:
     """Return how many of the ratios are within the paper's ranges, each wider by so much at both ends."""
     found = view_ratios(cases, view)
     low, high = np.array(RANGES[view[0]]).T
@@ -146,11 +141,11 @@ def without_amplified_energies(cases: Sequence[Case]) -> list[Case]:
         plain = predict_from_pulses(case.pulses, replace(LI_2020, amplification=1.0))
         said = dict(case.predicted)
         for basis, of_plain in (
-            (Basis.BLIND, plain.largest),
-            (Basis.INFORMED, plain.of(case.analysed.pulse)),
+            (Information.BLIND, plain.largest),
+            (Information.INFORMED, plain.of(case.analysed.pulse)),
         ):
-            amplified = said[Method.PULSE, basis]
-            said[Method.PULSE, basis] = replace(of_plain, displacement_change=amplified.displacement_change)
+            amplified = said[PULSE, basis]
+            said[PULSE, basis] = replace(of_plain, displacement_change=amplified.displacement_change)
         found.append(replace(case, predicted=said))
     return found
 
@@ -172,7 +167,7 @@ def against_net_input(cases: Sequence[Case], responses: Sequence[Response]) -> A
     found = []
     for case, response in zip(cases, responses, strict=True):
         net = float(swings_of(response).net_input.max())
-        said = case.predicted[Method.PULSE, Basis.BLIND].input_velocity
+        said = case.predicted[Variant(PULSE, Information.BLIND)].input_velocity
         found.append(said / float(np.sqrt(2.0 * net / response.bearing.mass)))
     return np.array(found)
 

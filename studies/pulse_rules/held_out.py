@@ -7,19 +7,24 @@ import numpy as np
 from cases import PGVS
 from numpy.typing import NDArray
 
-from dcfp.inference.case import CHANGE, DISPLACEMENT, INPUT, TOTAL, Basis, Case, Method, Quantity, View
-from dcfp.inference.intervals import Coverage, coverage, halves
+from dcfp.inference.case import Case
+from dcfp.inference.intervals import Coverage, coverage, grouped_splits
 from dcfp.inference.refit import refit_as_paper, refit_design, refit_simplified
 from dcfp.methods import Prediction
 from dcfp.methods.li_2020 import LI_2020, Constants, predict_from_pgv, predict_simplified
+from dcfp.methods.li_2020.constants import PULSE, SIMPLIFIED
+from dcfp.methods.method import Information, Variant
+from dcfp.methods.pulse_march import NAME as MARCH
+from dcfp.methods.pulses import CHANGE, DISPLACEMENT, INPUT, TOTAL
 from dcfp.motion.p695 import StoredRecord
+from dcfp.schema.quantities import Quantity
 
 Array = NDArray[np.float64]
-VIEWS: dict[str, View | None] = {
+VIEWS: dict[str, Variant | None] = {
     "PGV only": None,
-    "pulse": (Method.PULSE, Basis.BLIND),
-    "simplified": (Method.SIMPLIFIED, Basis.BLIND),
-    "march": (Method.MARCH, Basis.BLIND),
+    "pulse": Variant(PULSE, Information.BLIND),
+    "simplified": Variant(SIMPLIFIED, Information.BLIND),
+    "march": Variant(MARCH, Information.BLIND),
 }
 QUANTITIES = (CHANGE, DISPLACEMENT, INPUT, TOTAL)
 
@@ -84,7 +89,7 @@ def held_out(
     """
     events = [case.event for case in cases]
     found = []
-    for training in halves(events[: len(events) // len(PGVS)], splits):
+    for training in grouped_splits(events[: len(events) // len(PGVS)], splits):
         chosen = np.tile(training, len(PGVS))
         by_class: dict[float, Constants] = {}
         for kind in np.unique(classes):

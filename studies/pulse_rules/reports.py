@@ -9,10 +9,11 @@ import rules
 import tables
 
 from dcfp.analysis import Response
-from dcfp.inference import printed
-from dcfp.inference.case import Case, Method
+from dcfp.inference.case import Case
 from dcfp.inference.statistics import scatter
 from dcfp.methods import find_pulses
+from dcfp.methods.li_2020.constants import PRINTED_ROUNDING, PULSE
+from dcfp.methods.method import Variant
 
 
 class Report:
@@ -52,7 +53,7 @@ def energies(report: Report, groups: dict[str, list[Case]], few: Sequence[Respon
     for words, group in groups.items():
         for kind, some in (("all", group), ("Eq. (20)", cases.without_amplified_energies(group))):
             for basis in cases.BASES:
-                found = cases.view_ratios(some, (Method.PULSE, basis))
+                found = cases.view_ratios(some, Variant(PULSE, basis))
                 texts = []
                 for values in found[1:]:
                     one = scatter(values)
@@ -61,7 +62,7 @@ def energies(report: Report, groups: dict[str, list[Case]], few: Sequence[Respon
                         f"{one.bias:.2f}",
                         f"{one.dispersion:.3f}",
                     ]
-                number = cases.inside(some, (Method.PULSE, basis), printed.ROUNDING)
+                number = cases.inside(some, Variant(PULSE, basis), PRINTED_ROUNDING)
                 rows.append([f"{words}, {kind}, {basis}", *texts, f"{number} of {found.size}"])
     head = ["factor in", "V_dE", "bias", "disp.", "V_dEhr", "bias", "disp.", "within, rounded"]
     net = scatter(cases.against_net_input(groups["four records"], few))
@@ -85,7 +86,7 @@ def named(report: Report, group: Sequence[Case]) -> None:
     """Report the ratios of the paper's records one by one."""
     rows = []
     for method in cases.RANGES:
-        found = cases.view_ratios(group, (method, cases.BASES[0]))
+        found = cases.view_ratios(group, Variant(method, cases.BASES[0]))
         for case, values in zip(group, found.T, strict=True):
             texts = [f"{value:.2f}" for value in (*values, *cases.friction_ratios(case))]
             rows.append([f"{case.record} at {case.pgv / 1e3:.2f} m/s, {method}", *texts])

@@ -6,10 +6,12 @@ import numpy as np
 import pytest
 
 from dcfp.inference import Case
-from dcfp.inference.case import Analysed, Basis, Method, View
+from dcfp.inference.case import Analysed
 from dcfp.methods import Prediction, Pulses
+from dcfp.methods.li_2020.constants import PULSE
+from dcfp.methods.method import Information, Variant
 
-BLIND_PULSE: View = (Method.PULSE, Basis.BLIND)
+BLIND_PULSE = Variant(PULSE, Information.BLIND)
 
 
 @pytest.fixture(scope="session")

@@ -7,31 +7,32 @@ import pytest
 
 from dcfp.analysis import respond
 from dcfp.analysis.swings import swings_of
-from dcfp.inference import Case, Setting, compare
-from dcfp.inference.case import (
+from dcfp.inference import Case, Methods, compare
+from dcfp.inference.earthquake import event_of
+from dcfp.inference.statistics import displacement_over_change, ratios, scatter, scatters
+from dcfp.methods import Prediction, find_pulses
+from dcfp.methods.li_2020 import LI_2020, predict_from_pgv, predict_from_pulses, predict_simplified
+from dcfp.methods.li_2020.constants import DESIGN, PULSE, SIMPLIFIED
+from dcfp.methods.method import Information, Variant, variants
+from dcfp.methods.prediction import nominal_coefficient
+from dcfp.methods.pulse_march import NAME as MARCH
+from dcfp.methods.pulses import (
     CHANGE,
     DISPLACEMENT,
     HYSTERETIC,
     INPUT,
-    QUANTITIES,
+    PREDICTION_QUANTITIES,
     TOTAL,
-    VIEWS,
-    Basis,
-    Method,
+    value_of,
 )
-from dcfp.inference.earthquake import event_of
-from dcfp.inference.nominal import nominal_coefficient
-from dcfp.inference.statistics import displacement_over_change, ratios, scatter, scatters, value_of
-from dcfp.methods import Prediction, find_pulses
-from dcfp.methods.li_2020 import LI_2020, predict_from_pgv, predict_from_pulses, predict_simplified
 from dcfp.motion.ground_motion import GroundMotion, Origin
 from dcfp.motion.load import load_motion
 from dcfp.motion.p695 import all_keys, read_stored
 from dcfp.system import LI_2020 as BEARING
-from dcfp.system import ConstantFriction, Kumar2015, Li2020, NoHeating, SimplifiedHeating
+from dcfp.system import ConstantFriction, Kumar2015, Li2020, NoHeating, SimplifiedHeating, System
 
 #: What a comparison without the methods of codes has.
-OWN_VIEWS = [view for view in VIEWS if view[1] is not Basis.SPECTRUM]
+OWN = [one for one in variants() if one.information is not Information.SPECTRUM]
 
 
 @pytest.fixture(scope="module")
@@ -45,7 +46,7 @@ def case(motion: GroundMotion) -> Case:
 
 
 def test_every_method_has_its_say(motion: GroundMotion, case: Case) -> None:
-    assert set(case.predicted) == set(OWN_VIEWS)
+    assert set(case.predicted) == set(OWN)
     assert (case.record, case.event, case.pgv) == ("NCC", "Northridge 1994", motion.peak_velocity)
     assert compare(motion).response is None
 
@@ -71,8 +72,10 @@ def test_blind_is_of_all_pulses_and_informed_of_the_one_that_governs(
     assert swing is not None
     assert swing.start <= case.pulses.peaks[pulse] <= swing.end
     by_pulse, simplified = predict_from_pulses(case.pulses), predict_simplified(case.pulses)
-    for method, made in ((Method.PULSE, by_pulse), (Method.SIMPLIFIED, simplified)):
-        blind, informed = case.predicted[method, Basis.BLIND], case.predicted[method, Basis.INFORMED]
+    for method, made in ((PULSE, by_pulse), (SIMPLIFIED, simplified)):
+        blind, informed = (
+            case.predicted[Variant(method, one)] for one in (Information.BLIND, Information.INFORMED)
+        )
         assert blind == made.largest
         assert informed == made.of(pulse)
         for quantity in (CHANGE, INPUT, HYSTERETIC):
@@ -80,46 +83,48 @@ def test_blind_is_of_all_pulses_and_informed_of_the_one_that_governs(
         # in this record the pulse with the largest input is another
         assert informed.input_velocity < blind.input_velocity
     assert case.analysed.governing.input_velocity == swing.input_velocity < case.analysed.whole.input_velocity
-    assert case.predicted[Method.DESIGN, Basis.PGV] == predict_from_pgv(motion.peak_velocity)
+    assert case.predicted[Variant(DESIGN, Information.PGV)] == predict_from_pgv(motion.peak_velocity)
 
 
-def test_each_basis_is_compared_with_its_own(case: Case) -> None:
-    assert case.analysed.beside(Basis.INFORMED) is case.analysed.governing
-    for basis in (Basis.BLIND, Basis.PGV):
-        assert case.analysed.beside(basis) is case.analysed.whole
+def test_each_information_is_compared_with_its_own(case: Case) -> None:
+    assert case.analysed.beside(Information.INFORMED) is case.analysed.governing
+    for information in (Information.BLIND, Information.PGV):
+        assert case.analysed.beside(information) is case.analysed.whole
 
 
 def test_a_mirrored_record_is_predicted_the_same(motion: GroundMotion, case: Case) -> None:
     back = compare(motion.scaled(-1.0))
     assert back.analysed.pulse == case.analysed.pulse
-    for view in OWN_VIEWS:
+    for variant in OWN:
         for quantity in (CHANGE, INPUT, HYSTERETIC):
-            there, here = value_of(case.predicted[view], quantity), value_of(back.predicted[view], quantity)
+            there, here = (
+                value_of(case.predicted[variant], quantity),
+                value_of(back.predicted[variant], quantity),
+            )
             assert here == pytest.approx(there, rel=1e-9)
 
 
 def test_friction_above_the_average_slope_leaves_out_what_cannot_be_used(motion: GroundMotion) -> None:
     """mu_n g of 1177 mm/s2 is more than kg_ave of 930: Eq. (28) would need the root of a negative number."""
-    setting = Setting(friction=Li2020(0.2), constants=replace(LI_2020, nominal_friction=0.12))
-    rough = compare(motion.scaled_to_pgv(1000.0), setting)
-    methods = {method for method, _ in rough.predicted}
-    assert methods == {Method.PULSE, Method.MARCH}
-    assert rough.predicted[Method.PULSE, Basis.BLIND].displacement_change > 0.0
-    assert rough.predicted[Method.MARCH, Basis.BLIND].displacement_change > 0.0
-    assert np.isnan(ratios([rough], (Method.DESIGN, Basis.PGV), CHANGE)).all()
-    assert (Method.DESIGN, Basis.PGV) not in {view for view, _ in scatters([rough])}
+    methods = Methods(System(friction=Li2020(0.2)), replace(LI_2020, nominal_friction=0.12))
+    rough = compare(motion.scaled_to_pgv(1000.0), methods)
+    assert {method for method, _ in rough.predicted} == {PULSE, MARCH}
+    assert rough.predicted[Variant(PULSE, Information.BLIND)].displacement_change > 0.0
+    assert rough.predicted[Variant(MARCH, Information.BLIND)].displacement_change > 0.0
+    assert np.isnan(ratios([rough], Variant(DESIGN, Information.PGV), CHANGE)).all()
+    assert Variant(DESIGN, Information.PGV) not in {variant for variant, _ in scatters([rough])}
 
 
 def test_a_record_that_moves_nothing_has_no_governing_pulse(motion: GroundMotion) -> None:
     quiet = compare(motion.scaled(1e-3))
     assert quiet.analysed.whole.hysteretic_velocity == 0.0
-    assert quiet.predicted[Method.PULSE, Basis.BLIND].displacement_change == 0.0
-    assert quiet.predicted[Method.MARCH, Basis.BLIND].displacement_change == 0.0
-    assert scatter(ratios([quiet], (Method.MARCH, Basis.BLIND), CHANGE)).without == 1
+    assert quiet.predicted[Variant(PULSE, Information.BLIND)].displacement_change == 0.0
+    assert quiet.predicted[Variant(MARCH, Information.BLIND)].displacement_change == 0.0
+    assert scatter(ratios([quiet], Variant(MARCH, Information.BLIND), CHANGE)).without == 1
 
 
-def test_the_threshold_of_a_setting_is_that_of_its_pulses(motion: GroundMotion) -> None:
-    coarse = compare(motion, Setting(threshold=0.5))
+def test_the_threshold_of_the_methods_is_that_of_their_pulses(motion: GroundMotion) -> None:
+    coarse = compare(motion, Methods(threshold=0.5))
     np.testing.assert_array_equal(coarse.pulses.times, find_pulses(motion, 0.5).times)
     assert coarse.pulses.count < find_pulses(motion).count
 
@@ -164,11 +169,11 @@ def test_measures_of_ratios() -> None:
 
 
 def test_ratios_are_prediction_over_analysis(case: Case, make_case) -> None:
-    for view in OWN_VIEWS:
-        for quantity in QUANTITIES:
-            says_total = view[0] is Method.MARCH or quantity is not TOTAL
-            assert np.isfinite(ratios([case], view, quantity)).all() == says_total
-    blind = (Method.PULSE, Basis.BLIND)
+    for variant in OWN:
+        for quantity in PREDICTION_QUANTITIES.values():
+            says_total = variant.method == MARCH or quantity is not TOTAL
+            assert np.isfinite(ratios([case], variant, quantity)).all() == says_total
+    blind = Variant(PULSE, Information.BLIND)
     made = make_case(Prediction(10.0, 20.0, 40.0, 8.0), Prediction(20.0, 20.0, 20.0))
     found = [ratios([made], blind, quantity)[0] for quantity in (CHANGE, INPUT, HYSTERETIC, DISPLACEMENT)]
     assert found == [2.0, 1.0, 0.5, 2.5]
@@ -180,7 +185,7 @@ def test_the_nominal_coefficient_is_the_papers_and_goes_on_from_there() -> None:
         law = replace(Li2020(), **{k: v for k, v in changes.items() if k == "mu_0"})
         bearing = replace(BEARING, **{k: v for k, v in changes.items() if k == "pressure"})
         heating = changes.get("heating", SimplifiedHeating())
-        return nominal_coefficient(bearing, law, heating).value
+        return nominal_coefficient(System(bearing, law, heating)).value
 
     assert nominal() == 0.043
     # no jump beside the paper's own values
@@ -194,8 +199,8 @@ def test_the_nominal_coefficient_is_the_papers_and_goes_on_from_there() -> None:
         < nominal()
         < nominal(heating=SimplifiedHeating(ambient=-10.0))
     )
-    assert nominal_coefficient(BEARING, ConstantFriction(0.06), NoHeating()).value == 0.06
-    assert 0.02 < nominal_coefficient(BEARING, Kumar2015(), SimplifiedHeating()).value < 0.06
+    assert nominal_coefficient(System(BEARING, ConstantFriction(0.06), NoHeating())).value == 0.06
+    assert 0.02 < nominal_coefficient(System(BEARING, Kumar2015(), SimplifiedHeating())).value < 0.06
 
 
 def test_measures_are_of_the_cases_that_every_blind_method_predicts(make_case) -> None:
@@ -207,9 +212,9 @@ def test_measures_are_of_the_cases_that_every_blind_method_predicts(make_case) -
 
 def test_the_codes_are_asked_where_they_are_wanted(motion: GroundMotion, case: Case) -> None:
     asked = compare(motion, codes=True)
-    assert set(asked.predicted) == set(VIEWS)
-    assert not case.answers
-    for (method, basis), said in asked.predicted.items():
-        if basis is Basis.SPECTRUM:
-            assert said.displacement == asked.answers[method.value].displacement
+    assert set(asked.predicted) == set(variants())
+    assert not case.codes
+    for variant, said in asked.predicted.items():
+        if variant.information is Information.SPECTRUM:
+            assert said.displacement == asked.codes[variant.method].displacement
             assert np.isnan(said.displacement_change)

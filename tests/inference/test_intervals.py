@@ -9,11 +9,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dcfp.errors import InputError
-from dcfp.inference.case import CHANGE, DISPLACEMENT, TOTAL, Basis, Method
-from dcfp.inference.intervals import SPLITS, coverage, errors, fewest, halves, interval, quantile
+from dcfp.inference.intervals import SPLITS, coverage, errors, fewest, grouped_splits, interval, quantile
 from dcfp.methods import Prediction
+from dcfp.methods.li_2020.constants import PULSE
+from dcfp.methods.method import Information, Variant
+from dcfp.methods.pulses import CHANGE, DISPLACEMENT, TOTAL
 
-VIEW = (Method.PULSE, Basis.BLIND)
+VIEW = Variant(PULSE, Information.BLIND)
 SEARCH = settings(max_examples=100, deadline=None, derandomize=True)
 event_lists = st.lists(st.sampled_from("abcdefghij"), min_size=1, max_size=60)
 
@@ -25,7 +27,7 @@ event_lists = st.lists(st.sampled_from("abcdefghij"), min_size=1, max_size=60)
 @given(events=event_lists, seed=st.integers(0, 2**32 - 1))
 def test_no_earthquake_is_in_both_halves(events: list[str], seed: int) -> None:
     largest = max(events.count(event) for event in events)
-    for training in halves(events, 5, seed):
+    for training in grouped_splits(events, 5, seed):
         inside = {event for event, chosen in zip(events, training, strict=True) if chosen}
         outside = {event for event, chosen in zip(events, training, strict=True) if not chosen}
         assert not inside & outside
@@ -35,14 +37,14 @@ def test_no_earthquake_is_in_both_halves(events: list[str], seed: int) -> None:
 
 def test_the_same_seed_gives_the_same_halves_and_another_does_not() -> None:
     events = list("aabbbcddefgghhij")
-    first, again, other = (np.array(list(halves(events, seed=seed))) for seed in (1, 1, 2))
+    first, again, other = (np.array(list(grouped_splits(events, seed=seed))) for seed in (1, 1, 2))
     assert first.shape == (SPLITS, len(events))
     np.testing.assert_array_equal(first, again)
     assert (first != other).any()
 
 
 def test_every_earthquake_is_about_as_often_in_either_half() -> None:
-    part = np.mean(list(halves([str(i) for i in range(20)], 2000)), axis=0)
+    part = np.mean(list(grouped_splits([str(i) for i in range(20)], 2000)), axis=0)
     assert part.min() > 0.45
     assert part.max() < 0.55
 
@@ -163,7 +165,7 @@ def test_groups_are_covered_each_with_its_own_interval(lognormal) -> None:
 def test_the_training_half_must_be_enough(lognormal) -> None:
     with pytest.raises(InputError, match="at least 19 cases"):
         coverage([lognormal(30, 1)], VIEW, CHANGE)
-    assert next(islice(halves([str(i) for i in range(30)]), 1)).sum() == 15
+    assert next(islice(grouped_splits([str(i) for i in range(30)]), 1)).sum() == 15
 
 
 def test_a_coverage_needs_several_earthquakes(lognormal) -> None:

@@ -5,7 +5,7 @@ import pytest
 
 from dcfp.analysis import respond
 from dcfp.analysis.swings import Swing, swings_of
-from dcfp.inference.case import pulse_behind
+from dcfp.inference.case import governing_pulse
 from dcfp.methods import Pulses, find_pulses, march_through_pulses
 from dcfp.motion.load import load_motion
 from dcfp.motion.synthetic import mavroeidis_papageorgiou
@@ -41,14 +41,14 @@ def swing(start: float, end: float, change: float) -> Swing:
 def test_the_pulse_has_its_peak_within_the_swing_and_the_other_sign(
     start: float, end: float, change: float, pulse: int | None
 ) -> None:
-    assert pulse_behind(swing(start, end, change), PULSES) == pulse
-    assert pulse_behind(swing(start, end, -change), PULSES.scaled(-1.0)) == pulse
+    assert governing_pulse(swing(start, end, change), PULSES) == pulse
+    assert governing_pulse(swing(start, end, -change), PULSES.scaled(-1.0)) == pulse
 
 
 def test_without_pulses_there_is_none() -> None:
     for number in (0, 1, 2):
         pulses = Pulses(np.arange(float(number)), np.arange(float(number)))
-        assert pulse_behind(swing(0.0, 10.0, -50.0), pulses) is None
+        assert governing_pulse(swing(0.0, 10.0, -50.0), pulses) is None
 
 
 @pytest.mark.parametrize("phase", [0.0, 1.0, 2.0, np.pi])
@@ -60,7 +60,7 @@ def test_the_swing_of_the_largest_pulse_is_ascribed_to_it(phase: float) -> None:
     assert largest is not None
     assert abs(largest.change) > 50.0
     march = march_through_pulses(pulses, LI_2020, Li2020(), SimplifiedHeating())
-    assert pulse_behind(largest, pulses) == march.pulse is not None
+    assert governing_pulse(largest, pulses) == march.pulse is not None
 
 
 @pytest.mark.parametrize("name", ["KNA", "NCC", "LPG", "IVD"])
@@ -68,8 +68,8 @@ def test_most_large_swings_of_a_record_have_a_pulse(name: str) -> None:
     motion = load_motion(name).scaled_to_pgv(500.0)
     pulses, swings = find_pulses(motion), swings_of(respond(motion))
     large = np.flatnonzero(np.abs(swings.changes) > 0.5 * np.abs(swings.changes).max())
-    found = [pulse_behind(swings[int(i)], pulses) for i in large]
-    assert pulse_behind(swings[int(np.argmax(np.abs(swings.changes)))], pulses) is not None
+    found = [governing_pulse(swings[int(i)], pulses) for i in large]
+    assert governing_pulse(swings[int(np.argmax(np.abs(swings.changes)))], pulses) is not None
     known = [pulse for pulse in found if pulse is not None]
     assert len(known) > 0.7 * len(found)
     assert known == sorted(set(known))  # a pulse causes one swing

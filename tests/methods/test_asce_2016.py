@@ -7,17 +7,17 @@ import pytest
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
 from dcfp.methods.asce_2016 import (
+    ASCE_2016,
     DAMPING_TABLE,
-    Bounds,
+    Asce2016Spectrum,
     damping_factor,
     equivalent_lateral_force,
     maximum_displacement,
     structure_shear,
     total_displacement,
 )
+from dcfp.methods.code import Bounds, CodeInputs, Structure
 from dcfp.methods.equivalent_linear import PendulumWithFriction, iterate
-from dcfp.methods.result import Structure
-from dcfp.methods.spectra import Asce2016Spectrum
 from dcfp.schema.check import Verdict
 
 #: The examples have g = 386.4 in/s2; with an inch of that many mm the ratio of g to lengths is theirs.
@@ -118,7 +118,7 @@ def test_shear_of_the_structure():
 def test_bounds_of_friction(pendulum):
     spectrum = Asce2016Spectrum(1.5, 0.9)
     nominal = equivalent_lateral_force(pendulum, spectrum)
-    bounded = equivalent_lateral_force(pendulum, spectrum, bounds=Bounds(0.6, 1.8, "a test"))
+    bounded = ASCE_2016.result(CodeInputs(spectrum, pendulum), Bounds(0.6, 1.8, "a test"))
     lower = equivalent_lateral_force(PendulumWithFriction(9000.0, 0.6 * 0.043), spectrum)
     upper = equivalent_lateral_force(PendulumWithFriction(9000.0, 1.8 * 0.043), spectrum)
     assert bounded.displacement == pytest.approx(lower.displacement)

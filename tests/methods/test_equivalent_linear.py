@@ -10,9 +10,10 @@ from scipy import optimize
 
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import AnalysisError, InputError
+from dcfp.methods.asce_2016 import Asce2016Spectrum
+from dcfp.methods.code import CodeResult
 from dcfp.methods.equivalent_linear import PendulumWithFriction, iterate
-from dcfp.methods.result import Answer
-from dcfp.methods.spectra import Asce2016Spectrum, TabulatedSpectrum
+from dcfp.methods.spectra import TabulatedSpectrum
 from dcfp.methods.spectra.elastic import displacement
 from dcfp.schema.check import Check, Verdict, at_least, at_most
 
@@ -95,9 +96,9 @@ def test_verdicts():
     assert at_most(1.1, 1.0) is at_least(0.9, 1.0) is Verdict.NOT_MET
     conditions = [Check("", verdict, "", "", "") for verdict in Verdict]
     answers = {
-        1: Answer("", 1.0, 0.1, conditions=(conditions[0],)),
-        2: Answer("", 1.0, 0.1, conditions=tuple(conditions)),
-        3: Answer("", 1.0, 0.1, conditions=(conditions[0], conditions[2])),
+        1: CodeResult("", 1.0, 0.1, conditions=(conditions[0],)),
+        2: CodeResult("", 1.0, 0.1, conditions=tuple(conditions)),
+        3: CodeResult("", 1.0, 0.1, conditions=(conditions[0], conditions[2])),
     }
     assert [answers[key].valid for key in answers] == [True, False, None]
     assert answers[1].verdict == "within its limits"

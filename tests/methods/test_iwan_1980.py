@@ -7,8 +7,14 @@ from hypothesis import strategies as st
 
 from dcfp import LI_2020
 from dcfp.errors import AnalysisError, InputError
-from dcfp.methods.bilinear import MOST_DAMPING, Bilinear, equivalent_oscillator, secant
-from dcfp.methods.equivalent_linear import PendulumWithFriction
+from dcfp.methods.code import CodeResult
+from dcfp.methods.equivalent_linear import (
+    MOST_DAMPING,
+    Bilinear,
+    PendulumWithFriction,
+    equivalent_oscillator,
+    secant,
+)
 from dcfp.methods.iwan_1980 import (
     added_damping,
     equivalent_linear,
@@ -17,7 +23,6 @@ from dcfp.methods.iwan_1980 import (
     lengthening,
     secant_linear,
 )
-from dcfp.methods.result import Answer
 from dcfp.methods.spectra import input_energy_spectrum, response_spectrum
 from dcfp.methods.spectra.of_record import LONGEST
 from dcfp.motion import GroundMotion
@@ -168,7 +173,7 @@ def test_energy_of_an_answer(motions):
     own = input_energy_spectrum(motion, np.array([answer.period]), answer.damping)
     assert input_velocity(motion, answer) == pytest.approx(float(own.equivalent_velocity[0]))
     with pytest.raises(InputError, match="equivalent period"):
-        input_velocity(motion, Answer("energy balance", 100.0, 0.1))
+        input_velocity(motion, CodeResult("energy balance", 100.0, 0.1))
 
 
 def test_no_motion():

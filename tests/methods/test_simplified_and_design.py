@@ -146,12 +146,12 @@ def test_a_pgv_that_is_none_is_refused(pgv: float) -> None:
 )
 @pytest.mark.parametrize("value", [0.0, -1.0, np.nan, np.inf])
 def test_constants_that_are_not_positive_are_refused(name: str, value: float) -> None:
-    with pytest.raises(
-        InputError, match=rf"^The constant {name} of the prediction must be positive, not .*\.$"
-    ):
+    with pytest.raises(InputError, match=rf"^Constants: .* \({name}\) must be a number .*, not {value:g}\.$"):
         Constants(**{name: value})
 
 
 def test_a_coefficient_of_one_is_refused() -> None:
-    with pytest.raises(InputError, match=r"must lie between 0 and 1, not 1\.0"):
+    with pytest.raises(
+        InputError, match=r"\(nominal_friction\) must be a number above 0 and up to 0\.9999, not 1 "
+    ):
         Constants(nominal_friction=1.0)

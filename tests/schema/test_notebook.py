@@ -9,10 +9,9 @@ import pytest
 import dcfp
 from dcfp.analysis.building import uniform_building
 from dcfp.analysis.rig import Program, RigTest, Sine
-from dcfp.inference import Setting
-from dcfp.inference.case import pendulum_of
+from dcfp.inference import Methods
 from dcfp.methods import li_2020
-from dcfp.methods.panel import panel_of_motion
+from dcfp.methods.code_comparison import codes_under_record
 from dcfp.methods.spectra import TabulatedSpectrum, input_energy_spectrum, response_spectrum
 from dcfp.motion import measure, named_records
 from dcfp.schema.check import Check, Verdict
@@ -63,13 +62,11 @@ def results() -> dict[str, tuple[object, tuple[str, ...]]]:
     response = dcfp.respond(motion, bearing)
     peak = f"{response.peak_displacement:.5g}"
     pulses = dcfp.find_pulses(motion)
-    case = dcfp.compare(motion, Setting(bearing), codes=True)
+    case = dcfp.compare(motion, Methods(System(bearing)), codes=True)
     program = Program(EVIL, (RigTest(EVIL, Sine(40.0, 100.0, 2)),))
     loops = dcfp.run_program(program, bearing)[0]
     building = uniform_building(3, 0.5)
-    panel = panel_of_motion(
-        motion, bearing, dcfp.Li2020(), dcfp.SimplifiedHeating(), pendulum_of(Setting(bearing))
-    )
+    comparison = codes_under_record(motion, System(bearing), 0.043)
     study = Study([motion], {"pgv": [250.0, 500.0]}, model=System(bearing), title=EVIL)
     calculation = calculate(Scenario(study))
     return {
@@ -95,10 +92,10 @@ def results() -> dict[str, tuple[object, tuple[str, ...]]]:
         "pulse prediction": (li_2020.predict_from_pulses(pulses), ("governing pulse",)),
         "march": (dcfp.march_through_pulses(motion), ("comes to rest", "peak_temperature [degC]")),
         "case": (case, ("pulse march", "ASCE 7-16 ELF", "outside its limits", peak)),
-        "answer": (case.answers["ASCE 7-16 ELF"], ("verdict", "effective damping", "not met")),
-        "condition": (case.answers["ASCE 7-16 ELF"].conditions[0], ("verdict",)),
-        "panel": (panel, ("Eurocode 8 simplified", "analysis [mm]")),
-        "setting": (Setting(bearing), ("march_threshold",)),
+        "answer": (case.codes["ASCE 7-16 ELF"], ("verdict", "effective damping", "not met")),
+        "condition": (case.codes["ASCE 7-16 ELF"].conditions[0], ("verdict",)),
+        "comparison of codes": (comparison, ("Eurocode 8 simplified", "analysis [mm]")),
+        "methods": (Methods(System(bearing)), ("march_threshold",)),
         "spectrum": (response_spectrum(motion), ("periods [s]", "displacement [mm]")),
         "energy spectrum": (input_energy_spectrum(motion), ("velocity [mm/s]", "total_acceleration [mm/s2]")),
         "table": (TabulatedSpectrum(np.array([1.0, 2.0]), np.array([1.0, 2.0]), EVIL), ("accelerations [mm/s2]",)),

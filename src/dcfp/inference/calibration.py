@@ -5,13 +5,16 @@ from functools import cache
 
 import numpy as np
 
-from dcfp.inference.case import QUANTITIES, VIEWS, Basis, Case, Quantity, Setting, View, compare
+from dcfp.inference.case import Case, compare
 from dcfp.inference.earthquake import event_of, is_same_record, same_earthquake
 from dcfp.inference.intervals import Interval, errors, fewest, interval
-from dcfp.inference.statistics import value_of
 from dcfp.methods import Prediction
+from dcfp.methods.method import Information, Variant, variants
+from dcfp.methods.prediction import Methods
+from dcfp.methods.pulses import PREDICTION_QUANTITIES, value_of
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.p695 import all_keys, read_stored
+from dcfp.schema.quantities import Quantity
 
 #: Words for the set.
 SET = "the 100 components of FEMA P-695"
@@ -19,10 +22,12 @@ SET = "the 100 components of FEMA P-695"
 #: Scale of a record, up or down, from which on it is said [-].
 _LARGEST_SCALE = 4.0
 
-#: What an interval is given for, besides the PGV alone.
-BLIND_VIEWS: tuple[View, ...] = tuple(view for view in VIEWS if view[1] is Basis.BLIND)
-
 Intervals = dict[Quantity, Interval]
+
+
+def blind_variants() -> tuple[Variant, ...]:
+    """Return what an interval is given for, besides the PGV alone."""
+    return tuple(variant for variant in variants() if variant.information is Information.BLIND)
 
 
 @cache
@@ -31,11 +36,11 @@ def calibration_set() -> tuple[GroundMotion, ...]:
     return tuple(stored.motion for stored in read_stored(all_keys()))
 
 
-def cases_at(pgv: float, setting: Setting, report: Callable[[], None] | None = None) -> list[Case]:
+def cases_at(pgv: float, methods: Methods, report: Callable[[], None] | None = None) -> list[Case]:
     """Analyse and predict every component at a PGV [mm/s]; `report` is called after each."""
     cases: list[Case] = []
     for motion in calibration_set():
-        cases.append(compare(motion.scaled_to_pgv(pgv), setting))
+        cases.append(compare(motion.scaled_to_pgv(pgv), methods))
         if report is not None:
             report()
     return cases
@@ -56,10 +61,10 @@ def intervals_from_pgv(cases: Sequence[Case]) -> Intervals:
     InputError
         If nothing moves in most of the cases.
     """
-    return {quantity: interval(errors(cases, None, quantity)) for quantity in QUANTITIES}
+    return {quantity: interval(errors(cases, None, quantity)) for quantity in PREDICTION_QUANTITIES.values()}
 
 
-def intervals_about(predicted: dict[View, Prediction], cases: Sequence[Case]) -> dict[View, Intervals]:
+def intervals_about(predicted: dict[Variant, Prediction], cases: Sequence[Case]) -> dict[Variant, Intervals]:
     """Return where the analysis will lie, knowing what each blind method says of the record.
 
     Parameters
@@ -69,14 +74,14 @@ def intervals_about(predicted: dict[View, Prediction], cases: Sequence[Case]) ->
     cases
         Records of other earthquakes at the same PGV.
     """
-    return {view: _about(predicted[view], view, cases) for view in BLIND_VIEWS if view in predicted}
+    return {one: _about(predicted[one], one, cases) for one in blind_variants() if one in predicted}
 
 
-def _about(prediction: Prediction, view: View, cases: Sequence[Case]) -> Intervals:
+def _about(prediction: Prediction, variant: Variant, cases: Sequence[Case]) -> Intervals:
     intervals: Intervals = {}
-    for quantity in QUANTITIES:
+    for quantity in PREDICTION_QUANTITIES.values():
         value = value_of(prediction, quantity)
-        known = errors(cases, view, quantity)
+        known = errors(cases, variant, quantity)
         # a method that sees nothing move says nothing of how far it will
         if value > 0.0 and np.isfinite(known).sum() >= fewest():
             intervals[quantity] = interval(known, value)

@@ -1,85 +1,21 @@
 """One record at one PGV: what the analysis gives, and what each method says of it."""
 
 from dataclasses import dataclass, field, replace
-from enum import StrEnum
 
 import numpy as np
 
 from dcfp.analysis import Response, respond
 from dcfp.analysis.swings import Swing, swings_of
 from dcfp.inference.earthquake import event_of
-from dcfp.methods import (
-    NOTHING,
-    Prediction,
-    PulseMarch,
-    PulsePrediction,
-    Pulses,
-    aij_2016,
-    asce_2016,
-    eurocode_8,
-    find_pulses,
-    iwan_1980,
-    march_through_pulses,
-)
-from dcfp.methods import li_2020 as paper
-from dcfp.methods.equivalent_linear import PendulumWithFriction
-from dcfp.methods.panel import answers_for_motion
-from dcfp.methods.pulse_march import MARCH_THRESHOLD
-from dcfp.methods.pulses import THRESHOLD
-from dcfp.methods.result import Answer
+from dcfp.methods import NOTHING, Prediction, Pulses
+from dcfp.methods.code import CodeInputs, CodeResult, code_methods
+from dcfp.methods.code_comparison import code_results
+from dcfp.methods.method import Information, Variant
+from dcfp.methods.prediction import Ground, Methods, prediction_methods
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import Motion, motion_of
-from dcfp.schema.notebook import card, fields_card
+from dcfp.schema.notebook import card
 from dcfp.schema.parameters import refuse_other
-from dcfp.system import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating
-
-
-class Basis(StrEnum):
-    """What a prediction knows."""
-
-    PGV = "PGV only"
-    BLIND = "blind"
-    INFORMED = "informed"
-    SPECTRUM = "spectrum"
-
-
-class Method(StrEnum):
-    """The methods that are compared."""
-
-    PULSE = "pulse"
-    SIMPLIFIED = "simplified"
-    DESIGN = "design"
-    MARCH = "pulse march"
-    ASCE = asce_2016.NAME
-    EUROCODE = eurocode_8.NAME
-    AIJ_1 = aij_2016.METHOD_1
-    AIJ_2 = aij_2016.METHOD_2
-    AIJ_ENERGY = aij_2016.ENERGY_BALANCE
-    IWAN = iwan_1980.NAME
-
-
-#: What is compared with the analysis, in the order of tables: blind reads the record, informed also which pulse the analysis found to govern, and the methods of
-#: codes its spectrum.
-VIEWS = (
-    (Method.PULSE, Basis.BLIND),
-    (Method.PULSE, Basis.INFORMED),
-    (Method.SIMPLIFIED, Basis.BLIND),
-    (Method.SIMPLIFIED, Basis.INFORMED),
-    (Method.DESIGN, Basis.PGV),
-    (Method.MARCH, Basis.BLIND),
-    *(
-        (method, Basis.SPECTRUM)
-        for method in (
-            Method.ASCE,
-            Method.EUROCODE,
-            Method.AIJ_1,
-            Method.AIJ_2,
-            Method.AIJ_ENERGY,
-            Method.IWAN,
-        )
-    ),
-)
-View = tuple[Method, Basis]
 
 
 @dataclass(frozen=True)
@@ -103,9 +39,9 @@ class Analysed:
     swing: Swing | None
     pulse: int | None
 
-    def beside(self, basis: Basis) -> Prediction:
-        """Return what a prediction with this basis is to be compared with."""
-        return self.governing if basis is Basis.INFORMED else self.whole
+    def beside(self, information: Information) -> Prediction:
+        """Return what a prediction with this information is to be compared with."""
+        return self.governing if information is Information.INFORMED else self.whole
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,8 +59,8 @@ class Case:
     analysed
         What the analysis gives.
     predicted
-        What each method says, by method and basis; a method that cannot be used is not there.
-    answers
+        What each method says, by what it knows; a method that cannot be used is not there.
+    codes
         What the methods of codes say under the record's own spectrum, with their verdicts, by name; empty where they were not asked.
     remarks
         Sentences that a reader of the analysis must know.
@@ -137,53 +73,28 @@ class Case:
     pgv: float
     pulses: Pulses
     analysed: Analysed
-    predicted: dict[View, Prediction]
-    answers: dict[str, Answer] = field(default_factory=dict[str, Answer])
+    predicted: dict[Variant, Prediction]
+    codes: dict[str, CodeResult] = field(default_factory=dict[str, CodeResult])
     remarks: tuple[str, ...] = ()
     response: Response | None = None
 
     def _repr_html_(self) -> str:
         rows = [
             {
-                "method": method.value,
-                "knows": basis.value,
+                "method": variant.method,
+                "knows": variant.information.value,
                 "y_max [mm]": said.bound,
-                "verdict": self.answers[method].verdict if method in self.answers else "",
+                "verdict": self.codes[variant.method].verdict if variant.method in self.codes else "",
             }
-            for (method, basis), said in self.predicted.items()
+            for variant, said in self.predicted.items()
         ]
         facts = {"PGV [mm/s]": self.pgv, "y_max by analysis [mm]": self.analysed.whole.bound}
         return card(f"Predictions of {self.record}", facts, rows=rows, remarks=self.remarks)
 
 
-@dataclass(frozen=True)
-class Setting:
-    """What stands on the ground, and how it is predicted.
-
-    Attributes
-    ----------
-    bearing, friction, heating
-        As for `dcfp.respond`.
-    constants
-        Of the methods of Li et al. (2020).
-    threshold, march_threshold
-        Of the pulses that those methods and the march through the pulses take; see `find_pulses`.
-    """
-
-    bearing: Bearing = LI_2020
-    friction: FrictionLaw = field(default_factory=Li2020)
-    heating: Heating = field(default_factory=SimplifiedHeating)
-    constants: paper.Constants = paper.LI_2020
-    threshold: float = THRESHOLD
-    march_threshold: float = MARCH_THRESHOLD
-
-    def _repr_html_(self) -> str:
-        return fields_card(self, "How records are predicted")
-
-
 def compare(
     motion: Motion,
-    setting: Setting | None = None,
+    methods: Methods | None = None,
     *,
     codes: bool = False,
     keep_response: bool = False,
@@ -195,8 +106,8 @@ def compare(
     ----------
     motion
         The ground motion; or the name of a record, or a file.
-    setting
-        By default the bearing of Li et al. (2020) with its law and the simplified heating model.
+    methods
+        By default for the bearing of Li et al. (2020) with its law and the simplified heating model.
     codes
         Whether the methods of codes are asked too, under the record's own spectrum.
     keep_response
@@ -204,75 +115,46 @@ def compare(
     response
         The analysis, where it is at hand.
     """
-    motion, setting = motion_of(motion), Setting() if setting is None else setting
-    refuse_other(setting, Setting, "setting", "a Setting")
+    motion, methods = motion_of(motion), Methods() if methods is None else methods
+    refuse_other(methods, Methods, "methods", "Methods")
+    system, ground = methods.system, Ground.of(motion)
     if response is None:
-        response = respond(motion, setting.bearing, setting.friction, setting.heating)
-    pulses = find_pulses(motion, setting.threshold)
+        response = respond(motion, system)
+    pulses = ground.pulses(methods.threshold)
     analysed = analysed_of(response, pulses)
-    predicted = predictions(motion, setting, pulses, analysed.pulse)
-    answers = answers_for_motion(motion, pendulum_of(setting), bearing=setting.bearing) if codes else {}
+    results = code_results(code_inputs(motion, methods)) if codes else {}
+    by_codes = {
+        variant: replace(NOTHING, displacement=result.displacement)
+        for name, result in results.items()
+        for variant in code_methods()[name].variants
+    }
     return Case(
         record=motion.name,
         event=event_of(motion),
         pgv=motion.peak_velocity,
         pulses=pulses,
         analysed=analysed,
-        predicted=predicted
-        | {(Method(name), Basis.SPECTRUM): _of_code(said) for name, said in answers.items()},
-        answers=answers,
+        predicted=predictions(ground, methods, analysed.pulse) | by_codes,
+        codes=results,
         remarks=response.remarks,
         response=response if keep_response else None,
     )
 
 
-def pendulum_of(setting: Setting) -> PendulumWithFriction:
-    """Return what the methods of codes take of a bearing: its radius and the nominal coefficient."""
-    return PendulumWithFriction(setting.bearing.effective_radius, setting.constants.nominal_friction)
+def code_inputs(motion: GroundMotion, methods: Methods) -> CodeInputs:
+    """Return what the methods of codes are given of a record: its spectrum, the bearing and the nominal coefficient."""
+    return CodeInputs.of_record(motion, methods.system.bearing, methods.constants.nominal_friction)
 
 
-def _of_code(said: Answer) -> Prediction:
-    return replace(NOTHING, displacement=said.displacement)
-
-
-def predictions(
-    motion: GroundMotion, setting: Setting, pulses: Pulses, pulse: int | None
-) -> dict[View, Prediction]:
-    """Return what every method says that can be used.
-
-    `pulses` are those of the motion for the methods of Li et al. (2020); `pulse` is the number of the one that the
-    analysis found to govern, for the informed ones, or None.
-    """
-    found: dict[View, Prediction] = {}
-    for method, said in pulse_predictions(pulses, setting).items():
-        found[method, Basis.BLIND] = said.largest
-        found[method, Basis.INFORMED] = said.of(pulse)
-    found |= design_prediction(motion, setting)
-    found[Method.MARCH, Basis.BLIND] = march(motion, setting).prediction
-    return found
-
-
-def pulse_predictions(pulses: Pulses, setting: Setting) -> dict[Method, PulsePrediction]:
-    """Return what the pulse method, and the simplified one where it can be used, say of every pulse."""
-    found = {Method.PULSE: paper.predict_from_pulses(pulses, setting.constants)}
-    if setting.constants.slides_on_average:
-        found[Method.SIMPLIFIED] = paper.predict_simplified(pulses, setting.constants)
-    return found
-
-
-def design_prediction(motion: GroundMotion, setting: Setting) -> dict[View, Prediction]:
-    """Return what the design method says of the PGV of a motion; nothing where it cannot be used."""
-    if not (setting.constants.slides_on_average and motion.peak_velocity > 0.0):
-        return {}
-    return {(Method.DESIGN, Basis.PGV): paper.predict_from_pgv(motion.peak_velocity, setting.constants)}
-
-
-def march(motion: GroundMotion, setting: Setting, *, with_path: bool = False) -> PulseMarch:
-    """March through the pulses of a motion; `with_path` as for `march_through_pulses`."""
-    pulses = find_pulses(motion, setting.march_threshold)
-    return march_through_pulses(
-        pulses, setting.bearing, setting.friction, setting.heating, with_path=with_path
-    )
+def predictions(ground: Ground, methods: Methods, pulse: int | None) -> dict[Variant, Prediction]:
+    """Return what every method of prediction says that can be used; `pulse` as for `Predicted.knowing`."""
+    said = {name: method.predict(ground, methods) for name, method in prediction_methods().items()}
+    return {
+        variant: predicted.knowing(variant.information, pulse)
+        for name, method in prediction_methods().items()
+        if (predicted := said[name]) is not None
+        for variant in method.variants
+    }
 
 
 def analysed_of(response: Response, pulses: Pulses) -> Analysed:
@@ -291,7 +173,7 @@ def analysed_of(response: Response, pulses: Pulses) -> Analysed:
     governing = replace(
         whole, input_velocity=swing.input_velocity, hysteretic_velocity=swing.hysteretic_velocity
     )
-    return Analysed(whole, governing, swing, pulse_behind(swing, pulses))
+    return Analysed(whole, governing, swing, governing_pulse(swing, pulses))
 
 
 # Which pulse of the ground a swing of the structure belongs to.
@@ -301,7 +183,7 @@ def analysed_of(response: Response, pulses: Pulses) -> Analysed:
 _MOST = 0.5
 
 
-def pulse_behind(swing: Swing, pulses: Pulses) -> int | None:
+def governing_pulse(swing: Swing, pulses: Pulses) -> int | None:
     """Return the number of the pulse that caused a swing, counted from zero; None where there is none.
 
     While the ground velocity rises to a peak the structure stays behind, so that y falls, and it goes on falling until it has caught up,
@@ -318,31 +200,3 @@ def pulse_behind(swing: Swing, pulses: Pulses) -> int | None:
     if not fits.any():
         return None
     return int(np.argmax(np.where(fits, np.abs(pulses.changes), 0.0)))
-
-
-@dataclass(frozen=True)
-class Quantity:
-    """One of them.
-
-    Attributes
-    ----------
-    name
-        Short, as in tables.
-    key
-        In JSON and data, with its unit.
-    unit
-        "mm" or "mm/s".
-    """
-
-    name: str
-    key: str
-    unit: str
-
-
-#: Largest change of displacement between two successive peaks, and largest displacement.
-CHANGE, DISPLACEMENT = Quantity("dy", "dy_mm", "mm"), Quantity("y", "y_mm", "mm")
-#: Equivalent velocities of the energies put in and dissipated during a swing, and of all the energy put in.
-INPUT, HYSTERETIC = Quantity("V_dE", "V_dE_mm_s", "mm/s"), Quantity("V_dEhr", "V_dEhr_mm_s", "mm/s")
-TOTAL = Quantity("V_E", "V_E_mm_s", "mm/s")
-#: In the order of tables.
-QUANTITIES = (CHANGE, DISPLACEMENT, INPUT, HYSTERETIC, TOTAL)

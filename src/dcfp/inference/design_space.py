@@ -12,7 +12,6 @@ from dcfp.analysis.batch import GroundSet, Lanes, Peaks, available_threads, resp
 from dcfp.analysis.response import FAILED
 from dcfp.arrays import FloatArray
 from dcfp.errors import AnalysisError, InputError
-from dcfp.inference.case import Setting
 from dcfp.inference.earthquake import event_of
 from dcfp.methods.li_2020 import friction_that_holds
 from dcfp.methods.li_2020.constants import Constants
@@ -128,7 +127,7 @@ def _quantiles(values: FloatArray, part: float) -> FloatArray:
 def survey(
     motions: Sequence[GroundMotion],
     pgv: float,
-    setting: Setting,
+    system: System,
     radii: FloatArray = RADII,
     coefficients: FloatArray = COEFFICIENTS,
     report: Callable[[], None] | None = None,
@@ -141,7 +140,7 @@ def survey(
         The record set.
     pgv
         [mm/s].
-    setting
+    system
         The bearing whose radii are varied, equal on all plates, and the law whose reference coefficient is.
     radii, coefficients
         As in `DesignSpace`, increasing.
@@ -157,15 +156,15 @@ def survey(
     """
     grounds = GroundSet.of(motions)
     scales = np.array([[pgv / motion.peak_velocity] for motion in motions])
-    laws = [setting.friction.with_reference(coefficient) for coefficient in coefficients.tolist()]
+    laws = [system.friction.with_reference(coefficient) for coefficient in coefficients.tolist()]
 
     def analyse(radius: float) -> Peaks:
-        plates = (radius,) * len(setting.bearing.radii)
-        bearing = replace(setting.bearing, radii=plates, displacement_capacity=None, capacity_note="")
-        models = [System(bearing, law, setting.heating) for law in laws]
+        plates = (radius,) * len(system.bearing.radii)
+        bearing = replace(system.bearing, radii=plates, displacement_capacity=None, capacity_note="")
+        models = [System(bearing, law, system.heating) for law in laws]
         peaks = respond_in_batch(grounds, Lanes.grid(len(motions), scales, models))
         if (peaks.status == FAILED).any():
-            msg = f"An analysis with a radius of {radius:g} mm cannot be finished; look at the friction law {setting.friction.title}."
+            msg = f"An analysis with a radius of {radius:g} mm cannot be finished; look at the friction law {system.friction.title}."
             raise AnalysisError(msg)
         return peaks
 

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from dcfp.analysis.assumptions import LARGEST_YIELD_RADIUS
 from dcfp.errors import InputError
 from dcfp.inference.calibration import (
     Intervals,
@@ -12,23 +11,14 @@ from dcfp.inference.calibration import (
     others_than,
     set_remarks,
 )
-from dcfp.inference.case import (
-    Basis,
-    Case,
-    Method,
-    Setting,
-    View,
-    design_prediction,
-    march,
-    pulse_predictions,
-)
+from dcfp.inference.case import Case
 from dcfp.inference.earthquake import is_known
-from dcfp.methods import Prediction, PulseMarch, Pulses, find_pulses
-from dcfp.methods import li_2020 as paper
+from dcfp.methods import Prediction, Pulses
+from dcfp.methods.li_2020 import predict_from_pgv
+from dcfp.methods.method import Information, Variant
+from dcfp.methods.prediction import Ground, Methods, Predicted, prediction_methods
 from dcfp.motion.ground_motion import GroundMotion
-
-#: Part by which a PGV that was scaled to may be off [-].
-_ROUNDING = 1e-6
+from dcfp.system import System
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +30,7 @@ class Forecast:
     pgv
         [mm/s].
     predicted
-        By method and basis.
+        By method, with what it knows.
     motion
         The record; None where only the PGV is known.
     pulses
@@ -48,46 +38,56 @@ class Forecast:
     governing
         Number of the pulse that governs by a method, counted from zero in `pulses`; a method without one is not there.
     intervals
-        Of every view, where they were asked for; under None those from the PGV alone.
+        Of every blind method, where they were asked for; under None those from the PGV alone.
     remarks
         Sentences that a reader of the numbers must know.
     """
 
     pgv: float
-    predicted: dict[View, Prediction]
+    predicted: dict[Variant, Prediction]
     motion: GroundMotion | None = None
     pulses: Pulses | None = None
-    governing: dict[View, int] = field(default_factory=dict[View, int])
-    intervals: dict[View | None, Intervals] = field(default_factory=dict[View | None, Intervals])
+    governing: dict[Variant, int] = field(default_factory=dict[Variant, int])
+    intervals: dict[Variant | None, Intervals] = field(default_factory=dict[Variant | None, Intervals])
     remarks: tuple[str, ...] = ()
 
 
-def forecast(motion: GroundMotion, setting: Setting, calibration: Sequence[Case] | None = None) -> Forecast:
+#: What is told before an analysis, in this order.
+_BEFORE = (Information.PGV, Information.BLIND)
+
+
+def _said(ground: Ground, methods: Methods) -> dict[Variant, Predicted]:
+    """Return what every method says of an earthquake that can be used, those first that need the PGV only."""
+    allowed = _BEFORE if ground.motion is not None else (Information.PGV,)
+    return {
+        Variant(name, information): predicted
+        for information in allowed
+        for name, method in prediction_methods().items()
+        if information in method.knows and (predicted := method.predict(ground, methods)) is not None
+    }
+
+
+def forecast(motion: GroundMotion, methods: Methods, calibration: Sequence[Case] | None = None) -> Forecast:
     """Return what every blind method says of a record.
 
     Parameters
     ----------
     motion
         The record, at its PGV.
-    setting
-        The bearing, and how the methods are set.
+    methods
+        The system, and how the methods are set.
     calibration
         Other records at the same PGV, from which the intervals come; those of the same earthquake do not count. None for no intervals.
     """
-    pulses = find_pulses(motion, setting.threshold)
-    of_pulses = {(method, Basis.BLIND): said for method, said in pulse_predictions(pulses, setting).items()}
-    marched = march(motion, setting)
-    predicted: dict[View, Prediction] = {
-        **design_prediction(motion, setting),
-        **{view: said.largest for view, said in of_pulses.items()},
-        (Method.MARCH, Basis.BLIND): marched.prediction,
-    }
+    ground = Ground.of(motion)
+    said = _said(ground, methods)
+    predicted = {variant: one.prediction for variant, one in said.items()}
     remarks = [
-        *_beyond_capacity(motion.name, predicted, setting),
-        *_remarks(motion, pulses, predicted[Method.PULSE, Basis.BLIND], marched, setting),
-        *setting_remarks(motion.peak_velocity, setting),
+        *_beyond_capacity(motion.name, predicted, methods.system),
+        *(remark for one in said.values() for remark in one.remarks),
+        *methods.remarks(motion.peak_velocity),
     ]
-    intervals: dict[View | None, Intervals] = {}
+    intervals: dict[Variant | None, Intervals] = {}
     if calibration is not None:
         others = others_than(motion, calibration)
         found = _intervals_or_none(others)
@@ -96,100 +96,62 @@ def forecast(motion: GroundMotion, setting: Setting, calibration: Sequence[Case]
         else:
             intervals = {None: found, **intervals_about(predicted, others)}
             remarks.append(_left_out(motion, len(calibration) - len(others), len(calibration)))
-            remarks += set_remarks(motion.peak_velocity, others, setting.bearing.displacement_capacity)
+            remarks += set_remarks(motion.peak_velocity, others, methods.system.bearing.displacement_capacity)
     return Forecast(
         pgv=motion.peak_velocity,
         predicted=predicted,
         motion=motion,
-        pulses=pulses,
-        governing={view: said.governing for view, said in of_pulses.items() if said.governing is not None},
+        pulses=ground.pulses(methods.threshold),
+        governing={
+            variant: one.by_pulse.governing
+            for variant, one in said.items()
+            if one.by_pulse is not None and one.by_pulse.governing is not None
+        },
         intervals=intervals,
         remarks=tuple(remarks),
     )
 
 
-def forecast_from_pgv(pgv: float, setting: Setting, calibration: Sequence[Case] | None = None) -> Forecast:
+def forecast_from_pgv(pgv: float, methods: Methods, calibration: Sequence[Case] | None = None) -> Forecast:
     """Return what can be said of an earthquake of which only the PGV [mm/s] is known; arguments as for `forecast`.
 
     Raises
     ------
     InputError
-        If the design method cannot be used.
+        If no method can be used.
     """
-    predicted: dict[View, Prediction] = {
-        (Method.DESIGN, Basis.PGV): paper.predict_from_pgv(pgv, setting.constants)
-    }
+    predicted = {variant: one.prediction for variant, one in _said(Ground(pgv), methods).items()}
+    if not predicted:
+        predict_from_pgv(pgv, methods.constants)  # its complaint says what is wrong
     remarks = (
-        *_beyond_capacity(f"PGV {pgv / 1e3:g} m/s", predicted, setting),
-        *setting_remarks(pgv, setting),
+        *_beyond_capacity(f"PGV {pgv / 1e3:g} m/s", predicted, methods.system),
+        *methods.remarks(pgv),
     )
     if calibration is None:
         return Forecast(pgv, predicted, remarks=remarks)
     found = _intervals_or_none(calibration)
     if found is None:
         return Forecast(pgv, predicted, remarks=(*remarks, _without_interval(pgv)))
-    remarks = (*remarks, *set_remarks(pgv, calibration, setting.bearing.displacement_capacity))
+    remarks = (*remarks, *set_remarks(pgv, calibration, methods.system.bearing.displacement_capacity))
     return Forecast(pgv, predicted, intervals={None: found}, remarks=remarks)
 
 
-def setting_remarks(pgv: float, setting: Setting) -> tuple[str, ...]:
-    """Return what must be known of the methods at a PGV [mm/s], whatever the record."""
-    constants = setting.constants
-    remarks: list[str] = []
-    if not constants.slides_on_average:
-        remarks.append(
-            f"The simplified and the design method are left out: mu_n g, {constants.friction_deceleration:.0f} mm/s2, is not below"
-            f" their average slope of {constants.average_slope:.0f} mm/s2."
-        )
-    elif 0.0 < pgv < constants.reference_pgv * (1.0 - _ROUNDING):
-        remarks.append(
-            "Li et al. (2020), section 6.2.2, give the average slope of the simplified and the design method for PGVs from"
-            f" {constants.reference_pgv / 1e3:g} m/s on."
-        )
-    law, bearing = setting.friction, setting.bearing
-    if law.caution:
-        remarks.append(f"Friction law {law.name}: {law.caution}")
-    stretch = constants.nominal_friction * bearing.vertical_force / bearing.elastic_stiffness
-    if stretch > LARGEST_YIELD_RADIUS:
-        remarks.append(
-            f"Spring (b) stretches {stretch:.1f} mm before the bearing slides; the predictions take it as rigid."
-        )
-    return tuple(remarks)
-
-
-def _beyond_capacity(name: str, predicted: dict[View, Prediction], setting: Setting) -> list[str]:
+def _beyond_capacity(name: str, predicted: dict[Variant, Prediction], system: System) -> list[str]:
     """Return a sentence where a method offers a displacement beyond the capacity."""
-    capacity = setting.bearing.displacement_capacity
+    bearing = system.bearing
+    capacity = bearing.displacement_capacity
     beyond = {
-        view[0].value: said.bound
-        for view, said in predicted.items()
+        variant.method: said.bound
+        for variant, said in predicted.items()
         if capacity is not None and said.bound > capacity
     }
     if not beyond:
         return []
-    note = f" ({setting.bearing.capacity_note})" if setting.bearing.capacity_note else ""
+    note = f" ({bearing.capacity_note})" if bearing.capacity_note else ""
     offered = ", ".join(f"{method} {bound:.0f} mm" for method, bound in beyond.items())
     return [
         f"{name}: what is offered for y_max goes beyond the capacity of {capacity:.0f} mm{note}: {offered}."
     ]
-
-
-def _remarks(
-    motion: GroundMotion, pulses: Pulses, said: Prediction, marched: PulseMarch, setting: Setting
-) -> list[str]:
-    remarks: list[str] = []
-    if not pulses.count:
-        remarks.append(f"{motion.name}: the ground velocity has no pulse, so nothing is predicted to move.")
-    elif said.displacement_change == 0.0:
-        remarks.append(
-            f"{motion.name}: by the pulse method nothing moves, since every pulse has a ku/kg above 1; its straight lines leave out that the"
-            " ground accelerates more in the middle of a pulse."
-        )
-    if not marched.rests:
-        remarks.append(
-            f"{motion.name}: the march still slides two minutes after the last peak; its dy does not count that slide."
-        )
-    return remarks
 
 
 def _intervals_or_none(calibration: Sequence[Case]) -> Intervals | None:

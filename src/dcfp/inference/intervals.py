@@ -9,8 +9,11 @@ from numpy.typing import NDArray
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
-from dcfp.inference.case import Case, Quantity, View
-from dcfp.inference.statistics import ratios, value_of
+from dcfp.inference.case import Case
+from dcfp.inference.statistics import ratios
+from dcfp.methods.method import Variant
+from dcfp.methods.pulses import value_of
+from dcfp.schema.quantities import Quantity
 
 #: Part of the cases that an interval is to cover [-].
 COVERED = 0.9
@@ -75,15 +78,15 @@ def quantile(values: FloatArray, part: float) -> float:
     return float(np.interp(rank, np.arange(1, ordered.size + 1), ordered))
 
 
-def errors(cases: Sequence[Case], view: View | None, quantity: Quantity) -> FloatArray:
+def errors(cases: Sequence[Case], variant: Variant | None, quantity: Quantity) -> FloatArray:
     """Return the logarithm of analysis over prediction [-], shape (cases,); not a number where nothing was predicted.
 
-    Without a `view` the prediction is one: what is returned is the logarithm of the analysis itself, as for an interval from the PGV alone.
+    Without a `variant` the prediction is one: what is returned is the logarithm of the analysis itself, as for an interval from the PGV alone.
     """
-    if view is None:
+    if variant is None:
         found = np.array([value_of(case.analysed.whole, quantity) for case in cases])
         return np.log(found, out=np.full(found.size, np.nan), where=found > 0.0)
-    found = ratios(cases, view, quantity)
+    found = ratios(cases, variant, quantity)
     return -np.log(found, out=np.full(found.size, np.nan), where=found > 0.0)
 
 
@@ -115,14 +118,14 @@ def interval(errors: FloatArray, predicted: float = 1.0, covered: float = COVERE
     return Interval(low, median, high, known.size)
 
 
-def coverage(groups: Iterable[Sequence[Case]], view: View | None, quantity: Quantity) -> Coverage:
+def coverage(groups: Iterable[Sequence[Case]], variant: Variant | None, quantity: Quantity) -> Coverage:
     """Return how well intervals from half of the earthquakes cover the other half.
 
     Parameters
     ----------
     groups
         The same records at one PGV after the other.
-    view, quantity
+    variant, quantity
         As in `errors`.
 
     Raises
@@ -130,13 +133,13 @@ def coverage(groups: Iterable[Sequence[Case]], view: View | None, quantity: Quan
     InputError
         If there is no case, a half has too few, or nothing is left for the other half.
     """
-    known = [(errors(cases, view, quantity), [case.event for case in cases]) for cases in groups]
+    known = [(errors(cases, variant, quantity), [case.event for case in cases]) for cases in groups]
     if not known:
         msg = "A coverage needs at least one group of cases."
         raise InputError(msg)
     inside: list[float] = []
     widths: list[float] = []
-    for training in halves(known[0][1]):
+    for training in grouped_splits(known[0][1]):
         hits = held_out = 0
         for values, _ in known:
             there = np.isfinite(values)
@@ -156,14 +159,16 @@ def coverage(groups: Iterable[Sequence[Case]], view: View | None, quantity: Quan
     )
 
 
-# Halves of a set of records, of which no earthquake is in both.
+# Splits of a set of records in halves, of which no earthquake is in both.
 
 
 #: Splits that a coverage or a refit is judged by, and where their random numbers start.
 SPLITS, SEED = 200, 2020
 
 
-def halves(events: Sequence[str], splits: int = SPLITS, seed: int = SEED) -> Iterator[NDArray[np.bool_]]:
+def grouped_splits(
+    events: Sequence[str], splits: int = SPLITS, seed: int = SEED
+) -> Iterator[NDArray[np.bool_]]:
     """Yield random halves of cases: True where a case is for training, False where it is held out.
 
     Components and stations of one earthquake resemble each other, so that an earthquake goes into one half as a whole.

@@ -1,8 +1,8 @@
-"""The constants of the simplified and the design method, fitted to analyses: how the paper came by them, and by least squares."""
+"""The constants of the simplified and the design method, fitted to analyses as the paper did and by least squares; and how they and intervals from half of the earthquakes serve the other half."""
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -10,10 +10,18 @@ from scipy import optimize
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
+from dcfp.inference.calibration import blind_variants
 from dcfp.inference.case import Case
+from dcfp.inference.intervals import Coverage, coverage, errors, fewest, grouped_splits
+from dcfp.inference.statistics import scatter
 from dcfp.methods import Prediction
 from dcfp.methods.li_2020 import LI_2020, Constants, predict_from_pgv, predict_simplified
+from dcfp.methods.li_2020.constants import DESIGN, SIMPLIFIED
 from dcfp.methods.li_2020.simplified_method import absorbed_velocity_ratio
+from dcfp.methods.method import Variant
+from dcfp.methods.pulses import CHANGE, PREDICTION_QUANTITIES, value_of
+from dcfp.schema.parameters import parameters
+from dcfp.schema.quantities import Quantity
 
 #: How far the fitted constants may go: part of, and times the paper's.
 _LEAST, _MOST = 0.05, 20.0
@@ -116,7 +124,8 @@ def refit_simplified(cases: Sequence[Case], constants: Constants = LI_2020) -> C
 
     return _fitted(
         made,
-        (constants.average_slope, constants.fall_ratio),
+        constants,
+        ("average_slope", "fall_ratio"),
         lambda case, trial: predict_simplified(case.pulses, trial).largest,
         cases,
     )
@@ -133,7 +142,8 @@ def refit_design(cases: Sequence[Case], constants: Constants = LI_2020) -> Const
 
     return _fitted(
         made,
-        (constants.change_ratio, constants.fall_ratio),
+        constants,
+        ("change_ratio", "fall_ratio"),
         lambda case, trial: predict_from_pgv(case.pgv, trial),
         cases,
     )
@@ -155,11 +165,13 @@ def at_limit(fitted: Constants, given: Constants = LI_2020) -> bool:
 
 def _fitted(
     made: Callable[[float, float], Constants],
-    start: tuple[float, float],
+    given: Constants,
+    names: tuple[str, str],
     predict: Callable[[Case, Constants], Prediction],
     cases: Sequence[Case],
 ) -> Constants:
-    """Return the constants with the least squares of ln (prediction / analysis) of V_dE and V_dEhr."""
+    """Return the constants with the least squares of ln (prediction / analysis) of V_dE and V_dEhr; `names` are of those that `made` takes."""
+    start = [getattr(given, name) for name in names]
     known = [case for case in cases if case.analysed.whole.hysteretic_velocity > 0.0 and case.pulses.count]
     if not known:
         msg = "Nothing moves in any of the cases, so there is nothing to fit the constants to."
@@ -174,7 +186,130 @@ def _fitted(
         return (found - analysed).ravel()
 
     first = np.log(start)
-    solution = _optimize.least_squares(
-        misfit, first, bounds=(first + np.log(_LEAST), first + np.log(_MOST)), diff_step=1e-3, xtol=1e-6
-    )
+    limits = np.log([parameters(Constants)[name].limits for name in names]).T
+    least, most = np.maximum(first + np.log(_LEAST), limits[0]), np.minimum(first + np.log(_MOST), limits[1])
+    solution = _optimize.least_squares(misfit, first, bounds=(least, most), diff_step=1e-3, xtol=1e-6)
     return made(*np.exp(solution.x).tolist())
+
+
+# On the other half of the earthquakes.
+
+
+#: Splits by which a refit is judged; each takes a second or less.
+REFIT_SPLITS = 20
+#: Earthquakes without which halves mean nothing.
+FEWEST_EVENTS = 6
+
+
+@dataclass(frozen=True)
+class Refit:
+    """A method with given constants, or with constants fitted to a training half, on the other half.
+
+    Attributes
+    ----------
+    method
+        Simplified or design.
+    words
+        Where the constants come from.
+    constants
+        Fitted to all cases.
+    bias, dispersion
+        Of dy of held-out cases [-], mean of the splits: geometric mean of prediction over analysis, and standard deviation of its logarithm.
+    """
+
+    method: str
+    words: str
+    constants: Constants
+    bias: float
+    dispersion: float
+
+
+def check_enough(groups: Sequence[Sequence[Case]]) -> None:
+    """Check that cases can be halved.
+
+    Raises
+    ------
+    InputError
+        If the earthquakes or the records of a PGV are too few.
+    """
+    events = {case.event for case in groups[0]}
+    smallest = min(len(cases) for cases in groups)
+    if len(events) < FEWEST_EVENTS or smallest < 2 * fewest():
+        msg = (
+            f"Held-out halves need at least {FEWEST_EVENTS} earthquakes and {2 * fewest()} records at each PGV, not"
+            f" {len(events)} and {smallest}; P695 names a hundred components."
+        )
+        raise InputError(msg)
+
+
+def coverages(groups: Sequence[Sequence[Case]]) -> dict[tuple[Variant | None, Quantity], Coverage]:
+    """Return the coverage of the intervals of every blind method, and of the PGV alone (None), for every quantity that it has."""
+    found: dict[tuple[Variant | None, Quantity], Coverage] = {}
+    for variant in (None, *blind_variants()):
+        for quantity in PREDICTION_QUANTITIES.values():
+            known = [np.isfinite(errors(cases, variant, quantity)).sum() for cases in groups]
+            if min(known) >= 2 * fewest():
+                found[variant, quantity] = coverage(groups, variant, quantity)
+    return found
+
+
+def refits(cases: Sequence[Case], constants: Constants) -> list[Refit]:
+    """Return the simplified and the design method before and after a refit, on held-out halves.
+
+    Raises
+    ------
+    InputError
+        If there is no case at the PGV that kg_ave belongs to.
+    """
+    fits = {
+        SIMPLIFIED: (_simplified, refit_simplified),
+        DESIGN: (_design, refit_design),
+    }
+    found: list[Refit] = []
+    for method, (predict, by_squares) in fits.items():
+        for words, fit in (
+            ("as given", _as_given),
+            ("as the paper fits", refit_as_paper),
+            ("least squares", by_squares),
+        ):
+            found.append(_judged(method, words, fit, predict, cases, constants))
+    return found
+
+
+def _simplified(case: Case, constants: Constants) -> Prediction:
+    return predict_simplified(case.pulses, constants).largest
+
+
+def _design(case: Case, constants: Constants) -> Prediction:
+    return predict_from_pgv(case.pgv, constants)
+
+
+def _as_given(cases: Sequence[Case], constants: Constants) -> Constants:
+    del cases
+    return constants
+
+
+def _judged(
+    method: str,
+    words: str,
+    fit: Callable[[Sequence[Case], Constants], Constants],
+    predict: Callable[[Case, Constants], Prediction],
+    cases: Sequence[Case],
+    given: Constants,
+) -> Refit:
+    biases: list[float] = []
+    dispersions: list[float] = []
+    for training in grouped_splits([case.event for case in cases], REFIT_SPLITS):
+        constants = fit([case for case, trained in zip(cases, training, strict=True) if trained], given)
+        ratios = [
+            value_of(predict(case, constants), CHANGE) / case.analysed.whole.displacement_change
+            for case, trained in zip(cases, training, strict=True)
+            if not trained and case.analysed.whole.displacement_change > 0.0
+        ]
+        held_out = scatter(np.array(ratios))
+        biases.append(np.log(held_out.bias))
+        dispersions.append(held_out.dispersion)
+    final = fit(cases, given)
+    if at_limit(final, given):
+        words += ", at the limit of the search"
+    return Refit(method, words, final, float(np.exp(np.mean(biases))), float(np.mean(dispersions)))

@@ -1,34 +1,16 @@
 """How far predictions are from the analysis: ratios, their range, bias and scatter."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.arrays import FloatArray
-from dcfp.inference.case import (
-    CHANGE,
-    DISPLACEMENT,
-    HYSTERETIC,
-    INPUT,
-    QUANTITIES,
-    TOTAL,
-    VIEWS,
-    Basis,
-    Case,
-    Quantity,
-    View,
-)
-from dcfp.methods import NOTHING, Prediction
-
-_VALUES: dict[Quantity, Callable[[Prediction], float | None]] = {
-    CHANGE: lambda prediction: prediction.displacement_change,
-    DISPLACEMENT: lambda prediction: prediction.bound,
-    INPUT: lambda prediction: prediction.input_velocity,
-    HYSTERETIC: lambda prediction: prediction.hysteretic_velocity,
-    TOTAL: lambda prediction: prediction.total_velocity,
-}
+from dcfp.inference.case import Case
+from dcfp.methods.method import Information, Variant, variants
+from dcfp.methods.pulses import NOTHING, PREDICTION_QUANTITIES, value_of
+from dcfp.schema.quantities import Quantity
 
 
 @dataclass(frozen=True)
@@ -61,19 +43,12 @@ class Scatter:
     dispersion: float
 
 
-def value_of(prediction: Prediction, quantity: Quantity) -> float:
-    """Return a quantity of a prediction; not a number where it has none."""
-    value = _VALUES[quantity](prediction)
-    return np.nan if value is None else value
-
-
-def ratios(cases: Iterable[Case], view: View, quantity: Quantity) -> FloatArray:
+def ratios(cases: Iterable[Case], variant: Variant, quantity: Quantity) -> FloatArray:
     """Return prediction over analysis [-], shape (cases,): zero or not a number where nothing was predicted."""
-    _, basis = view
     pairs = [
         (
-            value_of(case.predicted.get(view, NOTHING), quantity),
-            value_of(case.analysed.beside(basis), quantity),
+            value_of(case.predicted.get(variant, NOTHING), quantity),
+            value_of(case.analysed.beside(variant.information), quantity),
         )
         for case in cases
     ]
@@ -102,29 +77,31 @@ def scatter(values: FloatArray, among: NDArray[np.bool_] | None = None) -> Scatt
     )
 
 
-def scatters(cases: Sequence[Case]) -> dict[tuple[View, Quantity], Scatter]:
-    """Return the measures of every view and every quantity that it predicts.
+def scatters(cases: Sequence[Case]) -> dict[tuple[Variant, Quantity], Scatter]:
+    """Return the measures of every method, with what it knows, and every quantity that it predicts.
 
     What does not know the analysis is measured on the cases in which each of the methods of prediction foresees a motion, so that none is spared the cases that
     another must bear; what is informed, on its own.
     """
-    found: dict[tuple[View, Quantity], Scatter] = {}
-    for quantity in QUANTITIES:
-        values = {view: ratios(cases, view, quantity) for view in VIEWS}
-        known = {view: one for view, one in values.items() if np.isfinite(one).any()}
+    found: dict[tuple[Variant, Quantity], Scatter] = {}
+    quantities = tuple(PREDICTION_QUANTITIES.values())
+    for quantity in quantities:
+        values = {variant: ratios(cases, variant, quantity) for variant in variants()}
+        known = {variant: one for variant, one in values.items() if np.isfinite(one).any()}
         blind = [
             np.isfinite(one) & (one > 0.0)
-            for view, one in known.items()
-            if view[1] in (Basis.BLIND, Basis.PGV)
+            for variant, one in known.items()
+            if variant.information in (Information.BLIND, Information.PGV)
         ]
         common = np.logical_and.reduce(blind) if blind else None
-        for view, one in known.items():
-            found[view, quantity] = scatter(one, None if view[1] is Basis.INFORMED else common)
+        for variant, one in known.items():
+            informed = variant.information is Information.INFORMED
+            found[variant, quantity] = scatter(one, None if informed else common)
     return {
-        (view, quantity): found[view, quantity]
-        for view in VIEWS
-        for quantity in QUANTITIES
-        if (view, quantity) in found
+        (variant, quantity): found[variant, quantity]
+        for variant in variants()
+        for quantity in quantities
+        if (variant, quantity) in found
     }
 
 

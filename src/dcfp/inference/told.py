@@ -6,30 +6,23 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from dcfp.inference.calibration import Intervals
-from dcfp.inference.case import QUANTITIES, Case, Method, Setting, View
-from dcfp.inference.case import Quantity as Compared
-from dcfp.inference.forecast import Forecast, setting_remarks
+from dcfp.inference.case import Case
+from dcfp.inference.forecast import Forecast
 from dcfp.inference.intervals import Coverage
 from dcfp.inference.statistics import Scatter, ratios
 from dcfp.methods import Prediction, Pulses
-from dcfp.methods.result import answer_objects
+from dcfp.methods.code import code_objects
+from dcfp.methods.method import Information, Variant
+from dcfp.methods.prediction import Methods
+from dcfp.methods.pulses import PREDICTION_QUANTITIES
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import M_PER_S, MM, MM_PER_S, MM_PER_S2, NONE, PERCENT, SECOND
 
-#: What a blind method knows, by its basis.
-_KNOWS = {"blind": "record", "PGV only": "PGV"}
 _ENDS = ("low", "median", "high")
 
 # ----- a prediction, a pulse, a swing, an interval -----
 
-PREDICTIONS = [
-    Quantity("dy_mm", "largest change of displacement", MM, decimals=1, name="dy", get="said.displacement_change"),
-    Quantity("y_mm", "largest displacement", MM, decimals=1, name="y", head="y_max", get="said.displacement"),
-    Quantity("V_dE_mm_s", "equivalent velocity of the energy put in meanwhile", MM_PER_S, decimals=1, name="V_dE", get="said.input_velocity"),
-    Quantity("V_dEhr_mm_s", "equivalent velocity of the energy dissipated meanwhile", MM_PER_S, decimals=1, name="V_dEhr", get="said.hysteretic_velocity"),
-    Quantity("V_E_mm_s", "equivalent velocity of all the energy put in", MM_PER_S, decimals=1, name="V_E", get="said.total_velocity"),
-]  # fmt: skip
 PULSES = [
     Quantity("start_s", "peak before", SECOND, get=lambda one: float(one.pulses.starts[one.place])),
     Quantity("peak_s", "its own peak", SECOND, get=lambda one: float(one.pulses.peaks[one.place])),
@@ -48,12 +41,6 @@ SWINGS = [
 ]  # fmt: skip
 
 
-class Said(NamedTuple):
-    """A prediction alone."""
-
-    said: Prediction
-
-
 class Pulse(NamedTuple):
     """One of the pulses of a record, by its place."""
 
@@ -63,6 +50,10 @@ class Pulse(NamedTuple):
 
 def _one(columns: Sequence[Quantity], thing: Any) -> dict[str, Any]:
     return Table(tuple(columns), [thing]).objects()[0]
+
+
+def _said(prediction: Prediction) -> dict[str, Any]:
+    return _one(tuple(PREDICTION_QUANTITIES.values()), prediction)
 
 
 def _pulse(pulses: Pulses | None, place: int | None) -> dict[str, Any] | None:
@@ -82,11 +73,11 @@ def _interval(intervals: Intervals | None) -> dict[str, Any] | None:
 
 
 class ToldForecast(NamedTuple):
-    """What one view says in a forecast; with no view, where other analyses of that PGV lie."""
+    """What one method says in a forecast; with none, where other analyses of that PGV lie."""
 
     forecast: Forecast
-    setting: Setting
-    view: View | None = None
+    methods: Methods
+    variant: Variant | None = None
 
     @property
     def record(self) -> str | None:
@@ -96,12 +87,12 @@ class ToldForecast(NamedTuple):
     @property
     def said(self) -> Prediction | None:
         """The prediction."""
-        return None if self.view is None else self.forecast.predicted[self.view]
+        return None if self.variant is None else self.forecast.predicted[self.variant]
 
     @property
     def place(self) -> int | None:
         """Place of the governing pulse."""
-        return None if self.view is None else self.forecast.governing.get(self.view)
+        return None if self.variant is None else self.forecast.governing.get(self.variant)
 
     @property
     def pulse(self) -> str | None:
@@ -116,12 +107,12 @@ class ToldForecast(NamedTuple):
     @property
     def basis(self) -> str:
         """What it knows."""
-        return "PGV only" if self.view is None else self.view[1].value
+        return (Information.PGV if self.variant is None else self.variant.information).value
 
     @property
     def intervals(self) -> Intervals | None:
-        """Intervals of the view."""
-        return self.forecast.intervals.get(self.view)
+        """Intervals of the method."""
+        return self.forecast.intervals.get(self.variant)
 
 
 def _record(*, printed: bool = True) -> tuple[Quantity, ...]:
@@ -150,46 +141,46 @@ def _of_pulse(place: str) -> Quantity:
     )
 
 
-def _of_interval(quantity: Compared, end: str) -> Quantity:
+def _of_interval(quantity: Quantity, end: str) -> Quantity:
     def get(one: ToldForecast) -> float | None:
         found = None if one.intervals is None else one.intervals.get(quantity)
         return None if found is None else getattr(found, end)
 
-    return Quantity(f"{quantity.key}_{end}", f"{end} of {quantity.name}", MM if quantity.unit == "mm" else MM_PER_S, name=f"{quantity.name}_{end}", get=get, printed=False)  # fmt: skip
+    return Quantity(f"{quantity.key}_{end}", f"{end} of {quantity.title}", quantity.unit, name=f"{quantity.title}_{end}", get=get, printed=False)  # fmt: skip
 
 
 def _of_said(one: Quantity) -> Quantity:
     """Return a quantity of a prediction for lines that may have none."""
 
-    def get(line: ToldForecast) -> float | None:
-        return None if line.said is None else one.of(line)
+    def get(line: Any) -> float | None:
+        return None if line.said is None else one.of(line.said)
 
     return replace(one, get=get)
 
 
-def forecast_lines(forecasts: Sequence[Forecast], setting: Setting, *, with_others: bool = True) -> Table:
+def forecast_lines(forecasts: Sequence[Forecast], methods: Methods, *, with_others: bool = True) -> Table:
     """Return a line for each record, PGV and method, and for the analyses of others; an interval that was not asked for leaves its cells empty."""
     of_records = forecasts[0].motion is not None
     columns = (
         *_record(printed=of_records),
-        Quantity("method", "method", head="Method", get=lambda one: "analyses of other records" if one.view is None else one.view[0].value),
+        Quantity("method", "method", head="Method", get=lambda one: "analyses of other records" if one.variant is None else one.variant.method),
         Quantity("basis", "what it knows", get="basis", printed=False),
-        Quantity("knows", "what it knows", head="Knows", get=lambda one: _KNOWS[one.basis], stored=False),
-        *map(_of_said, PREDICTIONS),
+        Quantity("knows", "what it knows", head="Knows", get=lambda one: Information(one.basis).words, stored=False),
+        *map(_of_said, PREDICTION_QUANTITIES.values()),
         Quantity("pulse", "governing pulse", SECOND, head="Pulse", get="pulse", stored=False, printed=of_records),
         *map(_of_pulse, ("starts", "peaks", "ends")),
-        *(_of_interval(quantity, end) for quantity in QUANTITIES for end in _ENDS),
+        *(_of_interval(quantity, end) for quantity in PREDICTION_QUANTITIES.values() for end in _ENDS),
     )  # fmt: skip
-    lines = [ToldForecast(one, setting, view) for one in forecasts for view in one.predicted]
-    others = [ToldForecast(one, setting) for one in forecasts if with_others and None in one.intervals]
+    lines = [ToldForecast(one, methods, variant) for one in forecasts for variant in one.predicted]
+    others = [ToldForecast(one, methods) for one in forecasts if with_others and None in one.intervals]
     return Table(columns, [*lines, *others])
 
 
-def interval_lines(forecasts: Sequence[Forecast], setting: Setting) -> Table:
-    """Return a line for each view with an interval."""
+def interval_lines(forecasts: Sequence[Forecast], methods: Methods) -> Table:
+    """Return a line for each method with an interval."""
     heads = {"dy": "dy", "y": "y_max", "V_E": "V_E"}
 
-    def shown(quantity: Compared, end: str) -> Quantity:
+    def shown(quantity: Quantity, end: str) -> Quantity:
         stored = _of_interval(quantity, end)
 
         def text(one: ToldForecast) -> str | None:
@@ -201,43 +192,44 @@ def interval_lines(forecasts: Sequence[Forecast], setting: Setting) -> Table:
             stored.key,
             stored.words,
             stored.unit,
-            head=f"{heads[quantity.name]}\n{part}\n[{quantity.unit}]",
+            head=f"{heads[quantity.title]}\n{part}\n[{quantity.unit.name}]",
             get=text,
         )
 
     columns = (
         *_record(printed=forecasts[0].motion is not None),
-        Quantity("knowing", "what is known", head="Knowing", get=lambda one: "the PGV" if one.view is None else one.view[0].value),
-        *(shown(quantity, end) for quantity in QUANTITIES if quantity.name in heads for end in _ENDS),
+        Quantity("knowing", "what is known", head="Knowing", get=lambda one: "the PGV" if one.variant is None else one.variant.method),
+        *(shown(quantity, end) for quantity in PREDICTION_QUANTITIES.values() if quantity.title in heads for end in _ENDS),
     )  # fmt: skip
-    return Table(columns, [ToldForecast(one, setting, view) for one in forecasts for view in one.intervals])
+    return Table(
+        columns, [ToldForecast(one, methods, variant) for one in forecasts for variant in one.intervals]
+    )
 
 
 FORECASTS = [
     *_record(),
-    Quantity("friction", "friction law", get="setting.friction.name"),
-    Quantity("heating", "heating model", get="setting.heating.name"),
-    Quantity("nominal_friction", "nominal coefficient", NONE, get="setting.constants.nominal_friction"),
+    Quantity("friction", "friction law", get="methods.system.friction.name"),
+    Quantity("heating", "heating model", get="methods.system.heating.name"),
+    Quantity("nominal_friction", "nominal coefficient", NONE, get="methods.constants.nominal_friction"),
     Quantity("pulses", "number of pulses", NONE, get=lambda one: None if one.forecast.pulses is None else one.forecast.pulses.count),
-    Quantity("predictions", "what the methods say", get=lambda one: [_forecast_of(one.forecast, view) for view in one.forecast.predicted], flat=False),
+    Quantity("predictions", "what the methods say", get=lambda one: [_forecast_of(one.forecast, variant) for variant in one.forecast.predicted], flat=False),
     Quantity("interval_from_pgv", "where analyses of that PGV lie", get=lambda one: _interval(one.forecast.intervals.get(None)), flat=False),
     Quantity("remarks", "what a reader must know", get="forecast.remarks"),
 ]  # fmt: skip
 
 
-def _forecast_of(one: Forecast, view: View) -> dict[str, Any]:
+def _forecast_of(one: Forecast, variant: Variant) -> dict[str, Any]:
     return {
-        "method": view[0].value,
-        "basis": view[1].value,
-        **_one(PREDICTIONS, Said(one.predicted[view])),
-        "pulse": _pulse(one.pulses, one.governing.get(view)),
-        "interval": _interval(one.intervals.get(view)),
+        **_named(variant),
+        **_said(one.predicted[variant]),
+        "pulse": _pulse(one.pulses, one.governing.get(variant)),
+        "interval": _interval(one.intervals.get(variant)),
     }
 
 
-def forecast_objects(forecasts: Sequence[Forecast], setting: Setting) -> list[dict[str, Any]]:
+def forecast_objects(forecasts: Sequence[Forecast], methods: Methods) -> list[dict[str, Any]]:
     """Return an object for each record and PGV, ready for JSON."""
-    return Table(tuple(FORECASTS), [ToldForecast(one, setting) for one in forecasts]).objects()
+    return Table(tuple(FORECASTS), [ToldForecast(one, methods) for one in forecasts]).objects()
 
 
 # ----- comparisons -----
@@ -247,37 +239,42 @@ class ToldCase(NamedTuple):
     """A comparison, with how its record was predicted."""
 
     case: Case
-    setting: Setting
+    methods: Methods
 
 
 CASES = [
     Quantity("record", "name of the ground motion", get="case.record"),
     Quantity("event", "earthquake", get="case.event"),
     Quantity("pgv_m_s", "peak ground velocity", M_PER_S, places=12, get="case.pgv"),
-    Quantity("friction", "friction law", get="setting.friction.name"),
-    Quantity("heating", "heating model", get="setting.heating.name"),
-    Quantity("analysis", "what the analysis gives", get=lambda one: _one(PREDICTIONS, Said(one.case.analysed.whole)), flat=False),
+    Quantity("friction", "friction law", get="methods.system.friction.name"),
+    Quantity("heating", "heating model", get="methods.system.heating.name"),
+    Quantity("analysis", "what the analysis gives", get=lambda one: _said(one.case.analysed.whole), flat=False),
     Quantity("governing_swing", "swing of the largest change", get=lambda one: None if one.case.analysed.swing is None else _one(SWINGS, one.case.analysed.swing), flat=False),
     Quantity("governing_pulse", "pulse behind it", get=lambda one: _pulse(one.case.pulses, one.case.analysed.pulse), flat=False),
-    Quantity("predictions", "what the methods say", get=lambda one: [_prediction_of(one.case, view) for view in one.case.predicted if view[1].value != "spectrum"], flat=False),
-    Quantity("codes", "what the methods of codes say", get=lambda one: answer_objects(one.case.answers.values()), flat=False),
-    Quantity("remarks", "what a reader must know", get=lambda one: [*one.case.remarks, *setting_remarks(one.case.pgv, one.setting)]),
+    Quantity("predictions", "what the methods say", get=lambda one: [_prediction_of(one.case, variant) for variant in one.case.predicted if variant.method not in one.case.codes], flat=False),
+    Quantity("codes", "what the methods of codes say", get=lambda one: code_objects(one.case.codes.values()), flat=False),
+    Quantity("remarks", "what a reader must know", get=lambda one: [*one.case.remarks, *one.methods.remarks(one.case.pgv)]),
 ]  # fmt: skip
 
 
-def _prediction_of(case: Case, view: View) -> dict[str, Any]:
-    found = {quantity.name: _known(float(ratios([case], view, quantity)[0])) for quantity in QUANTITIES}
-    said = _one(PREDICTIONS, Said(case.predicted[view]))
-    return {"method": view[0].value, "basis": view[1].value, **said, "ratios": found}
+def _prediction_of(case: Case, variant: Variant) -> dict[str, Any]:
+    found = {
+        one.title: _known(float(ratios([case], variant, one)[0])) for one in PREDICTION_QUANTITIES.values()
+    }
+    return {**_named(variant), **_said(case.predicted[variant]), "ratios": found}
+
+
+def _named(variant: Variant) -> dict[str, str]:
+    return {"method": variant.method, "basis": variant.information.value}
 
 
 def _known(value: float) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def case_objects(cases: Sequence[Case], setting: Setting) -> list[dict[str, Any]]:
+def case_objects(cases: Sequence[Case], methods: Methods) -> list[dict[str, Any]]:
     """Return an object for each record and PGV, ready for JSON; what is not known is None."""
-    return Table(tuple(CASES), [ToldCase(one, setting) for one in cases]).objects()
+    return Table(tuple(CASES), [ToldCase(one, methods) for one in cases]).objects()
 
 
 class CaseLine(NamedTuple):
@@ -285,13 +282,13 @@ class CaseLine(NamedTuple):
 
     case: Case
     said: Prediction
-    view: View | None = None
+    variant: Variant | None = None
 
     @property
     def verdict(self) -> str:
         """Verdict of a method of a code."""
-        name = "" if self.view is None else self.view[0].value
-        return self.case.answers[name].verdict if name in self.case.answers else ""
+        name = "" if self.variant is None else self.variant.method
+        return self.case.codes[name].verdict if name in self.case.codes else ""
 
 
 def case_lines(cases: Sequence[Case]) -> Table:
@@ -299,9 +296,15 @@ def case_lines(cases: Sequence[Case]) -> Table:
     columns = (
         *CASES[:2],
         Quantity("pgv_m_s", "peak ground velocity", places=12, get=lambda one: one.case.pgv / 1e3),
-        Quantity("method", "method", get=lambda one: "analysis" if one.view is None else one.view[0].value),
-        Quantity("basis", "what it knows", get=lambda one: "" if one.view is None else one.view[1].value),
-        *PREDICTIONS,
+        Quantity(
+            "method", "method", get=lambda one: "analysis" if one.variant is None else one.variant.method
+        ),
+        Quantity(
+            "basis",
+            "what it knows",
+            get=lambda one: "" if one.variant is None else one.variant.information.value,
+        ),
+        *map(_of_said, PREDICTION_QUANTITIES.values()),
         Quantity("verdict", "verdict of a method of a code", get="verdict"),
     )
     return Table(
@@ -311,7 +314,7 @@ def case_lines(cases: Sequence[Case]) -> Table:
             for case in cases
             for line in (
                 CaseLine(case, case.analysed.whole),
-                *(CaseLine(case, said, view) for view, said in case.predicted.items()),
+                *(CaseLine(case, said, variant) for variant, said in case.predicted.items()),
             )
         ],
     )
@@ -321,18 +324,18 @@ def case_lines(cases: Sequence[Case]) -> Table:
 
 
 class ToldScatter(NamedTuple):
-    """The scatter of a quantity by a view."""
+    """The scatter of a quantity by a method with what it knows."""
 
-    view: View
-    quantity: Compared
+    variant: Variant
+    quantity: Quantity
     scatter: Scatter
     outside: int | None
 
 
 SCATTER = [
-    Quantity("method", "method", head="Method", get=lambda one: one.view[0].value),
-    Quantity("basis", "what it knows", head="Knows", get=lambda one: one.view[1].value),
-    Quantity("quantity", "quantity", head="Quantity", get="quantity.name"),
+    Quantity("method", "method", head="Method", get=lambda one: one.variant.method),
+    Quantity("basis", "what it knows", head="Knows", get=lambda one: one.variant.information.value),
+    Quantity("quantity", "quantity", head="Quantity", get="quantity.title"),
     Quantity("cases", "cases that are measured", NONE, get="scatter.number", printed=False),
     Quantity("without_prediction", "cases without a prediction", NONE, get="scatter.without", printed=False),
     Quantity("share_below_analysis", "share of the cases below the analysis", NONE, get="scatter.below", printed=False),
@@ -350,28 +353,28 @@ SCATTER = [
 ]  # fmt: skip
 
 
-def scatter_table(found: dict[tuple[View, Compared], Scatter], cases: Sequence[Case]) -> Table:
+def scatter_table(found: dict[tuple[Variant, Quantity], Scatter], cases: Sequence[Case]) -> Table:
     """Return a line for each method, basis and quantity."""
     return Table(
         tuple(SCATTER),
         [
-            ToldScatter(view, quantity, one, _outside(cases, view[0]))
-            for (view, quantity), one in found.items()
+            ToldScatter(variant, quantity, one, _outside(cases, variant.method))
+            for (variant, quantity), one in found.items()
         ],
     )
 
 
 def _outside(cases: Sequence[Case], method: str) -> int | None:
     """Return in how many cases a method is outside of its limits; None where it is not one of a code, or no limits are known."""
-    said = [case.answers[method] for case in cases if method in case.answers]
-    return sum(one.valid is False for one in said) if any(one.conditions for one in said) else None
+    results = [case.codes[method] for case in cases if method in case.codes]
+    return sum(one.valid is False for one in results) if any(one.conditions for one in results) else None
 
 
 class ToldCoverage(NamedTuple):
     """How often the intervals of a quantity hold what they ought to."""
 
-    method: Method | None
-    quantity: Compared
+    method: str | None
+    quantity: Quantity
     coverage: Coverage
 
 
@@ -380,9 +383,9 @@ def _percent(name: str) -> Callable[[ToldCoverage], str]:
 
 
 COVERAGE = [
-    Quantity("method", "method", get=lambda one: "PGV only" if one.method is None else one.method.value, printed=False),
-    Quantity("Interval from", "method", get=lambda one: "the PGV" if one.method is None else one.method.value, stored=False),
-    Quantity("quantity", "quantity", head="Quantity", get="quantity.name"),
+    Quantity("method", "method", get=lambda one: "PGV only" if one.method is None else one.method, printed=False),
+    Quantity("Interval from", "method", get=lambda one: "the PGV" if one.method is None else one.method, stored=False),
+    Quantity("quantity", "quantity", head="Quantity", get="quantity.title"),
     Quantity("mean", "part inside", NONE, get="coverage.mean", printed=False),
     Quantity("p05", "5 % of it", NONE, get="coverage.low", printed=False),
     Quantity("p95", "95 % of it", NONE, get="coverage.high", printed=False),
@@ -401,12 +404,12 @@ REFITS = [
 ]  # fmt: skip
 
 
-def coverage_table(coverages: dict[tuple[View | None, Compared], Coverage]) -> Table:
+def coverage_table(coverages: dict[tuple[Variant | None, Quantity], Coverage]) -> Table:
     """Return a line for each quantity and what its interval knows."""
     return Table(
         tuple(COVERAGE),
         [
-            ToldCoverage(None if view is None else view[0], quantity, one)
-            for (view, quantity), one in coverages.items()
+            ToldCoverage(None if variant is None else variant.method, quantity, one)
+            for (variant, quantity), one in coverages.items()
         ],
     )

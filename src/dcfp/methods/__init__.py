@@ -1,12 +1,27 @@
 """Displacement and energy of the isolation layer without a response history analysis: predictions, codes, spectra.
 
-The names below predict from the ground velocity alone. What a code or another paper says is in the module that is named after it, each with the conditions under which it may be used.
+Every method is one module, named after the paper or the code, which registers it with all that its users need; they are in the order of tables here.
 """
 
-from dcfp.methods.pulse_march import PulseMarch as PulseMarch
-from dcfp.methods.pulse_march import march_through_pulses as march_through_pulses
+# isort: off
 from dcfp.methods.pulses import NOTHING as NOTHING
 from dcfp.methods.pulses import Prediction as Prediction
 from dcfp.methods.pulses import PulsePrediction as PulsePrediction
 from dcfp.methods.pulses import Pulses as Pulses
 from dcfp.methods.pulses import find_pulses as find_pulses
+from dcfp.methods.li_2020 import DESIGN_METHOD as DESIGN_METHOD
+from dcfp.methods.li_2020 import PULSE_METHOD as PULSE_METHOD
+from dcfp.methods.li_2020 import SIMPLIFIED_METHOD as SIMPLIFIED_METHOD
+from dcfp.methods.pulse_march import PULSE_MARCH as PULSE_MARCH
+from dcfp.methods.pulse_march import PulseMarch as PulseMarch
+from dcfp.methods.pulse_march import march_through_pulses as march_through_pulses
+from dcfp.methods.asce_2016 import ASCE_2016 as ASCE_2016
+from dcfp.methods.eurocode_8 import EUROCODE_8 as EUROCODE_8
+from dcfp.methods.aij_2016 import AIJ_1 as AIJ_1
+from dcfp.methods.aij_2016 import AIJ_2 as AIJ_2
+from dcfp.methods.aij_2016 import AIJ_ENERGY as AIJ_ENERGY
+from dcfp.methods.iwan_1980 import IWAN_1980 as IWAN_1980
+from dcfp.methods.spectra.notification_2000 import Notification2000Spectrum as Notification2000Spectrum
+# isort: on
+
+from dcfp.methods.method import METHODS as METHODS

@@ -6,21 +6,37 @@ basis of matsumok/Squid-N takes the whole), nor was D_h.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from dcfp.arrays import FloatArray
+from dcfp.methods.code import (
+    MECHANICS,
+    OF_RECORD,
+    CodeInputs,
+    CodeMethod,
+    CodeResult,
+    decimals_of,
+    demand_formula,
+    equivalent_formulas,
+    millimetres,
+    shear_formula,
+)
 from dcfp.methods.equivalent_linear import PendulumWithFriction, agreements, iterate, several
-from dcfp.methods.result import Answer
-from dcfp.methods.spectra.elastic import ElasticSpectrum
+from dcfp.methods.method import Look, register
+from dcfp.methods.spectra.elastic import ElasticSpectrum, velocity
 from dcfp.schema.checks import positive
+from dcfp.schema.formulas import Formula, number
 
 METHOD_1, METHOD_2, ENERGY_BALANCE = "AIJ method 1", "AIJ method 2", "AIJ energy balance"
 #: Part of the damping of a steady loop that counts in an earthquake [-].
 _LOOP_PART = 0.8
 #: Least damping correction [-].
 _LEAST_CORRECTION = 0.4
+#: Shortest period over which the velocity of a spectrum is averaged for method 2 [s], and number of periods of that mean.
+_SHORTEST, _PERIODS = 2.0, 25
 #: Steady loops at the largest displacement that dissipate the energy of the earthquake [-]: Akiyama (1985).
 LOOPS = 2.0
 _HALVINGS = 200
@@ -28,6 +44,7 @@ _HALVINGS = 200
 _PART = "the part of 0.8 of the loop's damping"
 _FLOOR = "the least F_h of 0.4, which one source gives"
 _KASAI = "D_h for recorded motions"
+_WHICH_ENERGY = "two loops at the largest displacement, and which V_E belongs to them"
 
 
 def equivalent_damping(pendulum: PendulumWithFriction, displacement: float) -> float:
@@ -57,7 +74,7 @@ def method_1(
     pendulum: PendulumWithFriction,
     spectrum: ElasticSpectrum,
     correction: Callable[[float], float] = damping_correction,
-) -> Answer:
+) -> CodeResult:
     """Iterate on equivalent period and damping against a response spectrum.
 
     Raises
@@ -71,7 +88,7 @@ def method_1(
 
     steps = iterate(pendulum, spectrum, correction, damping)
     last = steps[-1]
-    return Answer(
+    return CodeResult(
         method=METHOD_1,
         displacement=last.displacement,
         base_shear=pendulum.force(last.displacement),
@@ -102,7 +119,7 @@ def method_2(
     pendulum: PendulumWithFriction,
     pseudo_velocity: float,
     correction: Callable[[float], float] = damping_correction,
-) -> Answer:
+) -> CodeResult:
     """Read the response off the reduction curve of a velocity spectrum that is constant over the period, without iteration on a spectrum.
 
     `pseudo_velocity` S_v at a damping of 5 % [mm/s].
@@ -119,7 +136,7 @@ def method_2(
         alpha = math.sqrt(low * high)
         low, high = (alpha, high) if alpha * displacement(alpha) < pendulum.rest else (low, alpha)
     D = displacement(math.sqrt(low * high))
-    return Answer(
+    return CodeResult(
         method=METHOD_2,
         displacement=D,
         base_shear=pendulum.force(D),
@@ -131,7 +148,7 @@ def method_2(
 
 def energy_balance(
     pendulum: PendulumWithFriction, equivalent_velocity: float, loops: float = LOOPS
-) -> Answer:
+) -> CodeResult:
     r"""Return the displacement at which spring and friction take up the energy of the earthquake.
 
     .. math:: \tfrac12 k_f D^2 + 4 n_1 \mu W D = \tfrac12 M V_E^2
@@ -145,15 +162,132 @@ def energy_balance(
     a = pendulum.friction * pendulum.radius * omega / V_E  # mu g / (omega V_E), with g = omega^2 R
     b = 4.0 * n_1 * a
     D = V_E / omega / (b + math.hypot(b, 1.0))  # the difference of the roots, without cancelling
-    return Answer(method=ENERGY_BALANCE, displacement=D, base_shear=pendulum.force(D))
+    return CodeResult(ENERGY_BALANCE, D, pendulum.force(D))
 
 
 def energy_balance_curve(
     radius: float, frictions: FloatArray, equivalent_velocity: float, loops: float = LOOPS
 ) -> tuple[FloatArray, FloatArray]:
     """Return displacement [mm] and base shear coefficient [-] for each coefficient of friction [-], shape (n,); the curve of the recommendations."""
-    answers = [
+    results = [
         energy_balance(PendulumWithFriction(radius, float(friction)), equivalent_velocity, loops)
         for friction in frictions
     ]
-    return np.array([one.displacement for one in answers]), np.array([one.base_shear for one in answers])
+    return np.array([one.displacement for one in results]), np.array([one.base_shear for one in results])
+
+
+# As they are asked under a spectrum or a record.
+
+
+def constant_velocity(spectrum: ElasticSpectrum, pendulum: PendulumWithFriction) -> float:
+    """Return the level of a velocity spectrum as if it were constant [mm/s]: its mean from 2 s to the period of the pendulum."""
+    longest = max(pendulum.free_period, _SHORTEST)
+    return float(velocity(spectrum, np.linspace(_SHORTEST, longest, _PERIODS)).mean())
+
+
+def _remarks_2(results: Sequence[CodeResult], inputs: CodeInputs) -> tuple[str, ...]:
+    """Return the level that method 2 rests on."""
+    period, longest = results[0].period, max(inputs.pendulum.free_period, _SHORTEST)
+    level = constant_velocity(inputs.spectrum, inputs.pendulum)
+    outside = period is not None and not _SHORTEST <= period <= longest
+    note = ", a band in which its own effective period is not" if outside else ""
+    return (f"S_v {level:.0f} mm/s, the mean from {_SHORTEST:g} to {longest:.1f} s{note}.",)
+
+
+def _remarks_energy(results: Sequence[CodeResult], inputs: CodeInputs) -> tuple[str, ...]:
+    """Return the V_E that the energy balance rests on."""
+    del results
+    words = (
+        "largest relative input energy at the period of the pendulum and a damping of 10 %"
+        if inputs.has_energy
+        else "the largest pseudo-velocity of the spectrum, which is a lower bound"
+    )
+    return (f"V_E {inputs.input_velocity:.0f} mm/s: {words}.",)
+
+
+def _correction_formula(h: float) -> Formula:
+    reduction, least = damping_correction(h), f"{_LEAST_CORRECTION:g}"
+    is_least = reduction > 1.5 / (1.0 + 10.0 * h)
+    return Formula(f"Damping correction, at least {least}", f'F_h = max(1.5 / (1 + 10 h_"eq"), {least})', f"max(1.5 / (1 + 10 times {number(h, 4)}), {least})", reduction, 4, "", "Notification 2009 (Japan)", confirmed=not is_least)  # fmt: skip
+
+
+def _formulas_1(result: CodeResult, inputs: CodeInputs) -> tuple[Formula, ...]:
+    demand, D, h = demand_formula(result, inputs), result.displacement, result.damping or 0.0
+    loop, source, part = inputs.pendulum.effective_damping(D), "AIJ (2016), method 1", f"{_LOOP_PART:g}"
+    reduction = number(damping_correction(h), 4)
+    return (
+        *equivalent_formulas(result, inputs, 'T_"eq"', "h", source),
+        Formula("Damping that counts", f'h_"eq" = {part} h', f"{part} times {number(loop, 4)}", h, 4, "", source, confirmed=False),
+        demand,
+        _correction_formula(h),
+        Formula("Displacement", 'D = F_h thin S_d (T_"eq")', f"{reduction} times {millimetres(demand.value)}", D, decimals_of(D), "mm", source),
+        shear_formula(result, inputs, source, "Q / W"),
+    )  # fmt: skip
+
+
+def _formulas_2(result: CodeResult, inputs: CodeInputs) -> tuple[Formula, ...]:
+    pendulum, D, h = inputs.pendulum, result.displacement, result.damping or 0.0
+    level, omega = constant_velocity(inputs.spectrum, pendulum), pendulum.free_frequency
+    alpha, source, part = pendulum.rest / D, "AIJ (2016), method 2", f"{_LOOP_PART:g}"
+    a, reduction, radius = number(alpha, 4), number(damping_correction(h), 4), number(pendulum.radius, 1)
+    return (
+        Formula("Level of the velocity spectrum, its mean from 2 s to the period of the pendulum", "S_v", "", level, 1, "mm/s", OF_RECORD),
+        Formula("Frequency of the pendulum", "omega_f = sqrt(g / R)", f"sqrt(9806.65 / {radius})", omega, 5, "rad/s", MECHANICS),
+        Formula("Friction over the pendulum's force", "alpha = (mu_n R) / D", f"({pendulum.friction:.5f} times {radius}) / {millimetres(D)}", alpha, 4, "", source),
+        Formula("Damping that counts", f'h_"eq" = {part} times 2 / pi alpha / (1 + alpha)', f"{part} times 2 / pi times {a} / (1 + {a})", h, 4, "", source, confirmed=False),
+        _correction_formula(h),
+        Formula("Displacement", "D = S_v / omega_f F_h / sqrt(1 + alpha)", f"{number(level, 1)} / {number(omega, 5)} times {reduction} / sqrt(1 + {a})", D, decimals_of(D), "mm", source),
+        shear_formula(result, inputs, source, "Q / W"),
+    )  # fmt: skip
+
+
+def _formulas_energy(result: CodeResult, inputs: CodeInputs) -> tuple[Formula, ...]:
+    pendulum, D, source = inputs.pendulum, result.displacement, "AIJ (2016), energy balance"
+    V_E, omega = inputs.input_velocity, pendulum.free_frequency
+    b = 4.0 * LOOPS * pendulum.friction * pendulum.radius * omega / V_E
+    radius, v, w, b_digits = number(pendulum.radius, 1), number(V_E, 1), number(omega, 5), number(b, 4)
+    return (
+        Formula("Equivalent velocity of the record's input energy, at the period of the pendulum and a damping of 10 %", "V_E", "", V_E, 1, "mm/s", f"{OF_RECORD}; Akiyama (1985)", confirmed=False),
+        Formula("Frequency of the pendulum", "omega_f = sqrt(g / R)", f"sqrt(9806.65 / {radius})", omega, 5, "rad/s", MECHANICS),
+        Formula("Work of friction in two loops over the energy", "b = (8 mu_n R omega_f) / V_E", f"(8 times {pendulum.friction:.5f} times {radius} times {w}) / {v}", b, 4, "", source, confirmed=False),
+        Formula("Displacement, from the balance of energies", "D = V_E / omega_f (sqrt(b^2 + 1) - b)", f"{v} / {w} times 1 / ({b_digits} + sqrt({b_digits}^2 + 1))", D, decimals_of(D), "mm", source),
+        shear_formula(result, inputs, source, "Q / W"),
+    )  # fmt: skip
+
+
+AIJ_1 = register(
+    CodeMethod(
+        key="aij1",
+        name=METHOD_1,
+        citations=("aij_2016",),
+        look=Look("h", "grey", order=3),
+        calculate=lambda inputs: method_1(inputs.pendulum, inputs.spectrum),
+        formulas=_formulas_1,
+    )
+)
+AIJ_2 = register(
+    CodeMethod(
+        key="aij2",
+        name=METHOD_2,
+        citations=("aij_2016",),
+        look=Look("P", "ink", order=3),
+        calculate=lambda inputs: method_2(
+            inputs.pendulum, constant_velocity(inputs.spectrum, inputs.pendulum)
+        ),
+        remarks=_remarks_2,
+        formulas=_formulas_2,
+    )
+)
+AIJ_ENERGY = register(
+    CodeMethod(
+        key="aij-energy",
+        name=ENERGY_BALANCE,
+        citations=("aij_2016", "akiyama_1985"),
+        look=Look("X", "red", order=4),
+        calculate=lambda inputs: replace(
+            energy_balance(inputs.pendulum, inputs.input_velocity), unconfirmed=(_WHICH_ENERGY,)
+        ),
+        remarks=_remarks_energy,
+        formulas=_formulas_energy,
+    )
+)

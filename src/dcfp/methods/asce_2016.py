@@ -1,24 +1,42 @@
-"""The equivalent lateral force procedure: ASCE/SEI 7-16, section 17.5.
+"""The equivalent lateral force procedure and the spectrum of ASCE/SEI 7-16: sections 17.5 and 11.4.
 
 The standard itself was not read. D_M, T_M, B_M, V_b, V_st and the form of D_TM agree in two or three independent transcriptions: a program of
 Amin-Moghaddasi (ASCE7_16_Design_Framework), one of H. Pham (mgrubisic/tfp-database), and the Peruvian E.031, whose equations are those of chapter 17.
-One source only gives the least D_TM, P_T, and the exponent for abrupt loops. The conditions are in `asce_2016_conditions`.
+One source only gives the least D_TM, P_T, and the exponent for abrupt loops. Of the conditions below none could be confirmed.
 """
 
 import math
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from typing import Annotated, ClassVar
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from dcfp.arrays import FloatArray
 from dcfp.constants import STANDARD_GRAVITY
-from dcfp.errors import InputError
+from dcfp.methods.code import (
+    CodeInputs,
+    CodeMethod,
+    CodeResult,
+    Structure,
+    decimals_of,
+    demand_formula,
+    equivalent_formulas,
+    millimetres,
+    shear_formula,
+    unless_unknown,
+)
 from dcfp.methods.equivalent_linear import PendulumWithFriction, agreements, iterate, several
-from dcfp.methods.result import Answer, Structure
-from dcfp.methods.spectra.elastic import ElasticSpectrum
+from dcfp.methods.method import Look, register
+from dcfp.methods.spectra.elastic import DesignSpectrum, ElasticSpectrum
 from dcfp.schema.check import Check, Verdict, at_least, at_most
-from dcfp.schema.checks import positive
+from dcfp.schema.formulas import Formula, number
+from dcfp.schema.parameters import Parameter, declared
+from dcfp.schema.units import SECOND, Unit
 
 NAME = "ASCE 7-16 ELF"
+#: Accelerations of this code are in units of gravity.
+GRAVITIES = Unit("g", udunits="1", typed="g_0", meant=(("%", 0.01),))
 #: Damping ratio and factor B_M [-]: Table 17.5-1.
 DAMPING_TABLE = (
     (0.02, 0.8),
@@ -34,30 +52,6 @@ _LEAST_TORSION = 1.15
 #: Damping at which the exponent 1 - 2.5 beta of V_st is zero [-].
 _POWERLESS = 0.4
 UNCONFIRMED = ("the least D_TM of 1.15 D_M, which one source gives",)
-
-
-@dataclass(frozen=True)
-class Bounds:
-    """Property modification factors on the coefficient of friction: section 17.2.8.
-
-    Parameters
-    ----------
-    least, largest
-        lambda_min and lambda_max [-].
-    source
-        Where they come from, in words.
-    """
-
-    least: float = 1.0
-    largest: float = 1.0
-    source: str = "nominal properties"
-
-    def __post_init__(self) -> None:
-        positive(self.least, "lambda_min", "-")
-        positive(self.largest, "lambda_max", "-")
-        if self.least > self.largest:
-            msg = f"lambda_min, {self.least:g}, must not exceed lambda_max, {self.largest:g}."
-            raise InputError(msg)
 
 
 def damping_factor(damping: float) -> float:
@@ -116,69 +110,17 @@ def structure_shear(base_shear: float, weight_above: float, damping: float, *, a
 
 
 def equivalent_lateral_force(
-    pendulum: PendulumWithFriction,
-    spectrum: ElasticSpectrum,
-    structure: Structure | None = None,
-    bounds: Bounds | None = None,
-) -> Answer:
+    pendulum: PendulumWithFriction, spectrum: ElasticSpectrum, structure: Structure | None = None
+) -> CodeResult:
     """Return the maximum displacement and the base shear by the procedure: section 17.5.
 
-    Displacement is that of the lower bound of friction, and base shear the larger of both bounds. With a spectrum that has another shape than
-    S_M1 / T, D_M is S_d(T_M) / B_M, which is Eq. (17.5-1) on its branch of constant velocity.
+    With a spectrum that has another shape than S_M1 / T, D_M is S_d(T_M) / B_M, which is Eq. (17.5-1) on its branch of constant velocity.
 
     Raises
     ------
     AnalysisError
         If the iteration has no solution.
     """
-    structure = Structure() if structure is None else structure
-    bounds = Bounds() if bounds is None else bounds
-    answers = [
-        _with(replace(pendulum, friction=pendulum.friction * part), spectrum, structure)
-        for part in dict.fromkeys((bounds.least, bounds.largest))
-    ]
-    lower = answers[0]
-    shear = max(one.base_shear for one in answers)
-    conditions = lower.conditions
-    remarks = [
-        *(remark for one in answers for remark in one.remarks),
-        f"D_TM is at least {_LEAST_TORSION:g} D_M, {_LEAST_TORSION * lower.displacement:.0f} mm.",
-    ]
-    if bounds.least != bounds.largest:
-        upper = answers[1]
-        conditions += tuple(
-            replace(one, name=f"{one.name}, upper bound") for one in upper.conditions if one not in conditions
-        )
-        remarks.append(
-            f"Upper bound: D_M {upper.displacement:.0f} mm, T_M {upper.period or 0.0:.2f} s, beta_M {100.0 * (upper.damping or 0.0):.1f} %, V_b/W"
-            f" {upper.base_shear:.3f}; lower bound: V_b/W {lower.base_shear:.3f}."
-        )
-        remarks.append(
-            f"Friction from {bounds.least:g} to {bounds.largest:g} times mu ({bounds.source}): displacement from the lower, force from the"
-            " worse bound."
-        )
-    if structure.weight_above is not None:
-        shears = [_structure_shears(one, structure.weight_above) for one in answers]
-        above, abrupt = (max(values) for values in zip(*shears, strict=True))
-        remarks.append(
-            f"V_st/W of the structure above is {above:.3f}, and {abrupt:.3f} by the exponent for loops with an abrupt yield (one source)."
-        )
-        if max(one.damping or 0.0 for one in answers) > _POWERLESS:
-            remarks.append(
-                "Above a damping of 40 % the exponent of V_st is negative, and V_st larger than V_b: the equation was not made for that."
-            )
-    return replace(lower, base_shear=shear, conditions=conditions, remarks=tuple(remarks))
-
-
-def _structure_shears(answer: Answer, weight_above: float) -> tuple[float, float]:
-    damping = answer.damping or 0.0
-    return (
-        structure_shear(answer.base_shear, weight_above, damping),
-        structure_shear(answer.base_shear, weight_above, damping, abrupt=True),
-    )
-
-
-def _with(pendulum: PendulumWithFriction, spectrum: ElasticSpectrum, structure: Structure) -> Answer:
 
     def reduction(damping: float) -> float:
         return 1.0 / damping_factor(damping)
@@ -186,7 +128,7 @@ def _with(pendulum: PendulumWithFriction, spectrum: ElasticSpectrum, structure: 
     steps = iterate(pendulum, spectrum, reduction, pendulum.effective_damping)
     known = agreements(pendulum, spectrum, reduction, pendulum.effective_damping)
     D_M, T_M, beta_M = steps[-1].displacement, steps[-1].period, steps[-1].damping
-    return Answer(
+    return CodeResult(
         method=NAME,
         displacement=D_M,
         base_shear=pendulum.effective_stiffness(D_M) * D_M,
@@ -194,9 +136,43 @@ def _with(pendulum: PendulumWithFriction, spectrum: ElasticSpectrum, structure: 
         damping=beta_M,
         steps=steps,
         remarks=several(known, steps),
-        conditions=conditions(pendulum, structure, D_M, T_M, beta_M),
+        conditions=_conditions(pendulum, structure or Structure(), D_M, T_M, beta_M),
         unconfirmed=(*spectrum.unconfirmed, *UNCONFIRMED),
     )
+
+
+def _remarks(results: Sequence[CodeResult], inputs: CodeInputs) -> tuple[str, ...]:
+    """Return the least D_TM, and the shear of the structure above with the worse bound."""
+    D_TM = _LEAST_TORSION * results[0].displacement
+    remarks = [f"D_TM is at least {_LEAST_TORSION:g} D_M, {D_TM:.0f} mm."]
+    weight = inputs.structure.weight_above
+    if weight is None:
+        return tuple(remarks)
+    known = [(one.base_shear, one.damping or 0.0) for one in results]
+    above = max(structure_shear(shear, weight, damping) for shear, damping in known)
+    abrupt = max(structure_shear(shear, weight, damping, abrupt=True) for shear, damping in known)
+    remarks.append(
+        f"V_st/W of the structure above is {above:.3f}, and {abrupt:.3f} by the exponent for loops with an abrupt yield (one source)."
+    )
+    if max(damping for _, damping in known) > _POWERLESS:
+        remarks.append(
+            "Above a damping of 40 % the exponent of V_st is negative, and V_st larger than V_b: the equation was not made for that."
+        )
+    return tuple(remarks)
+
+
+def _formulas(result: CodeResult, inputs: CodeInputs) -> tuple[Formula, ...]:
+    demand, D_M = demand_formula(result, inputs), result.displacement
+    factor = damping_factor(result.damping or 0.0)
+    code = "ASCE/SEI 7-16"
+    return (
+        *equivalent_formulas(result, inputs, "T_M", "beta_M", f"{code}, section 17.5"),
+        demand,
+        Formula("Damping factor, straight lines between", "B_M", "", factor, 4, "", f"{code}, Table 17.5-1"),
+        Formula("Maximum displacement", "D_M = (S_d (T_M)) / B_M", f"{millimetres(demand.value)} / {number(factor, 4)}", D_M, decimals_of(D_M), "mm", f"{code}, Eq. (17.5-1)"),
+        Formula("Least total maximum displacement", f'D_"TM" = {_LEAST_TORSION:g} D_M', f"{_LEAST_TORSION:g} times {millimetres(D_M)}", _LEAST_TORSION * D_M, 1, "mm", f"{code}, 17.5.3.3", confirmed=False),
+        shear_formula(result, inputs, f"{code}, section 17.5"),
+    )  # fmt: skip
 
 
 # Under which conditions the equivalent lateral force procedure may be used: ASCE/SEI 7-16, sections
@@ -218,68 +194,98 @@ _SITES = ("A", "B", "C", "D")
 _SECTION = "17.4.1"
 
 
-def conditions(
+def _condition(name: str, verdict: Verdict, found: str, limit: str, source: str = _SECTION) -> Check:
+    return Check(name, verdict, found, limit, source, confirmed=False)
+
+
+def _conditions(
     pendulum: PendulumWithFriction, structure: Structure, D_M: float, T_M: float, beta_M: float
 ) -> tuple[Check, ...]:
     """Return the conditions at D_M [mm], T_M [s] and beta_M [-]."""
     softening = pendulum.effective_stiffness(D_M) / pendulum.effective_stiffness(0.2 * D_M)
-    restoring = pendulum.force(D_M) - pendulum.force(0.5 * D_M)
+    rise = pendulum.force(D_M) - pendulum.force(0.5 * D_M)
+    height = unless_unknown(structure.height, lambda h: (at_most(h, _HEIGHT), f"{h / 1e3:.1f} m"))
+    site = unless_unknown(structure.site_class, lambda letter: (Verdict.of(letter in _SITES), letter))
     return (
-        Check(
-            "effective period T_M",
-            at_most(T_M, _LONGEST),
-            f"{T_M:.2f} s",
-            f"at most {_LONGEST:g} s",
-            _SECTION,
-            confirmed=False,
-        ),
-        Check(
-            "effective damping",
-            at_most(beta_M, _MOST_DAMPING),
-            f"{100 * beta_M:.1f} %",
-            "at most 30 %",
-            _SECTION,
-            confirmed=False,
-        ),
-        Check(
-            "T_M over the period of the fixed base",
-            *structure.over_fixed_base(T_M, _STIFFER),
-            "at least 3",
-            _SECTION,
-            confirmed=False,
-        ),
-        Check(
-            "k_eff(D_M) over k_eff(0.2 D_M)",
-            at_least(softening, _SOFTENING),
-            f"{softening:.2f}",
-            "above 1/3",
-            _SECTION,
-            confirmed=False,
-        ),
-        Check(
-            "restoring force, F(D_M) - F(D_M/2) over W",
-            at_least(restoring, _RESTORING),
-            f"{restoring:.3f}",
-            "at least 0.025",
-            "17.2.4.4",
-            confirmed=False,
-        ),
-        Check(
-            "height of the structure above",
-            Verdict.NOT_KNOWN if structure.height is None else at_most(structure.height, _HEIGHT),
-            "not given" if structure.height is None else f"{structure.height / 1e3:.1f} m",
-            "at most 65 ft (19.8 m), or four storeys",
-            _SECTION,
-            confirmed=False,
-        ),
-        Check(
-            "site class",
-            Verdict.NOT_KNOWN
-            if structure.site_class is None
-            else (Verdict.MET if structure.site_class in _SITES else Verdict.NOT_MET),
-            structure.site_class or "not given",
-            "A, B, C or D",
-            _SECTION,
-            confirmed=False,
-        ),
+        _condition("effective period T_M", at_most(T_M, _LONGEST), f"{T_M:.2f} s", f"at most {_LONGEST:g} s"),
+        _condition("effective damping", at_most(beta_M, _MOST_DAMPING), f"{100 * beta_M:.1f} %", "at most 30 %"),
+        _condition("T_M over the period of the fixed base", *structure.over_fixed_base(T_M, _STIFFER), "at least 3"),
+        _condition("k_eff(D_M) over k_eff(0.2 D_M)", at_least(softening, _SOFTENING), f"{softening:.2f}", "above 1/3"),
+        _condition("restoring force, F(D_M) - F(D_M/2) over W", at_least(rise, _RESTORING), f"{rise:.3f}", "at least 0.025", "17.2.4.4"),
+        _condition("height of the structure above", *height, "at most 65 ft (19.8 m), or four storeys"),
+        _condition("site class", *site, "A, B, C or D"),
+    )  # fmt: skip
+
+
+ASCE_2016 = register(
+    CodeMethod(
+        key="asce7",
+        name=NAME,
+        citations=("asce_7_2016",),
+        look=Look("v", "blue"),
+        calculate=lambda inputs: equivalent_lateral_force(inputs.pendulum, inputs.spectrum, inputs.structure),
+        remarks=_remarks,
+        formulas=_formulas,
+        symbols=("D_M", "T_M", "beta_M", "V_b/W"),
     )
+)
+
+
+# The spectrum of the risk-targeted maximum considered earthquake: sections 11.4.6 and 11.4.7.
+
+
+#: Part of T_S at which the plateau begins, and of it the value at period zero [-].
+_START, _AT_ZERO = 0.2, 0.4
+
+
+@declared
+class Asce2016Spectrum(DesignSpectrum):
+    """Four branches: rising, constant acceleration, constant velocity, constant displacement.
+
+    Parameters
+    ----------
+    short
+        S_MS, acceleration at short periods, in units of gravity [-].
+    one_second
+        S_M1, acceleration at 1 s, in units of gravity [-].
+    long_period
+        T_L, from which on the displacement is constant [s].
+    """
+
+    noun = "a spectrum of ASCE 7-16"
+    option: ClassVar[str] = "asce"
+    words: ClassVar[str] = "S_MS and S_M1 [g], and T_L [s] (8 unless given)"
+    behind: ClassVar[tuple[int, int]] = (2, 3)
+    doubts: ClassVar[tuple[str, ...]] = ("the branches below T_S and beyond T_L of the spectrum",)
+
+    short: Annotated[
+        float, Parameter("acceleration S_MS at short periods", GRAVITIES, 1e-3, 10.0, symbol="S_{MS}")
+    ]
+    one_second: Annotated[
+        float, Parameter("acceleration S_M1 at 1 s", GRAVITIES, 1e-3, 10.0, symbol="S_{M1}")
+    ]
+    long_period: Annotated[
+        float, Parameter("long-period transition T_L", SECOND, 0.1, 30.0, symbol="T_L")
+    ] = 8.0
+
+    @property
+    def name(self) -> str:
+        """What to call it."""
+        return f"ASCE 7-16, S_MS {self.short:g} g, S_M1 {self.one_second:g} g"
+
+    def acceleration(self, period: ArrayLike) -> FloatArray:
+        """Pseudo-acceleration [mm/s2] at a period [s]."""
+        T = np.asarray(period, dtype=np.float64)
+        T_S = self.one_second / self.short
+        T_0 = _START * T_S
+        T_L = self.long_period
+        rising = self.short * (_AT_ZERO + (1.0 - _AT_ZERO) * T / T_0)
+        velocity = self.one_second / np.maximum(T, 1e-9)
+        S_a = np.where(
+            T < T_0,
+            rising,
+            np.where(
+                T <= T_S, self.short, np.where(T <= T_L, velocity, velocity * T_L / np.maximum(T, 1e-9))
+            ),
+        )
+        return np.asarray(S_a * STANDARD_GRAVITY)

@@ -1,4 +1,4 @@
-"""The simplified linear analysis of Eurocode 8: EN 1998-1:2004, sections 10.9.2 and 10.9.3; re-centring after EN 1998-2:2005, 7.7.1.
+"""The simplified linear analysis and the elastic spectrum of Eurocode 8: EN 1998-1:2004, sections 10.9 and 3.2.2.2; re-centring after EN 1998-2:2005, 7.7.1.
 
 The standards themselves were not read. Spectrum and damping correction agree in independent programs. The equation of d_dc, the torsion and most conditions are
 those of the Italian NTC 2018, 7.10.5, the twin of section 10.9, and so not confirmed for Eurocode 8 itself. For gamma_x, the distance to a fault, re-centring
@@ -6,14 +6,32 @@ and the accumulation of residual displacements nothing was found.
 """
 
 import math
+from collections.abc import Sequence
+from typing import Annotated, ClassVar
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
+from dcfp.methods.code import (
+    CodeInputs,
+    CodeMethod,
+    CodeResult,
+    Structure,
+    decimals_of,
+    demand_formula,
+    equivalent_formulas,
+    millimetres,
+    shear_formula,
+    unless_unknown,
+)
 from dcfp.methods.equivalent_linear import PendulumWithFriction, agreements, iterate, several
-from dcfp.methods.result import Answer, Structure
-from dcfp.methods.spectra.elastic import ElasticSpectrum
+from dcfp.methods.method import Look, register
+from dcfp.methods.spectra.elastic import DesignSpectrum, ElasticSpectrum
 from dcfp.schema.check import Check, Verdict, at_least, at_most
+from dcfp.schema.formulas import Formula, number
+from dcfp.schema.parameters import Parameter, declared
+from dcfp.schema.units import M_PER_S2, NONE
 
 NAME = "Eurocode 8 simplified"
 #: Least damping correction [-]: section 3.2.2.2(3).
@@ -25,6 +43,8 @@ _STIFFNESS_RATIO, _MOST_DAMPING, _RESTORING = 0.5, 0.30, 0.025
 _LONGEST, _STIFFER, _PLAN, _FAULT = 3.0, 3.0, 50e3, 15e6
 #: Displacement over the largest displacement at rest, from which on a bearing re-centres [-]: EN 1998-2, 7.7.1.
 _RECENTRING = 0.5
+#: d_y of the bearing [mm]; it matters only where the bearing does not re-centre.
+_YIELD = 0.2
 UNCONFIRMED = (
     "the equation of d_dc, which was read in the Italian code of the same family",
     "gamma_x of 1.2 on the devices' displacement",
@@ -78,8 +98,8 @@ def simplified_linear_analysis(
     pendulum: PendulumWithFriction,
     spectrum: ElasticSpectrum,
     structure: Structure | None = None,
-    yield_displacement: float = 0.2,
-) -> Answer:
+    yield_displacement: float = _YIELD,
+) -> CodeResult:
     """Return the displacement d_dc and the base shear: section 10.9.3.
 
     Parameters
@@ -89,116 +109,166 @@ def simplified_linear_analysis(
     structure
         What the conditions ask of the building and its site.
     yield_displacement
-        d_y of the bearing [mm]; it matters only where the bearing does not re-centre.
+        d_y of the bearing [mm].
 
     Raises
     ------
     AnalysisError
         If the iteration has no solution.
     """
-    structure = Structure() if structure is None else structure
     steps = iterate(pendulum, spectrum, damping_correction, pendulum.effective_damping)
     d_dc, T_eff, xi = steps[-1].displacement, steps[-1].period, steps[-1].damping
     factor = accumulation_factor(d_dc, yield_displacement, pendulum.rest)
     known = agreements(pendulum, spectrum, damping_correction, pendulum.effective_damping)
-    remarks = [
-        *several(known, steps),
-        f"The devices are to be designed for {RELIABILITY:g} d_dc, {RELIABILITY * d_dc:.0f} mm (10.3(2)).",
-    ]
-    if factor > 1.0:
-        remarks.append(
-            f"The bearing does not re-centre by EN 1998-2, 7.7.1: residual displacements add up by a factor of {factor:.2f}."
-        )
-    return Answer(
+    return CodeResult(
         method=NAME,
         displacement=d_dc,
         base_shear=pendulum.force(d_dc),
         period=T_eff,
         damping=xi,
         steps=steps,
-        conditions=_conditions(pendulum, structure, d_dc, T_eff, xi),
+        conditions=_conditions(pendulum, structure or Structure(), d_dc, T_eff, xi),
         unconfirmed=(*spectrum.unconfirmed, *UNCONFIRMED, *((_ACCUMULATION,) if factor > 1.0 else ())),
-        remarks=tuple(remarks),
+        remarks=several(known, steps),
     )
+
+
+def _remarks(results: Sequence[CodeResult], inputs: CodeInputs) -> tuple[str, ...]:
+    """Return the displacement of the devices, and whether residual displacements add up."""
+    d_dc = results[0].displacement
+    remarks = [
+        f"The devices are to be designed for {RELIABILITY:g} d_dc, {RELIABILITY * d_dc:.0f} mm (10.3(2))."
+    ]
+    factor = accumulation_factor(d_dc, _YIELD, inputs.pendulum.rest)
+    if factor > 1.0:
+        remarks.append(
+            f"The bearing does not re-centre by EN 1998-2, 7.7.1: residual displacements add up by a factor of {factor:.2f}."
+        )
+    return tuple(remarks)
+
+
+def _formulas(result: CodeResult, inputs: CodeInputs) -> tuple[Formula, ...]:
+    demand, d_dc, xi = demand_formula(result, inputs), result.displacement, result.damping or 0.0
+    eta, digits, code = damping_correction(xi), number(xi, 4), "EN 1998-1"
+    return (
+        *equivalent_formulas(result, inputs, 'T_"eff"', "xi", f"{code}, 10.9.3"),
+        demand,
+        Formula(f"Damping correction, at least {_LEAST_CORRECTION:g}", f"eta = max(sqrt(10 / (5 + 100 xi)), {_LEAST_CORRECTION:g})", f"max(sqrt(10 / (5 + 100 times {digits})), {_LEAST_CORRECTION:g})", eta, 4, "", f"{code}, Eq. (3.6)"),
+        Formula("Displacement of the centre of stiffness", 'd_"dc" = eta thin S_d (T_"eff")', f"{number(eta, 4)} times {millimetres(demand.value)}", d_dc, decimals_of(d_dc), "mm", f"{code}, 10.9.3", confirmed=False),
+        Formula("Design displacement of the devices", 'gamma_x d_"dc"', f"{RELIABILITY:g} times {millimetres(d_dc)}", RELIABILITY * d_dc, 1, "mm", f"{code}, 10.3(2)", confirmed=False),
+        shear_formula(result, inputs, f"{code}, 10.9.3"),
+    )  # fmt: skip
+
+
+def _condition(name: str, verdict: Verdict, found: str, limit: str, source: str) -> Check:
+    return Check(name, verdict, found, limit, source, confirmed=False)
 
 
 def _conditions(
     pendulum: PendulumWithFriction, structure: Structure, d_dc: float, T_eff: float, xi: float
 ) -> tuple[Check, ...]:
     ratio = pendulum.effective_stiffness(d_dc) / pendulum.effective_stiffness(0.2 * d_dc)
-    rise = pendulum.force(d_dc) - pendulum.force(0.5 * d_dc)
-    return (
-        Check(
-            "K_eff(d_dc) over K_eff(0.2 d_dc)",
-            at_least(ratio, _STIFFNESS_RATIO),
-            f"{ratio:.2f}",
-            "at least 0.5",
-            "10.9.2(5)a",
-            confirmed=False,
-        ),
-        Check(
-            "effective damping",
-            at_most(xi, _MOST_DAMPING),
-            f"{100 * xi:.1f} %",
-            "at most 30 %",
-            "10.9.2(5)b",
-            confirmed=False,
-        ),
-        Check(
-            "change of the force with rate and vertical load",
-            Verdict.NOT_KNOWN,
-            "not looked at; friction that depends on speed, load and heat seldom meets it",
-            "at most 10 %",
-            "10.9.2(5)c",
-            confirmed=False,
-        ),
-        Check(
-            "rise of the force from d_dc/2 to d_dc over the weight",
-            at_least(rise, _RESTORING),
-            f"{rise:.3f}",
-            "at least 0.025",
-            "10.9.2(5)d",
-            confirmed=False,
-        ),
-        Check(
-            "effective period",
-            at_most(T_eff, _LONGEST),
-            f"{T_eff:.2f} s",
-            "at most 3 s",
-            "10.9.3(2)c",
-            confirmed=False,
-        ),
-        Check(
-            "effective period over that of the fixed base",
-            *structure.over_fixed_base(T_eff, _STIFFER),
-            "at least 3",
-            "10.9.3(2)c",
-            confirmed=False,
-        ),
-        Check(
-            "larger dimension of the plan",
-            Verdict.NOT_KNOWN if structure.plan is None else at_most(structure.plan, _PLAN),
-            "not given" if structure.plan is None else f"{structure.plan / 1e3:.0f} m",
-            "at most 50 m",
-            "10.9.3(2)b",
-            confirmed=False,
-        ),
-        Check(
-            "distance to a fault of magnitude 6.5 or more",
-            Verdict.NOT_KNOWN
-            if structure.fault_distance is None
-            else at_least(structure.fault_distance, _FAULT),
-            "not given" if structure.fault_distance is None else f"{structure.fault_distance / 1e6:.0f} km",
-            "above 15 km",
-            "10.9.3(2)a",
-            confirmed=False,
-        ),
-        Check(
-            "re-centring, d_dc over mu R",
-            at_least(d_dc / pendulum.rest, _RECENTRING),
-            f"{d_dc / pendulum.rest:.2f}",
-            "at least 0.5",
-            "EN 1998-2, 7.7.1",
-            confirmed=False,
-        ),
+    rise, centred = pendulum.force(d_dc) - pendulum.force(0.5 * d_dc), d_dc / pendulum.rest
+    plan = unless_unknown(structure.plan, lambda plan: (at_most(plan, _PLAN), f"{plan / 1e3:.0f} m"))
+    fault = unless_unknown(
+        structure.fault_distance, lambda far: (at_least(far, _FAULT), f"{far / 1e6:.0f} km")
     )
+    rate = (Verdict.NOT_KNOWN, "not looked at; friction that depends on speed, load and heat seldom meets it")
+    return (
+        _condition("K_eff(d_dc) over K_eff(0.2 d_dc)", at_least(ratio, _STIFFNESS_RATIO), f"{ratio:.2f}", "at least 0.5", "10.9.2(5)a"),
+        _condition("effective damping", at_most(xi, _MOST_DAMPING), f"{100 * xi:.1f} %", "at most 30 %", "10.9.2(5)b"),
+        _condition("change of the force with rate and vertical load", *rate, "at most 10 %", "10.9.2(5)c"),
+        _condition("rise of the force from d_dc/2 to d_dc over the weight", at_least(rise, _RESTORING), f"{rise:.3f}", "at least 0.025", "10.9.2(5)d"),
+        _condition("effective period", at_most(T_eff, _LONGEST), f"{T_eff:.2f} s", "at most 3 s", "10.9.3(2)c"),
+        _condition("effective period over that of the fixed base", *structure.over_fixed_base(T_eff, _STIFFER), "at least 3", "10.9.3(2)c"),
+        _condition("larger dimension of the plan", *plan, "at most 50 m", "10.9.3(2)b"),
+        _condition("distance to a fault of magnitude 6.5 or more", *fault, "above 15 km", "10.9.3(2)a"),
+        _condition("re-centring, d_dc over mu R", at_least(centred, _RECENTRING), f"{centred:.2f}", "at least 0.5", "EN 1998-2, 7.7.1"),
+    )  # fmt: skip
+
+
+EUROCODE_8 = register(
+    CodeMethod(
+        key="eurocode8",
+        name=NAME,
+        citations=("en_1998_1_2004", "en_1998_2_2005"),
+        look=Look("p", "ochre", 1.1),
+        calculate=lambda inputs: simplified_linear_analysis(
+            inputs.pendulum, inputs.spectrum, inputs.structure
+        ),
+        remarks=_remarks,
+        formulas=_formulas,
+        symbols=("d_dc", "T_eff", "xi", "V/W"),
+    )
+)
+
+
+# The horizontal elastic spectrum: section 3.2.2.2, Tables 3.2 and 3.3.
+
+
+#: S [-], T_B, T_C and T_D [s] of every ground type: Table 3.2 (type 1) and Table 3.3 (type 2).
+TABLES: dict[int, dict[str, tuple[float, float, float, float]]] = {
+    1: {
+        "A": (1.0, 0.15, 0.4, 2.0),
+        "B": (1.2, 0.15, 0.5, 2.0),
+        "C": (1.15, 0.20, 0.6, 2.0),
+        "D": (1.35, 0.20, 0.8, 2.0),
+        "E": (1.4, 0.15, 0.5, 2.0),
+    },
+    2: {
+        "A": (1.0, 0.05, 0.25, 1.2),
+        "B": (1.35, 0.05, 0.25, 1.2),
+        "C": (1.5, 0.10, 0.25, 1.2),
+        "D": (1.8, 0.10, 0.30, 1.2),
+        "E": (1.6, 0.05, 0.25, 1.2),
+    },
+}
+#: Plateau over the ground acceleration [-]: Eqs (3.2) to (3.5).
+_PLATEAU = 2.5
+
+
+@declared
+class Eurocode8Spectrum(DesignSpectrum):
+    """Four branches: rising, constant acceleration, constant velocity, constant displacement.
+
+    Parameters
+    ----------
+    ground_acceleration
+        a_g on ground type A, with the importance factor [mm/s2].
+    ground
+        Ground type, ``"A"`` to ``"E"``.
+    kind
+        1 for regions of large earthquakes, 2 where those that matter are below M_s 5.5.
+
+    Notes
+    -----
+    The code gives the spectrum up to 4 s; beyond, the displacement is kept constant here, which is on the safe side of its Annex A.
+    """
+
+    noun = "a spectrum of Eurocode 8"
+    option: ClassVar[str] = "eurocode"
+    words: ClassVar[str] = "ground acceleration a_g on ground type A [m/s2]"
+
+    ground_acceleration: Annotated[
+        float, Parameter("ground acceleration a_g on ground type A", M_PER_S2, 0.01, 50.0, symbol="a_g")
+    ]
+    ground: Annotated[str, Parameter("ground type of Eurocode 8", choices=tuple(TABLES[1]))] = "B"
+    kind: Annotated[int, Parameter("type of the spectrum of Eurocode 8", NONE, 1, 2, key="type")] = 1
+
+    @property
+    def name(self) -> str:
+        """What to call it."""
+        return (
+            f"Eurocode 8 type {self.kind}, ground {self.ground}, a_g {self.ground_acceleration / 1e3:g} m/s²"
+        )
+
+    def acceleration(self, period: ArrayLike) -> FloatArray:
+        """Pseudo-acceleration S_e at a damping of 5 % [mm/s2] at a period [s]: Eqs (3.2)-(3.5)."""
+        T = np.maximum(np.asarray(period, dtype=np.float64), 1e-9)
+        S, T_B, T_C, T_D = TABLES[self.kind][self.ground]
+        rising = 1.0 + T / T_B * (_PLATEAU - 1.0)
+        falling = _PLATEAU * T_C / T
+        shape = np.where(
+            T < T_B, rising, np.where(T <= T_C, _PLATEAU, np.where(T <= T_D, falling, falling * T_D / T))
+        )
+        return np.asarray(self.ground_acceleration * S * shape)

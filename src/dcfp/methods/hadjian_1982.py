@@ -11,7 +11,7 @@ import numpy as np
 
 from dcfp.analysis import respond
 from dcfp.errors import AnalysisError
-from dcfp.methods.result import Answer
+from dcfp.methods.code import CodeResult
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.check import Check, at_most
 from dcfp.system import LI_2020, Bearing, ConstantFriction, NoHeating
@@ -74,14 +74,14 @@ def harmonic_condition(motion: GroundMotion) -> Check:
 
 
 def inelastic_over_estimate(
-    answer: Answer,
+    result: CodeResult,
     motion: GroundMotion,
     bearing: Bearing = LI_2020,
     friction: float = NOMINAL_COEFFICIENT,
 ) -> float:
-    """Return the displacement by response history analysis over that of an answer [-], for the same motion, bearing and constant friction [-].
+    """Return the displacement by response history analysis over that of a result [-], for the same motion, bearing and constant friction [-].
 
     Only what happens within the motion counts, as in a response spectrum.
     """
     found = respond(motion, bearing, ConstantFriction(friction), NoHeating(), tail=0.0)
-    return found.peak_displacement / answer.displacement
+    return found.peak_displacement / result.displacement

@@ -13,15 +13,25 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from dcfp.arrays import FloatArray
-from dcfp.errors import InputError
-from dcfp.methods.bilinear import MOST_DAMPING, Bilinear, equivalent_oscillator, secant
+from dcfp.errors import AnalysisError, InputError
+from dcfp.methods.code import (
+    MECHANICS,
+    OF_RECORD,
+    CodeInputs,
+    CodeMethod,
+    CodeResult,
+    decimals_of,
+    millimetres,
+)
+from dcfp.methods.equivalent_linear import MOST_DAMPING, Bilinear, Step, equivalent_oscillator, secant
 from dcfp.methods.hadjian_1982 import harmonic_condition
-from dcfp.methods.result import Answer, Step
+from dcfp.methods.method import Look, register
 from dcfp.methods.spectra import EnergySpectrum, input_energy_spectrum
 from dcfp.methods.spectra.of_record import DAMPING, LONGEST
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.check import Check, Verdict, at_most
 from dcfp.schema.checks import finite
+from dcfp.schema.formulas import Formula, number
 from dcfp.system import LI_2020, Bearing
 from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
 
@@ -105,7 +115,7 @@ def inelastic_input_energy(
 
 def equivalent_linear(
     motion: GroundMotion, bearing: Bearing = LI_2020, friction: float = NOMINAL_COEFFICIENT
-) -> Answer:
+) -> CodeResult:
     """Return the displacement at which the motion's own oscillator of T_eq and zeta_eq moves as far as the ductility it stands for.
 
     `friction` is a constant coefficient [-]. A friction bearing that slides never meets the conditions: its ductility is far outside the fit.
@@ -150,23 +160,23 @@ def equivalent_linear(
         remarks.append(
             f"The formula gives a period of {wanted:.0f} s; {LONGEST:.0f} s, the longest, was taken."
         )
-    answer = _answer(NAME, bearing, friction, steps)
-    return replace(answer, conditions=conditions, unconfirmed=UNCONFIRMED, remarks=tuple(remarks))
+    result = _result(NAME, bearing, friction, steps)
+    return replace(result, conditions=conditions, unconfirmed=UNCONFIRMED, remarks=tuple(remarks))
 
 
 def secant_linear(
     motion: GroundMotion, bearing: Bearing = LI_2020, friction: float = NOMINAL_COEFFICIENT
-) -> Answer:
+) -> CodeResult:
     """Return the same with the secant stiffness and the loop's damping in place of Iwan's constants, to compare; arguments and errors as there."""
     steps = equivalent_oscillator(motion, Bilinear.of(bearing, friction), secant)
-    return _answer(SECANT, bearing, friction, steps)
+    return _result(SECANT, bearing, friction, steps)
 
 
-def _answer(method: str, bearing: Bearing, friction: float, steps: tuple[Step, ...]) -> Answer:
+def _result(method: str, bearing: Bearing, friction: float, steps: tuple[Step, ...]) -> CodeResult:
     last = steps[-1]
     stiffness = (bearing.restoring_stiffness + bearing.elastic_stiffness) / bearing.vertical_force
     force = friction + last.displacement / bearing.effective_radius
-    return Answer(
+    return CodeResult(
         method=method,
         displacement=last.displacement,
         base_shear=min(force, stiffness * last.displacement),
@@ -176,16 +186,58 @@ def _answer(method: str, bearing: Bearing, friction: float, steps: tuple[Step, .
     )
 
 
-def input_velocity(motion: GroundMotion, answer: Answer) -> float:
-    """V_E = sqrt(2 E / m) [mm/s] of the equivalent system of an answer under the ground motion it is of.
+def input_velocity(motion: GroundMotion, result: CodeResult) -> float:
+    """V_E = sqrt(2 E / m) [mm/s] of the equivalent system of a result under the ground motion it is of.
 
     Raises
     ------
     InputError
-        If the answer has no equivalent period and damping.
+        If the result has no equivalent period and damping.
     """
-    if answer.period is None or answer.damping is None:
-        msg = f"{answer.method}: an input energy needs an equivalent period and damping, which this answer does not have."
+    if result.period is None or result.damping is None:
+        msg = f"{result.method}: an input energy needs an equivalent period and damping, which this result does not have."
         raise InputError(msg)
-    spectrum = input_energy_spectrum(motion, np.array([answer.period]), answer.damping)
+    spectrum = input_energy_spectrum(motion, np.array([result.period]), result.damping)
     return float(spectrum.equivalent_velocity[0])
+
+
+def _calculate(inputs: CodeInputs) -> CodeResult:
+    if inputs.motion is None or inputs.bearing is None:
+        msg = f"{NAME} needs a record and a bearing, not a spectrum alone."
+        raise AnalysisError(msg)
+    return equivalent_linear(inputs.motion, inputs.bearing, inputs.pendulum.friction)
+
+
+def _formulas(result: CodeResult, inputs: CodeInputs) -> tuple[Formula, ...]:
+    if inputs.bearing is None:
+        return ()
+    system, D = Bilinear.of(inputs.bearing, inputs.pendulum.friction), result.displacement
+    ductility = result.steps[-1].displacement / system.yield_displacement
+    digits = 1 if ductility >= 100.0 else 3
+    (factor, power), (added, damped) = PERIOD, DAMPED
+    T_eq, zeta_eq = result.period or 0.0, result.damping or 0.0
+    start, d = number(system.initial_period, 5), number(ductility, digits)
+    is_capped = added_damping(ductility) > zeta_eq + 1e-9
+    is_longest = system.initial_period * lengthening(ductility) > T_eq * (1.0 + 1e-9)
+    period = "" if is_longest else f"{start} times (1 + {factor:g} times ({d} - 1)^{power:g})"
+    damping = "" if is_capped else f"{added:g} times ({d} - 1)^{damped:g}"
+    return (
+        Formula("Period before yielding", 'T_0 = 2 pi sqrt(m / (k_"ra" + k_f))', "", system.initial_period, 5, "s", MECHANICS),
+        Formula("Ductility", "mu_d = D / r_f", f"{millimetres(D)} / {number(system.yield_displacement, 5)}", ductility, digits, "", NAME),
+        Formula("Equivalent period", f'T_"eq" = T_0 (1 + {factor:g} (mu_d - 1)^{power:g})', period, T_eq, 3, "s", NAME, confirmed=False),
+        Formula("Equivalent damping, less than critical", f'zeta_"eq" = {added:g} (mu_d - 1)^{damped:g}', damping, zeta_eq, 4, "", NAME, confirmed=False),
+        Formula("Displacement of this oscillator under the record", "D", "", D, decimals_of(D), "mm", OF_RECORD),
+    )  # fmt: skip
+
+
+IWAN_1980 = register(
+    CodeMethod(
+        key="iwan",
+        name=NAME,
+        citations=("iwan_1980", "hadjian_1982"),
+        look=Look("*", "blue", 1.2, order=1),
+        calculate=_calculate,
+        formulas=_formulas,
+        needs_record=True,
+    )
+)

@@ -15,14 +15,15 @@ import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.kernels import pulse_march as k
-from dcfp.methods.pulses import Prediction, Pulses, find_pulses
+from dcfp.methods.method import Information, Look, register
+from dcfp.methods.prediction import Ground, Methods, Predicted, PredictionMethod
+from dcfp.methods.pulses import MARCH_THRESHOLD, Prediction, Pulses, find_pulses
 from dcfp.motion.load import Motion
 from dcfp.schema.notebook import fields_card
 from dcfp.system import FrictionLaw, Heating, System, SystemLike
 from dcfp.system.plates import cold_plates, heat_of, structure_of
 
-#: Threshold of the peaks that the march takes [-]; finer than that of the pulse method, for a ripple does not cut a pulse in two here.
-MARCH_THRESHOLD = 0.05
+NAME = "pulse march"
 #: Steps in a leg, at least, and the longest step [s].
 PARTS, LONGEST_STEP = 12, 0.05
 
@@ -154,3 +155,29 @@ def _pulse_of(leg: float, pulses: Pulses) -> int | None:
     if math.isnan(leg) or leg >= pulses.count:
         return None
     return int(leg)
+
+
+def march(ground: Ground, methods: Methods, *, with_path: bool = False) -> PulseMarch:
+    """March through the pulses of a record; `with_path` as for `march_through_pulses`."""
+    return march_through_pulses(ground.pulses(methods.march_threshold), methods.system, with_path=with_path)
+
+
+def _predict(ground: Ground, methods: Methods) -> Predicted:
+    marched = march(ground, methods)
+    name = "" if ground.motion is None else ground.motion.name
+    still = (
+        f"{name}: the march still slides two minutes after the last peak; its dy does not count that slide."
+    )
+    return Predicted(marched.prediction, remarks=() if marched.rests else (still,))
+
+
+PULSE_MARCH = register(
+    PredictionMethod(
+        key="march",
+        name=NAME,
+        head="march",
+        knows=(Information.BLIND,),
+        look=Look("D", "red", 0.9, order=5),
+        predict=_predict,
+    )
+)

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, replace
+from operator import attrgetter
 
 import numpy as np
 
@@ -10,10 +11,15 @@ from dcfp.errors import InputError
 from dcfp.kernels.turning_points import find_turning_points
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import Motion, motion_of
+from dcfp.schema.nomenclature import Quantities
 from dcfp.schema.notebook import card, fields_card
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.units import MM_PER_S
 
 #: How far the ground velocity must turn back, relative to PGV, for a peak to count [-]; see ``docs/prediction.md`` for the evidence.
 THRESHOLD = 0.2
+#: The same for the march, finer, for a ripple does not cut a pulse in two there.
+MARCH_THRESHOLD = 0.05
 
 
 @dataclass(frozen=True, eq=False)
@@ -208,6 +214,40 @@ class Prediction:
 
 #: What is said where there is nothing to say it of.
 NOTHING = Prediction(math.nan, math.nan, math.nan)
+
+#: What is predicted, as it is compared and told, in the order of tables.
+PREDICTION_QUANTITIES = Quantities("quantity of a prediction")
+#: Largest change of displacement between two successive peaks, and largest displacement.
+CHANGE = PREDICTION_QUANTITIES.tell("displacement_change", "dy_mm", name="dy", decimals=1)
+DISPLACEMENT = PREDICTION_QUANTITIES.tell(
+    "peak_displacement", "y_mm", name="y", head="y_max", decimals=1, get=attrgetter("displacement")
+)
+#: Equivalent velocities of the energies put in and dissipated during a swing, and of all the energy put in.
+INPUT = PREDICTION_QUANTITIES.tell(
+    "swing_input_velocity",
+    "V_dE_mm_s",
+    name="V_dE",
+    shown=MM_PER_S,
+    decimals=1,
+    get=attrgetter("input_velocity"),
+)
+HYSTERETIC = PREDICTION_QUANTITIES.tell(
+    "swing_hysteretic_velocity",
+    "V_dEhr_mm_s",
+    name="V_dEhr",
+    shown=MM_PER_S,
+    decimals=1,
+    get=attrgetter("hysteretic_velocity"),
+)
+TOTAL = PREDICTION_QUANTITIES.tell(
+    "input_velocity", "V_E_mm_s", name="V_E", shown=MM_PER_S, decimals=1, get=attrgetter("total_velocity")
+)
+
+
+def value_of(prediction: Prediction, quantity: Quantity) -> float:
+    """Return a quantity of a prediction; not a number where it has none, and dy where it has no largest displacement of its own."""
+    value = prediction.bound if quantity is DISPLACEMENT else quantity.of(prediction)
+    return math.nan if value is None else value
 
 
 @dataclass(frozen=True, eq=False)

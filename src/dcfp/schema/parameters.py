@@ -146,8 +146,10 @@ class Parameter:
         given = value if given is None else given
         if value is None and self.optional:
             return None
-        if self.choices and isinstance(value, str) and value.strip().lower() in self.choices:
-            return value.strip().lower()
+        if isinstance(value, str) and self.choices:
+            known = {one.lower(): one for one in self.choices}
+            if value.strip().lower() in known:
+                return known[value.strip().lower()]
         if self.choices or (self.kind is bool) != isinstance(value, bool):
             raise self._refusal(value, label, unit, given)
         if self.kind is bool:

@@ -13,13 +13,12 @@ from dcfp.analysis import Response
 from dcfp.analysis.integration import PLATES
 from dcfp.analysis.response_history import analyse
 from dcfp.errors import InputError
-from dcfp.inference import Case, Setting, compare
-from dcfp.inference.nominal import Nominal
+from dcfp.inference import Case, compare
+from dcfp.methods.prediction import Methods, Nominal, nominal_coefficient
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.notebook import card, with_units
 from dcfp.schema.reading import read_toml
 from dcfp.study import Study, read_study
-from dcfp.study.procedures import setting_of
 from dcfp.system import System
 
 #: Analyses that a scenario has at most: each gets pages of its own in a report.
@@ -250,7 +249,7 @@ class Calculation:
     ----------
     scenario
         What was asked.
-    setting
+    methods
         How records are predicted.
     nominal
         The nominal coefficient in it, and where that comes from.
@@ -259,7 +258,7 @@ class Calculation:
     """
 
     scenario: Scenario
-    setting: Setting
+    methods: Methods
     nominal: Nominal
     results: tuple[ScenarioResult, ...]
 
@@ -284,15 +283,16 @@ def calculate(scenario: Scenario, report: Callable[[], None] | None = None) -> C
     AnalysisError
         If an analysis cannot be finished.
     """
-    setting, nominal = setting_of(scenario.model)
+    nominal = nominal_coefficient(scenario.model)
+    methods = Methods.of(scenario.model, nominal)
     results: list[ScenarioResult] = []
     for motion in scenario.motions:
-        results.append(_result(motion, scenario, setting))
+        results.append(_result(motion, scenario, methods))
         if report is not None:
             report()
-    return Calculation(scenario, setting, nominal, tuple(results))
+    return Calculation(scenario, methods, nominal, tuple(results))
 
 
-def _result(motion: GroundMotion, scenario: Scenario, setting: Setting) -> ScenarioResult:
+def _result(motion: GroundMotion, scenario: Scenario, methods: Methods) -> ScenarioResult:
     response = analyse(motion, scenario.model, scenario.study.settings, keep=PLATES)
-    return ScenarioResult(motion, response, compare(motion, setting, codes=True, response=response))
+    return ScenarioResult(motion, response, compare(motion, methods, codes=True, response=response))

@@ -13,7 +13,7 @@ from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import refuse_a_drift
 from dcfp.schema.notebook import card
 from dcfp.study.factors import Factor, Value, factor
-from dcfp.study.procedures import ANALYSIS, PROCEDURES
+from dcfp.study.procedures import ANALYSIS, procedures
 from dcfp.study.results import INTENSITIES
 from dcfp.study.sampling import Choice, Distribution, Normal, Sampling, Uniform
 from dcfp.system import System
@@ -96,7 +96,7 @@ class Study:
         """Return the words that a factor may have, where they are known."""
         if name == RECORD:
             return tuple(motion.name for motion in self.motions)
-        known = {"procedure": PROCEDURES, "bearing": tuple(self.bearings)}
+        known = {"procedure": procedures(), "bearing": tuple(self.bearings)}
         return known.get(name) or factor(name).parameter.choices or None
 
     def values_of(self, name: str) -> list[Value] | None:

@@ -14,8 +14,9 @@ from dcfp.analysis.response import FAILED, NUMBERS, Status
 from dcfp.analysis.response_history import analyse
 from dcfp.arrays import IntArray
 from dcfp.errors import AnalysisError
+from dcfp.methods.prediction import Methods
 from dcfp.study.plan import Block, Cases, Plan
-from dcfp.study.procedures import ANALYSIS, peaks_of, predict, setting_of
+from dcfp.study.procedures import ANALYSIS, peaks_of, predict
 from dcfp.study.results import QUANTITIES, STATUS
 
 Results = dict[str, NDArray[np.float64] | NDArray[np.uint8]]
@@ -81,11 +82,11 @@ def _part(lanes: Lanes, chosen: IntArray) -> Lanes:
 
 def _predicted(plan: Plan, cases: Cases, chosen: IntArray, name: str) -> Results:
     lanes = cases.lanes
-    settings = [setting_of(model)[0] for model in lanes.models]
+    methods = [Methods.of(model) for model in lanes.models]
     found: dict[str, list[float]] = {}
     for lane in chosen.tolist():
         motion = plan.study.motions[int(lanes.record[lane])].scaled(float(lanes.scale[lane]))
-        said = peaks_of(predict(motion, settings[int(lanes.model[lane])], name))
+        said = peaks_of(predict(motion, methods[int(lanes.model[lane])], name))
         for quantity, value in said.items():
             found.setdefault(quantity, []).append(value)
     results: Results = {quantity: np.array(values) for quantity, values in found.items()}

@@ -2,17 +2,19 @@
 
 import math
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy import linalg, optimize, signal
 
 from dcfp.arrays import FloatArray
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.methods import aij_2016, asce_2016
 from dcfp.methods.equivalent_linear import PendulumWithFriction
-from dcfp.methods.spectra import Asce2016Spectrum, TabulatedSpectrum, input_energy_spectrum, response_spectrum
+from dcfp.methods.spectra import TabulatedSpectrum, input_energy_spectrum, response_spectrum
 from dcfp.motion import treatment
 from dcfp.verify.check import Finding, Task, scaled_record
 
@@ -68,19 +70,29 @@ def _energy(name: str) -> Finding:
     return Finding(gap, 0.0, "-", 1e-8, note, "scipy.signal.lsim, the exact discrete system")
 
 
+@dataclass(frozen=True)
+class _ConstantVelocity:
+    """A spectrum S_1 / T at every period, of S_1 in units of gravity."""
+
+    one_second: float
+    name: str = "S_1 / T"
+    unconfirmed: tuple[str, ...] = ()
+
+    def acceleration(self, period: ArrayLike) -> FloatArray:
+        return np.asarray(self.one_second / np.asarray(period, dtype=np.float64) * STANDARD_GRAVITY)
+
+
 def _printed_iteration(one_second: float, displacement: float, period: float, damping: float) -> Finding:
     pendulum = PendulumWithFriction(152.0 * _INCH, 13.36 / 152.0)
     # the printed rounds are of a spectrum S_1 / T throughout, and of g = 386.4 in/s2: D is as the root of g times S_1
     one_second *= math.sqrt(386.4 * _INCH / STANDARD_GRAVITY)
-    answer = asce_2016.equivalent_lateral_force(
-        pendulum, Asce2016Spectrum(100.0 * one_second, one_second, 100.0)
-    )
+    found = asce_2016.equivalent_lateral_force(pendulum, _ConstantVelocity(one_second))
     note = (
         f"R 152 in, mu 0.0879, S_1 {one_second:.4g} g (for g = 386.4 in/s2). Printed with it: T {period:g} s and beta {damping:g}; ours"
-        f" {answer.period or 0.0:.3f} s and {answer.damping or 0.0:.3f}. Allowed: one unit of the last printed digit."
+        f" {found.period or 0.0:.3f} s and {found.damping or 0.0:.3f}. Allowed: one unit of the last printed digit."
     )
     source = "calculation report of a public repository (mjamiv/isolation), nominal rows"
-    return Finding(answer.displacement / _INCH, displacement, "in", 1e-3, note, source)
+    return Finding(found.displacement / _INCH, displacement, "in", 1e-3, note, source)
 
 
 def _balance() -> Finding:
@@ -88,14 +100,14 @@ def _balance() -> Finding:
     for friction in (0.01, 0.043, 0.1):
         for velocity in (200.0, 800.0, 3000.0):
             pendulum = PendulumWithFriction(9000.0, friction)
-            answer = aij_2016.energy_balance(pendulum, velocity)
+            found = aij_2016.energy_balance(pendulum, velocity)
 
             def residual(at: float, mu: float = friction, v_e: float = velocity) -> float:
                 g = STANDARD_GRAVITY
                 return 0.5 * g / 9000.0 * at**2 + 8.0 * mu * g * at - 0.5 * v_e**2
 
             root = float(_optimize.brentq(residual, 1e-9, 1e6, xtol=1e-12, rtol=1e-15))
-            worst = max(worst, abs(answer.displacement / root - 1.0))
+            worst = max(worst, abs(found.displacement / root - 1.0))
     note = "Largest relative difference of nine cases. Allowed: rounding."
     return Finding(worst, 0.0, "-", 1e-12, note, "numerical root of k D^2/2 + 8 mu W D = M V_E^2/2")
 

@@ -8,19 +8,22 @@ from functools import cache, partial
 import numpy as np
 
 from dcfp.analysis import respond
-from dcfp.inference import Case, Setting, printed
+from dcfp.inference import Case, Methods
 from dcfp.inference.calibration import cases_at
-from dcfp.inference.case import CHANGE, DISPLACEMENT, Basis, Method, Quantity, View
 from dcfp.inference.intervals import COVERED, coverage
 from dcfp.inference.refit import governing
-from dcfp.inference.statistics import ratios, scatter, value_of
+from dcfp.inference.statistics import ratios, scatter
 from dcfp.methods import Pulses, find_pulses, march_through_pulses
 from dcfp.methods.li_2020 import LI_2020 as PAPER
 from dcfp.methods.li_2020 import predict_from_pgv, predict_from_pulses
-from dcfp.methods.pulse_march import MARCH_THRESHOLD
+from dcfp.methods.li_2020.constants import PRINTED_DESIGN, PULSE
+from dcfp.methods.method import Information, Variant
+from dcfp.methods.pulse_march import NAME as MARCH
+from dcfp.methods.pulses import CHANGE, DISPLACEMENT, MARCH_THRESHOLD, value_of
 from dcfp.motion import treatment
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.named import VELOCITIES
+from dcfp.schema.quantities import Quantity
 from dcfp.system import LI_2020, ConstantFriction, FrictionLaw, Heating, Li2020, NoHeating, SimplifiedHeating
 from dcfp.verify.check import RECORDS, Finding, Task, scaled_record
 
@@ -33,14 +36,14 @@ _AIM = 0.7
 #: How far a coverage may be from 90 %: 85 to 95 % was aimed at [-].
 _COVERAGE_MARGIN = 0.05
 
-_PULSE: View = (Method.PULSE, Basis.BLIND)
-_MARCH: View = (Method.MARCH, Basis.BLIND)
+_PULSE = Variant(PULSE, Information.BLIND)
+_MARCH = Variant(MARCH, Information.BLIND)
 
 
 def _design(pgv: float, quantity: Quantity, value: float, last_digit: float) -> Finding:
     said = value_of(predict_from_pgv(pgv), quantity)
     note = "Allowed: half of the last printed digit."
-    return Finding(said, value, quantity.unit, 0.5 * last_digit, note, f"{_PAPER}, Eqs (31)-(33)")
+    return Finding(said, value, quantity.unit.name, 0.5 * last_digit, note, f"{_PAPER}, Eqs (31)-(33)")
 
 
 def _largest(motion: GroundMotion) -> float:
@@ -100,7 +103,7 @@ def _march(friction: FrictionLaw, heating: Heating) -> Finding:
 
 @cache
 def _hundred(velocity: float) -> tuple[Case, ...]:
-    return tuple(cases_at(velocity, Setting()))
+    return tuple(cases_at(velocity, Methods()))
 
 
 def _average_slope() -> Finding:
@@ -113,14 +116,14 @@ def _average_slope() -> Finding:
 
 def _dispersion(quantity: Quantity) -> Finding:
     cases = [case for velocity in VELOCITIES for case in _hundred(velocity)]
-    march, pulse = (scatter(ratios(cases, view, quantity)).dispersion for view in (_MARCH, _PULSE))
+    march, pulse = (scatter(ratios(cases, variant, quantity)).dispersion for variant in (_MARCH, _PULSE))
     note = f"400 cases: {pulse:.3f} over {march:.3f}. Expected: the least that was aimed at; more is better."
     source = "logarithmic dispersion of prediction over analysis, pulse method over march"
     return Finding(pulse / march, 1.0 / _AIM, "-", 0.0, note, source, more_is_better=True)
 
 
-def _coverage(view: View | None, quantity: Quantity) -> Finding:
-    found = coverage([_hundred(velocity) for velocity in VELOCITIES], view, quantity)
+def _coverage(variant: Variant | None, quantity: Quantity) -> Finding:
+    found = coverage([_hundred(velocity) for velocity in VELOCITIES], variant, quantity)
     note = f"Mean of {found.splits} random halves of 19 earthquakes, 5 to 95 % of which have {found.low:.2f} to {found.high:.2f}; an interval is {found.width:.2f} wide, upper over lower end."
     return Finding(
         found.mean,
@@ -138,8 +141,8 @@ def _task(name: str, measure: Callable[[], Finding]) -> Task:
 
 TASKS = (
     *(
-        _task(f"design method, {q.name} at PGV {pgv / 1e3:g} m/s", partial(_design, pgv, q, value, digit))
-        for pgv, known in printed.DESIGN.items()
+        _task(f"design method, {q.title} at PGV {pgv / 1e3:g} m/s", partial(_design, pgv, q, value, digit))
+        for pgv, known in PRINTED_DESIGN.items()
         for q, (value, digit) in known.items()
     ),
     _task("pulses, mirrored record", partial(_invariance, _mirrored, 1e-12)),
@@ -150,12 +153,12 @@ TASKS = (
     _task("march, friction that heats", partial(_march, Li2020(), SimplifiedHeating())),
     _task("kg_ave of the hundred", _average_slope),
     *(
-        _task(f"pulse method against march, {q.name}", partial(_dispersion, q))
+        _task(f"pulse method against march, {q.title}", partial(_dispersion, q))
         for q in (CHANGE, DISPLACEMENT)
     ),
     *(
-        _task(f"90 % interval from {words}, {q.name}", partial(_coverage, view, q))
-        for view, words in ((None, "the PGV"), (_PULSE, "the pulse method"), (_MARCH, "the march"))
+        _task(f"90 % interval from {words}, {q.title}", partial(_coverage, variant, q))
+        for variant, words in ((None, "the PGV"), (_PULSE, "the pulse method"), (_MARCH, "the march"))
         for q in (CHANGE, DISPLACEMENT)
     ),
 )

@@ -8,14 +8,18 @@ import numpy as np
 from dcfp.analysis import Response, respond
 from dcfp.arrays import FloatArray
 from dcfp.constants import STANDARD_GRAVITY
-from dcfp.inference import Case, Setting, compare, printed
+from dcfp.inference import Case, Methods, compare
 from dcfp.inference.calibration import calibration_set, cases_at
-from dcfp.inference.case import CHANGE, HYSTERETIC, INPUT, Basis, Method, Quantity, View, analysed_of
+from dcfp.inference.case import analysed_of
 from dcfp.inference.refit import average_slope, change_ratio, fall_ratio
-from dcfp.inference.statistics import displacement_over_change, ratios, scatter, value_of
+from dcfp.inference.statistics import displacement_over_change, ratios, scatter
 from dcfp.methods.li_2020 import LI_2020, predict_from_pgv, predict_from_pulses, predict_simplified
+from dcfp.methods.li_2020.constants import PRINTED_DESIGN, PRINTED_RANGES, PRINTED_ROUNDING, PULSE, SIMPLIFIED
+from dcfp.methods.method import Information, Variant
+from dcfp.methods.pulses import CHANGE, HYSTERETIC, INPUT, value_of
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.named import ALIASES, VELOCITIES, named_motion
+from dcfp.schema.quantities import Quantity
 from dcfp.schema.quantities import Quantity as Column
 from dcfp.schema.table import Table
 from dcfp.schema.units import M_PER_S, NONE
@@ -81,8 +85,8 @@ def analyse(motions: Sequence[GroundMotion], report: Callable[[], None] | None =
             done()
             constant.append(respond(scaled, BEARING, ConstantFriction(), NoHeating()))
             done()
-    setting = Setting()
-    hundred = [case for velocity in VELOCITIES for case in cases_at(velocity, setting, done)]
+    methods = Methods()
+    hundred = [case for velocity in VELOCITIES for case in cases_at(velocity, methods, done)]
     return Analyses(tuple(cases), tuple(precise), tuple(constant), tuple(hundred))
 
 
@@ -170,30 +174,30 @@ OUTSIDE = [
 def findings_of(analyses: Analyses) -> list[Finding]:
     """Return every printed finding of section 6, beside ours."""
     return [
-        *(_range(view, quantity, analyses) for view, quantity in printed.RANGES),
+        *(_range(variant, quantity, analyses) for variant, quantity in PRINTED_RANGES),
         *_constants(analyses),
-        *(_design(pgv) for pgv in printed.DESIGN),
+        *(_design(pgv) for pgv in PRINTED_DESIGN),
         _heating(analyses),
         _larger_change(analyses),
         _constant(analyses),
     ]
 
 
-def _range(view: View, quantity: Quantity, analyses: Analyses) -> Finding:
-    low, high, place = printed.RANGES[view, quantity]
-    values = ratios(analyses.cases, view, quantity)
+def _range(variant: Variant, quantity: Quantity, analyses: Analyses) -> Finding:
+    low, high, place = PRINTED_RANGES[variant, quantity]
+    values = ratios(analyses.cases, variant, quantity)
     outside = tuple(
-        Outside(case.record, case.pgv, float(value), explain(case, precise, constant, view, quantity))
+        Outside(case.record, case.pgv, float(value), explain(case, precise, constant, variant, quantity))
         for case, precise, constant, value in zip(
             analyses.cases, analyses.precise, analyses.constant, values, strict=True
         )
-        if not low - printed.ROUNDING <= value <= high + printed.ROUNDING
+        if not low - PRINTED_ROUNDING <= value <= high + PRINTED_ROUNDING
     )
-    hundred = ratios(analyses.hundred, view, quantity)
+    hundred = ratios(analyses.hundred, variant, quantity)
     measures = scatter(hundred)
-    inside = (low - printed.ROUNDING <= hundred) & (hundred <= high + printed.ROUNDING)
+    inside = (low - PRINTED_ROUNDING <= hundred) & (hundred <= high + PRINTED_ROUNDING)
     return Finding(
-        name=f"{quantity.name}, {view[0].value} method over analysis",
+        name=f"{quantity.title}, {variant.method} method over analysis",
         place=place,
         paper=f"{low:.1f} to {high:.1f}",
         ours=_span(values),
@@ -201,7 +205,7 @@ def _range(view: View, quantity: Quantity, analyses: Analyses) -> Finding:
         + (f", {measures.without} without a prediction" if measures.without else ""),
         agrees=not outside,
         words=f"{len(values) - len(outside)} of {len(values)} cases inside, half of the last printed digit allowed; by the pulse behind the"
-        f" largest swing (informed) {_span(ratios(analyses.cases, (view[0], Basis.INFORMED), quantity))}.",
+        f" largest swing (informed) {_span(ratios(analyses.cases, Variant(variant.method, Information.INFORMED), quantity))}.",
         outside=outside,
     )
 
@@ -268,7 +272,7 @@ def _of_constant(
 
 
 def _design(pgv: float) -> Finding:
-    known, said = printed.DESIGN[pgv], predict_from_pgv(pgv)
+    known, said = PRINTED_DESIGN[pgv], predict_from_pgv(pgv)
     put_in, dissipated, change = (known[quantity][0] for quantity in (INPUT, HYSTERETIC, CHANGE))
     return Finding(
         name=f"design method at PGV {pgv / 1e3:g} m/s: V_dE, V_dEhr, dy",
@@ -373,7 +377,7 @@ _SPRING = 1.3
 _FLAT = 1e6
 
 
-def explain(case: Case, precise: Response, constant: Response, view: View, quantity: Quantity) -> str:
+def explain(case: Case, precise: Response, constant: Response, variant: Variant, quantity: Quantity) -> str:
     """Return in a sentence what sets a case apart, each clause with its number.
 
     Parameters
@@ -382,15 +386,15 @@ def explain(case: Case, precise: Response, constant: Response, view: View, quant
         Of the paper's bearing, with its response.
     precise, constant
         The same analysis with precise heating, and with the constant mu_n.
-    view
+    variant
         The pulse or the simplified method, blind.
     quantity
         dy or one of the two energies.
     """
-    swing, method = case.analysed.swing, view[0]
+    swing, method = case.analysed.swing, variant.method
     if swing is None:
         return "the response never turns."
-    said = value_of(case.predicted[view], quantity)
+    said = value_of(case.predicted[variant], quantity)
 
     def over(response: Response) -> str:
         return f"{said / value_of(analysed_of(response, case.pulses).whole, quantity):.2f}"
@@ -424,24 +428,24 @@ def _without_spring(case: Case) -> float:
     return respond(case.response.motion, flat, tail=0.0).peak_change
 
 
-def _governing(case: Case, method: Method, quantity: Quantity) -> int | None:
-    found = predict_from_pulses(case.pulses) if method is Method.PULSE else predict_simplified(case.pulses)
+def _governing(case: Case, method: str, quantity: Quantity) -> int | None:
+    found = predict_from_pulses(case.pulses) if method == PULSE else predict_simplified(case.pulses)
     of_pulse = [value_of(found.of(i), quantity) for i in range(case.pulses.count)]
     return int(np.argmax(of_pulse)) if of_pulse else None
 
 
-def _pulse(case: Case, method: Method, place: int, quantity: Quantity) -> str:
+def _pulse(case: Case, method: str, place: int, quantity: Quantity) -> str:
     pulses = case.pulses
     ratio = LI_2020.friction_deceleration / abs(float(pulses.mean_accelerations[place]))
     words = f"the pulse at {pulses.starts[place]:.2f}–{pulses.peaks[place]:.2f} s has ku/kg {ratio:.2f}"
-    if method is Method.PULSE and LI_2020.amplified_from <= ratio <= 1.0:
+    if method == PULSE and LI_2020.amplified_from <= ratio <= 1.0:
         without = predict_from_pulses(pulses, replace(LI_2020, amplification=1.0)).of(place)
         analysed = value_of(case.analysed.whole, quantity)
         words += (
             f", where velocities and slopes are multiplied by {LI_2020.amplification:g} (Figure 17); without that it would give"
             f" {value_of(without, quantity) / analysed:.2f} of the analysis"
         )
-    if method is Method.SIMPLIFIED:
+    if method == SIMPLIFIED:
         own = replace(LI_2020, average_slope=abs(float(pulses.mean_accelerations[place])))
         if own.slides_on_average:
             with_own = value_of(predict_simplified(pulses, own).of(place), quantity)

@@ -104,7 +104,7 @@ def test_predictions_and_codes_stand_beside_the_analysis(open_page):
     table = page.get_by_role("region", name="Predictions beside the analysis")
     table.get_by_text("Eurocode 8 simplified").wait_for()
     case = dcfp.compare(dcfp.load_motion("NCC").scaled_to_pgv(500.0), codes=True)
-    for answer in case.answers.values():
+    for answer in case.codes.values():
         row = table.locator("tr", has_text=answer.method)
         assert f"{answer.displacement:.1f}" in row.inner_text()
         assert answer.verdict in row.inner_text()
@@ -198,9 +198,9 @@ def test_the_test_machine(open_page):
 
 
 def test_the_design_chart(open_page):
-    from dcfp.inference import Setting
     from dcfp.inference.design_space import survey
     from dcfp.motion.named import record_set
+    from dcfp.system import System
 
     page = open_page()
     show(page, "Design chart")
@@ -208,7 +208,7 @@ def test_the_design_chart(open_page):
     table.locator("tbody tr").nth(4).wait_for(timeout=60_000)
     motions = record_set("P695-FF")
     assert motions is not None
-    space = survey(motions, 500.0, Setting())
+    space = survey(motions, 500.0, System())
     least, force = space.holding(300.0, 0.95)
     for row, (mu, ratio) in enumerate(zip(least.tolist(), force.tolist(), strict=True)):
         assert table.locator("tbody tr").nth(row).inner_text().split()[-2:] == [f"{mu:.3f}", f"{ratio:.3f}"]

@@ -12,9 +12,11 @@ from matplotlib.figure import Figure
 from dcfp import GroundMotion, PreciseHeating, load_motion, respond
 from dcfp.errors import InputError
 from dcfp.inference import Case, compare
-from dcfp.inference.case import Basis, Method, analysed_of
+from dcfp.inference.case import analysed_of
 from dcfp.methods import NOTHING, PulseMarch, find_pulses, march_through_pulses
 from dcfp.methods.li_2020 import LI_2020, predict_from_pgv
+from dcfp.methods.li_2020.constants import DESIGN, PULSE
+from dcfp.methods.method import Information, Variant
 from dcfp.present.figures import plot_comparison, plot_pulses, save_figure
 from dcfp.present.figures.forecasts import plot_pgv_prediction
 from dcfp.present.figures.li_2020 import PaperFigure, paper_figures
@@ -158,7 +160,7 @@ def test_predicted_against_analysed(cases: list[Case], number: int) -> None:
 
 
 def test_where_nothing_is_predicted_it_lies_hollow_on_the_edge_and_counts(cases: list[Case]) -> None:
-    blind = (Method.PULSE, Basis.BLIND)
+    blind = Variant(PULSE, Information.BLIND)
     nothing = replace(NOTHING, displacement_change=0.0, input_velocity=0.0, hysteretic_velocity=0.0)
     changed = [replace(cases[0], predicted={**cases[0].predicted, blind: nothing}), *cases[1:]]
     axes = plot_comparison(changed).axes[0]
@@ -175,7 +177,7 @@ def test_a_comparison_of_nothing(still: Case, silent: Case) -> None:
 
 
 def test_a_method_that_cannot_be_used_is_not_in_the_legend(cases: list[Case]) -> None:
-    usable = {view: one for view, one in cases[0].predicted.items() if view[0] is not Method.DESIGN}
+    usable = {variant: one for variant, one in cases[0].predicted.items() if variant.method != DESIGN}
     texts = plot_comparison([replace(cases[0], predicted=usable)]).axes[0].get_legend().get_texts()
     assert len(texts) == 3
 

@@ -40,6 +40,6 @@ def test_an_unusual_scenario_has_its_report(name: str, tmp_path: Path) -> None:
 
 
 def test_a_calculation_without_results_has_none(calculation: Calculation) -> None:
-    empty = Calculation(calculation.scenario, calculation.setting, calculation.nominal, ())
+    empty = Calculation(calculation.scenario, calculation.methods, calculation.nominal, ())
     with pytest.raises(InputError, match="no analysis to report"):
         build_report(empty)

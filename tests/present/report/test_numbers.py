@@ -31,7 +31,7 @@ def test_numbers_are_those_of_the_analyses(calculation: Calculation, document: D
         assert {key: case[key] for key in row} == row
         alone = dcfp.respond(one.motion, calculation.scenario.model.bearing)
         assert case["y_max_mm"] == alone.peak_displacement
-        assert [said["method"] for said in case["codes"]] == list(one.case.answers)
+        assert [said["method"] for said in case["codes"]] == list(one.case.codes)
         assert {said["method"] for said in case["predictions"]} == {
             "pulse",
             "simplified",

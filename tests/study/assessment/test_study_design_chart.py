@@ -5,11 +5,11 @@ import pytest
 
 from dcfp import load_motion
 from dcfp.errors import InputError
-from dcfp.inference.case import Setting
 from dcfp.inference.design_space import survey
 from dcfp.study import Study
 from dcfp.study.assessment import design_space, select
 from dcfp.study.run import run_study
+from dcfp.system import System
 
 
 def test_the_space_is_that_of_the_study_with_its_axes_increasing(bearings):
@@ -38,7 +38,7 @@ def test_a_study_and_a_survey_are_the_same():
     motions = [load_motion("KNA"), load_motion("NCC")]
     radii, coefficients = np.array([1500.0, 4500.0]), np.array([0.05, 0.1])
     study = design_space(run_study(Study(motions, {"pgv": [500.0], "radius": radii, "mu": coefficients})))
-    other = survey(motions, 500.0, Setting(), radii, coefficients)
+    other = survey(motions, 500.0, System(), radii, coefficients)
     np.testing.assert_allclose(study.displacement, other.displacement, rtol=1e-9)
     np.testing.assert_allclose(study.force, other.force, rtol=1e-9)
     assert study.events == other.events

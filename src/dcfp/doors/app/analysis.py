@@ -6,13 +6,12 @@ from dcfp.analysis import Response, respond
 from dcfp.analysis.integration import PLATES
 from dcfp.doors.app.session import Session
 from dcfp.errors import InputError
-from dcfp.inference import Case, Setting, compare
-from dcfp.inference.nominal import Nominal
+from dcfp.inference import Case, Methods, compare
+from dcfp.methods.prediction import Nominal, nominal_coefficient
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import motion_remarks, refuse_a_drift
 from dcfp.motion.treatment import treated
 from dcfp.study import Study
-from dcfp.study.procedures import setting_of
 from dcfp.study.scenario import Heading, Scenario, scenario_toml
 from dcfp.system import System
 
@@ -92,19 +91,20 @@ class Predicted:
     ----------
     case
         Predictions and codes beside the analysis.
-    setting, nominal
+    methods, nominal
         How it was predicted.
     """
 
     case: Case
-    setting: Setting
+    methods: Methods
     nominal: Nominal
 
 
 def predict(response: Response, model: System) -> Predicted:
     """Ask every method and every code what it says of a motion that was analysed."""
-    setting, nominal = setting_of(model)
-    return Predicted(compare(response.motion, setting, codes=True, response=response), setting, nominal)
+    nominal = nominal_coefficient(model)
+    methods = Methods.of(model, nominal)
+    return Predicted(compare(response.motion, methods, codes=True, response=response), methods, nominal)
 
 
 def remarks_on(response: Response) -> list[str]:

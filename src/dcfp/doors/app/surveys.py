@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from dcfp.errors import InputError
-from dcfp.inference import Setting
 from dcfp.inference.design_space import RADII, DesignSpace, survey
 from dcfp.motion.named import record_set
 from dcfp.system import System
@@ -92,6 +91,4 @@ def _make(question: Question, report: Callable[[], None]) -> DesignSpace:
     if motions is None:
         msg = f"There is no record set {question.records!r}."
         raise InputError(msg)
-    model = question.model
-    setting = Setting(model.bearing, model.friction, model.heating)
-    return survey(motions, question.pgv * 1e3, setting, report=report)
+    return survey(motions, question.pgv * 1e3, question.model, report=report)

@@ -9,21 +9,20 @@ from dcfp.doors.cli.console import Block, Page, grid
 from dcfp.doors.cli.outputs import Answer
 from dcfp.doors.cli.predict import nominal
 from dcfp.doors.cli.progress import progress
-from dcfp.methods.asce_2016 import Bounds
-from dcfp.methods.equivalent_linear import PendulumWithFriction
-from dcfp.methods.panel import (
-    PANELS,
-    Panel,
-    capacity_remarks,
+from dcfp.methods.asce_2016 import Asce2016Spectrum
+from dcfp.methods.code import ROUNDS, Bounds, CodeResult, Structure
+from dcfp.methods.code_comparison import (
+    CODE_COMPARISONS,
+    CodeComparison,
+    codes_under_record,
+    codes_under_set,
+    codes_under_spectrum,
     line_quantities,
     lines_of,
-    panel_of_motion,
-    panel_of_set,
-    panel_of_spectrum,
 )
-from dcfp.methods.result import STEPS, Structure
-from dcfp.methods.result import Answer as Said
-from dcfp.methods.spectra import Asce2016Spectrum, Eurocode8Spectrum, Notification2000Spectrum
+from dcfp.methods.equivalent_linear import PendulumWithFriction
+from dcfp.methods.eurocode_8 import Eurocode8Spectrum
+from dcfp.methods.spectra import Notification2000Spectrum
 from dcfp.methods.spectra.elastic import ElasticSpectrum, read_spectrum
 from dcfp.schema.check import COLUMNS, Verdict
 from dcfp.schema.quantities import Quantity
@@ -42,58 +41,60 @@ def run(chosen: argparse.Namespace) -> Answer:
     """Ask every method under every record or the spectrum."""
     system = inputs.system(chosen)
     friction = nominal(chosen, system)
-    pendulum = PendulumWithFriction(system.bearing.effective_radius, friction.value)
-    panels = _panels(chosen, system, pendulum)
+    rest = PendulumWithFriction(system.bearing.effective_radius, friction.value).rest
+    comparisons = _compared(chosen, system, friction.value)
     lines = [
         ("Bearing", str(system.bearing)),
         (
             "Friction",
-            f"methods: mu {friction.value:.4g} ({friction.source}), at most {pendulum.rest:.0f} mm at rest;"
+            f"methods: mu {friction.value:.4g} ({friction.source}), at most {rest:.0f} mm at rest;"
             f" analysis: {system.friction.name}, heating {system.heating.name}",
         ),
     ]
 
     def page() -> Page:
-        of_records = panels[0].displacement is not None
-        told = [one for panel in panels for one in lines_of(panel, missing=True)]
+        of_records = comparisons[0].displacement is not None
+        told = [one for comparison in comparisons for one in lines_of(comparison, missing=True)]
         table = Table(line_quantities(of_records=of_records), told)
-        details = [block for panel in panels for block in _details(panel)] if chosen.details else []
-        remarks = _remarks(panels, system, details=chosen.details)
+        details = (
+            [block for comparison in comparisons for block in _details(comparison)] if chosen.details else []
+        )
+        remarks = _remarks(comparisons, system, details=chosen.details)
         return Page([lines, grid(table, repeated=2 if of_records else 1), *details], remarks)
 
     def figure() -> "Figure":
         from dcfp.present.figures.spectra import plot_codes  # late: Matplotlib takes long to import
 
-        return plot_codes(panels)
+        return plot_codes(comparisons)
 
     return Answer(
-        lambda: Table(tuple(PANELS), panels).objects(),
+        lambda: Table(tuple(CODE_COMPARISONS), comparisons).objects(),
         page,
         lambda part, kind: Table(
-            line_quantities(), [one for panel in panels for one in lines_of(panel)]
+            line_quantities(), [one for comparison in comparisons for one in lines_of(comparison)]
         ).csv(),
         figure,
     )
 
 
-def _panels(chosen: argparse.Namespace, system: System, pendulum: PendulumWithFriction) -> list[Panel]:
+def _compared(chosen: argparse.Namespace, system: System, friction: float) -> list[CodeComparison]:
     site = None if chosen.site_class is None else chosen.site_class.strip().upper()
     known = inputs.given(chosen, "fixed_base_period", "height", "plan", "fault_distance", "weight_above")
     structure = Structure(**known, site_class=site)
     bounds = None if chosen.bounds is None else Bounds(*chosen.bounds, source="as given")
     spectrum = _spectrum(chosen)
     if spectrum is not None:
-        return [panel_of_spectrum(spectrum, pendulum, structure, bounds)]
+        pendulum = PendulumWithFriction(system.bearing.effective_radius, friction)
+        return [codes_under_spectrum(spectrum, pendulum, structure, bounds)]
     motions = inputs.scaled(inputs.load_motions(chosen), chosen.pgv)
-    parts = (system.bearing, system.friction, system.heating)
-    panels: list[Panel] = []
+    comparisons: list[CodeComparison] = []
     with progress("records", len(motions)) as advance:
         for motion in motions:
-            panels.append(panel_of_motion(motion, *parts, pendulum, structure, bounds))
+            comparisons.append(codes_under_record(motion, system, friction, structure, bounds))
             advance()
     if chosen.of_set is not None:
-        return [panel_of_set(panels, chosen.of_set or None, structure, bounds)]
-    return panels
+        return [codes_under_set(comparisons, chosen.of_set or None, bounds)]
+    return comparisons
 
 
 def _spectrum(chosen: argparse.Namespace) -> ElasticSpectrum | None:
@@ -106,11 +107,11 @@ def _spectrum(chosen: argparse.Namespace) -> ElasticSpectrum | None:
     return None if chosen.spectrum is None else read_spectrum(chosen.spectrum)
 
 
-def _details(panel: Panel) -> list[Block]:
-    """Return every condition of a panel's answers, and every round of their iterations."""
+def _details(comparison: CodeComparison) -> list[Block]:
+    """Return every condition of a comparison's answers, and every round of their iterations."""
     found: list[Block] = []
-    for said in panel.answers.values():
-        name = f"{panel.name}, {said.method}"
+    for said in comparison.results.values():
+        name = f"{comparison.name}, {said.method}"
         if said.conditions:
             found.append((f"{name}:", grid(Table(tuple(COLUMNS), said.conditions))))
         if said.steps:
@@ -118,26 +119,28 @@ def _details(panel: Panel) -> list[Block]:
     return found
 
 
-def _rounds(said: Said) -> Table:
+def _rounds(said: CodeResult) -> Table:
     """Return the rounds up to the one from which on no printed digit changes."""
     number = Quantity(
         "round", "number of the round", NONE, head="Round\n", get=lambda one: said.steps.index(one) + 1
     )
-    table = Table((number, *STEPS), said.steps)
+    table = Table((number, *ROUNDS), said.steps)
     cells = table.cells()
     count = next((i for i in range(1, len(cells)) if cells[i][1:] == cells[i - 1][1:]), len(cells))
     return Table(table.columns, said.steps[:count])
 
 
-def _remarks(panels: Sequence[Panel], system: System, *, details: bool) -> list[str]:
-    every = [(panel, said) for panel in panels for said in panel.answers.values()]
+def _remarks(comparisons: Sequence[CodeComparison], system: System, *, details: bool) -> list[str]:
+    every = [(comparison, said) for comparison in comparisons for said in comparison.results.values()]
     remarks: list[str] = []
-    if len(panels) <= _FEW:
+    if len(comparisons) <= _FEW:
         remarks += [
-            one for panel in panels for one in (*panel.remarks, *capacity_remarks(panel, system.bearing))
+            one
+            for comparison in comparisons
+            for one in (*comparison.remarks, *comparison.capacity_remarks(system.bearing))
         ]
-        for panel, said in every:
-            who = f"{panel.name}, {said.method}" if len(panels) > 1 else said.method
+        for comparison, said in every:
+            who = f"{comparison.name}, {said.method}" if len(comparisons) > 1 else said.method
             broken = [
                 f"{one.name} {one.found}, {one.limit}"
                 for one in said.conditions

@@ -9,30 +9,28 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from dcfp.doors.cli import inputs
 from dcfp.doors.cli.console import Block, Page, grid, grouped
 from dcfp.doors.cli.outputs import Answer
-from dcfp.doors.cli.predict import SYMBOLS, labels, pulse_figure, setting_of
+from dcfp.doors.cli.predict import SYMBOLS, labels, methods_of, pulse_figure
 from dcfp.doors.cli.progress import progress
-from dcfp.inference import Case, Setting, compare
-from dcfp.inference.case import CHANGE, DISPLACEMENT, VIEWS, Basis, Method, Quantity, View
-from dcfp.inference.forecast import setting_remarks
-from dcfp.inference.held_out import Refit, check_enough, coverages, refits
+from dcfp.inference import Case, Methods, compare
 from dcfp.inference.intervals import Coverage
+from dcfp.inference.refit import Refit, check_enough, coverages, refits
 from dcfp.inference.statistics import displacement_over_change, ratios, scatter, scatters
 from dcfp.inference.told import REFITS, case_lines, case_objects, coverage_table, scatter_table
+from dcfp.methods.method import Variant, variants
+from dcfp.methods.prediction import prediction_methods
+from dcfp.methods.pulses import CHANGE, DISPLACEMENT
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.schema.quantities import NOTHING
-from dcfp.schema.quantities import Quantity as Column
+from dcfp.schema.quantities import NOTHING, Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import M_PER_S, MM, NONE
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-HeldOut: TypeAlias = tuple[dict[tuple[View | None, Quantity], Coverage], list[Refit]]
+HeldOut: TypeAlias = tuple[dict[tuple[Variant | None, Quantity], Coverage], list[Refit]]
 
 #: Most cases that are printed one by one.
 _MOST_ROWS = 40
-#: Heads of columns: methods, and what they know.
-_SHORT = {"simplified": "simpl.", "pulse march": "march", "PGV only": "PGV"}
 #: Marks of a ratio by whether a case is within the limits of a method, and whether any limits are known.
 _MARKS: dict[tuple[bool | None, bool], str] = {(False, True): "*", (None, True): "?"}
 #: A number in a remark, by which two remarks of one kind may differ.
@@ -41,15 +39,15 @@ _NUMBER = re.compile(r"\d+(?:\.\d+)?")
 
 def run(chosen: argparse.Namespace) -> Answer:
     """Analyse and predict every record at every PGV."""
-    setting, friction = setting_of(chosen, inputs.system(chosen))
+    methods, friction = methods_of(chosen, inputs.system(chosen))
     motions = inputs.scaled(_different(inputs.load_motions(chosen)), chosen.pgv)
     keep = chosen.plot is not None and len(motions) == 1
     cases: list[Case] = []
     with progress("comparisons", len(motions)) as advance:
         for motion in motions:
-            cases.append(compare(motion, setting, codes=True, keep_response=keep))
+            cases.append(compare(motion, methods, codes=True, keep_response=keep))
             advance()
-    found = _held_out(cases, len(chosen.pgv), setting) if chosen.held_out else None
+    found = _held_out(cases, len(chosen.pgv), methods) if chosen.held_out else None
     table = scatter_table(scatters(cases), cases)
 
     def document() -> dict[str, Any]:
@@ -57,10 +55,10 @@ def run(chosen: argparse.Namespace) -> Answer:
             "coverage": coverage_table(found[0]).objects(),
             "refits": Table(tuple(REFITS), found[1]).objects(),
         }  # fmt: skip
-        return {"cases": case_objects(cases, setting), "scatter": table.objects(), "held_out": judged}
+        return {"cases": case_objects(cases, methods), "scatter": table.objects(), "held_out": judged}
 
     def page() -> Page:
-        blocks: list[Block] = [labels(setting, friction)]
+        blocks: list[Block] = [labels(methods, friction)]
         if len(cases) <= _MOST_ROWS:
             blocks += [_ratios(cases), _codes(cases)]
         words = (
@@ -68,12 +66,12 @@ def run(chosen: argparse.Namespace) -> Answer:
         )
         blocks.append((words, grid(table, repeated=2)))
         blocks += [] if found is None else _judged(*found)
-        return Page(blocks, [*_remarks(cases, setting), *_notes(cases)])
+        return Page(blocks, [*_remarks(cases, methods), *_notes(cases)])
 
     def figure() -> "Figure":
         from dcfp.present.figures import plot_comparison  # late: Matplotlib takes long to import
 
-        return pulse_figure(cases[0], setting) if len(cases) == 1 else plot_comparison(cases)
+        return pulse_figure(cases[0], methods) if len(cases) == 1 else plot_comparison(cases)
 
     return Answer(document, page, lambda part, kind: case_lines(cases).csv(), figure)
 
@@ -84,46 +82,43 @@ def _different(motions: list[GroundMotion]) -> list[GroundMotion]:
     return list(reversed(found.values()))
 
 
-def _held_out(cases: list[Case], pgvs: int, setting: Setting) -> HeldOut:
+def _held_out(cases: list[Case], pgvs: int, methods: Methods) -> HeldOut:
     # the motions follow each other record by record, at all PGVs each
     groups = [cases[first::pgvs] for first in range(pgvs)]
     check_enough(groups)
-    return coverages(groups), refits(cases, setting.constants)
+    return coverages(groups), refits(cases, methods.constants)
 
 
-def _of_case() -> tuple[Column, ...]:
+def _of_case() -> tuple[Quantity, ...]:
     return (
-        Column("record", "name of the ground motion", head="Record", get="record"),
-        Column("pgv", "peak ground velocity", M_PER_S, decimals=3, head="PGV", get="pgv"),
+        Quantity("record", "name of the ground motion", head="Record", get="record"),
+        Quantity("pgv", "peak ground velocity", M_PER_S, decimals=3, head="PGV", get="pgv"),
     )
 
 
 def _ratios(cases: Sequence[Case]) -> Block:
     """Return ratios of prediction to analysis, case by case."""
 
-    def column(view: View, quantity: Quantity, head: str) -> Column:
-        return Column(
-            head,
-            "ratio",
-            NONE,
-            decimals=2,
-            head=head,
-            get=lambda case: float(ratios([case], view, quantity)[0]),
-        )
+    def column(variant: Variant, quantity: Quantity, word: str) -> Quantity:
+        head = f"{known[variant.method].head or variant.method}\n{word}"
 
-    def short(word: str) -> str:
-        return _SHORT.get(word, word)
+        def get(case: Case) -> float:
+            return float(ratios([case], variant, quantity)[0])
 
+        return Quantity(head, "ratio", NONE, decimals=2, head=head, get=get)
+
+    def has_own(variant: Variant) -> bool:
+        said = [case.predicted[variant] for case in cases if variant in case.predicted]
+        return any(one.displacement is not None for one in said)
+
+    known = prediction_methods()
+    told = [one for one in variants() if one.method in known]
     columns = (
         *_of_case(),
-        Column("dy", "change of displacement", MM, decimals=1, get="analysed.whole.displacement_change"),
-        Column("y_max", "largest displacement", MM, decimals=1, get="analysed.whole.bound"),
-        *(
-            column(view, CHANGE, "\n".join(map(short, view)))
-            for view in VIEWS
-            if view[1] is not Basis.SPECTRUM
-        ),
-        column((Method.MARCH, Basis.BLIND), DISPLACEMENT, "march\ny_max"),
+        Quantity("dy", "change of displacement", MM, decimals=1, get="analysed.whole.displacement_change"),
+        Quantity("y_max", "largest displacement", MM, decimals=1, get="analysed.whole.bound"),
+        *(column(one, CHANGE, one.information.value.removesuffix(" only")) for one in told),
+        *(column(one, DISPLACEMENT, "y_max") for one in told if has_own(one)),
     )
     words = "dy and y_max of the analysis, dy of each prediction over it, and y_max of the march over it:"
     return words, grid(Table(columns, cases))
@@ -132,9 +127,9 @@ def _ratios(cases: Sequence[Case]) -> Block:
 def _codes(cases: Sequence[Case]) -> Block:
     """Return ratios of the methods of codes to the analysis, with the marks of their verdicts."""
 
-    def column(name: str) -> Column:
+    def column(name: str) -> Quantity:
         def get(case: Case) -> str | None:
-            said = case.answers.get(name)
+            said = case.codes.get(name)
             if said is None:
                 return None
             ratio = said.displacement / case.analysed.whole.bound
@@ -142,18 +137,18 @@ def _codes(cases: Sequence[Case]) -> Block:
             return f"{shown}{_MARKS.get((said.valid, bool(said.conditions)), ' ')}"
 
         head, _, tail = name.partition(" ")
-        return Column(name, "ratio", NONE, head=f"{head}\n{tail}", get=get)
+        return Quantity(name, "ratio", NONE, head=f"{head}\n{tail}", get=get)
 
     columns = (
         *_of_case(),
-        Column("y_max", "largest displacement", MM, decimals=1, get="analysed.whole.bound"),
-        *map(column, dict.fromkeys(name for case in cases for name in case.answers)),
+        Quantity("y_max", "largest displacement", MM, decimals=1, get="analysed.whole.bound"),
+        *map(column, dict.fromkeys(name for case in cases for name in case.codes)),
     )
     words = "y_max of the methods of codes, under the record's own spectrum, over that of the analysis:"
     return words, grid(Table(columns, cases))
 
 
-def _judged(found: dict[tuple[View | None, Quantity], Coverage], fitted: Sequence[Refit]) -> list[Block]:
+def _judged(found: dict[tuple[Variant | None, Quantity], Coverage], fitted: Sequence[Refit]) -> list[Block]:
     return [
         (
             "Intervals that ought to hold 90 %, from half of the earthquakes, on the other half (200 random halves):",
@@ -166,9 +161,9 @@ def _judged(found: dict[tuple[View | None, Quantity], Coverage], fitted: Sequenc
     ]
 
 
-def _remarks(cases: Sequence[Case], setting: Setting) -> list[str]:
+def _remarks(cases: Sequence[Case], methods: Methods) -> list[str]:
     """Return what must be known of the analyses, if they are few, and of the methods."""
-    of_methods = [remark for case in cases for remark in setting_remarks(case.pgv, setting)]
+    of_methods = [remark for case in cases for remark in methods.remarks(case.pgv)]
     of_analyses = [
         (case.record, remark) for case in cases for remark in case.remarks if remark not in of_methods
     ]
@@ -207,9 +202,9 @@ def _notes(cases: Sequence[Case]) -> list[str]:
 
 def _verdicts(cases: Sequence[Case]) -> str:
     """Return in how many cases each method is outside of its limits."""
-    names = dict.fromkeys(name for case in cases for name, said in case.answers.items() if said.conditions)
+    names = dict.fromkeys(name for case in cases for name, said in case.codes.items() if said.conditions)
     told = [
-        f"{name}: {sum(case.answers[name].valid is False for case in cases if name in case.answers)} of {len(cases)} cases outside of its limits"
+        f"{name}: {sum(case.codes[name].valid is False for case in cases if name in case.codes)} of {len(cases)} cases outside of its limits"
         for name in names
     ]
     return f"{'; '.join(told)}."

@@ -9,14 +9,13 @@ from dcfp.doors.cli import inputs
 from dcfp.doors.cli.console import Page, grid, grouped
 from dcfp.doors.cli.outputs import Answer
 from dcfp.doors.cli.progress import progress
-from dcfp.inference import Case, Setting, compare
+from dcfp.inference import Case, Methods, compare
 from dcfp.inference.calibration import SET, calibration_set, cases_at
-from dcfp.inference.case import march
 from dcfp.inference.design_space import COEFFICIENTS, RADII, held_table, survey
 from dcfp.inference.forecast import Forecast, forecast, forecast_from_pgv
-from dcfp.inference.nominal import Nominal, nominal_coefficient
 from dcfp.inference.told import forecast_lines, forecast_objects, interval_lines
-from dcfp.methods.li_2020 import LI_2020
+from dcfp.methods.prediction import Ground, Nominal, nominal_coefficient
+from dcfp.methods.pulse_march import march
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import motion_remarks
 from dcfp.system import System
@@ -35,58 +34,58 @@ def nominal(chosen: argparse.Namespace, system: System) -> Nominal:
     """Return the nominal coefficient and where it comes from."""
     if chosen.nominal_mu is not None:
         return Nominal(chosen.nominal_mu, "as given")
-    return nominal_coefficient(system.bearing, system.friction, system.heating)
+    return nominal_coefficient(system)
 
 
-def setting_of(chosen: argparse.Namespace, system: System) -> tuple[Setting, Nominal]:
+def methods_of(chosen: argparse.Namespace, system: System) -> tuple[Methods, Nominal]:
     """Return how records are predicted, and where the nominal coefficient comes from."""
     found = nominal(chosen, system)
     constants = {"fall_ratio": chosen.eps, "change_ratio": chosen.zeta, "average_slope": chosen.average_slope}
     known = {name: value for name, value in constants.items() if value is not None}
-    made = replace(LI_2020, nominal_friction=found.value, **known)
-    of_pulses = inputs.given(chosen, "threshold")
-    return Setting(system.bearing, system.friction, system.heating, made, **of_pulses), found
+    made = Methods.of(system, found)
+    made = replace(made, constants=replace(made.constants, **known), **inputs.given(chosen, "threshold"))
+    return made, found
 
 
 def run(chosen: argparse.Namespace) -> Answer:
     """Predict every record at every PGV, or every PGV; or find which bearings hold a displacement."""
-    setting, friction = setting_of(chosen, inputs.system(chosen))
+    methods, friction = methods_of(chosen, inputs.system(chosen))
     if chosen.allow is not None:
-        return _design(chosen.pgv_only, chosen.allow, setting)
-    forecasts = _forecasts(chosen, setting)
+        return _design(chosen.pgv_only, chosen.allow, methods)
+    forecasts = _forecasts(chosen, methods)
 
     def page() -> Page:
         blocks = [
-            labels(setting, friction),
-            grid(forecast_lines(forecasts, setting, with_others=False), _heads(forecasts)),
+            labels(methods, friction),
+            grid(forecast_lines(forecasts, methods, with_others=False), _heads(forecasts)),
         ]
         if any(one.intervals for one in forecasts):
-            blocks.append(grid(interval_lines(forecasts, setting), _heads(forecasts)))
+            blocks.append(grid(interval_lines(forecasts, methods), _heads(forecasts)))
         return Page(blocks, _remarks(forecasts))
 
     return Answer(
-        lambda: forecast_objects(forecasts, setting),
+        lambda: forecast_objects(forecasts, methods),
         page,
-        lambda part, kind: forecast_lines(forecasts, setting).csv(),
-        lambda: _figure(forecasts, setting),
+        lambda part, kind: forecast_lines(forecasts, methods).csv(),
+        lambda: _figure(forecasts, methods),
     )
 
 
-def labels(setting: Setting, friction: Nominal) -> list[tuple[str, str]]:
+def labels(methods: Methods, friction: Nominal) -> list[tuple[str, str]]:
     """Return what stands above the tables: the bearing, its law, and the constants of the methods."""
-    constants, law = setting.constants, setting.friction
+    constants, law = methods.constants, methods.system.friction
     return [
-        ("Bearing", str(setting.bearing)),
+        ("Bearing", str(methods.system.bearing)),
         (
             "Friction",
-            f"{law.name}, reference coefficient {law.reference:g}, heating {setting.heating.name} from {setting.heating.ambient:g} °C;"
+            f"{law.name}, reference coefficient {law.reference:g}, heating {methods.system.heating.name} from {methods.system.heating.ambient:g} °C;"
             f" nominal coefficient mu_n {friction.value:.4g} ({friction.source})",
         ),
         (
             "Constants",
             f"eps {constants.fall_ratio:g}, zeta {constants.change_ratio:g}, kg_ave {constants.average_slope:g} mm/s²;"
-            f" pulses where the ground velocity turns back by {setting.threshold:g} PGV,"
-            f" for the march by {setting.march_threshold:g} PGV",
+            f" pulses where the ground velocity turns back by {methods.threshold:g} PGV,"
+            f" for the march by {methods.march_threshold:g} PGV",
         ),
     ]
 
@@ -96,13 +95,13 @@ def _heads(forecasts: Sequence[Forecast]) -> int:
     return 1 if forecasts[0].motion is None else 2
 
 
-def _forecasts(chosen: argparse.Namespace, setting: Setting) -> list[Forecast]:
+def _forecasts(chosen: argparse.Namespace, methods: Methods) -> list[Forecast]:
     if chosen.pgv_only is not None:
-        known = _calibrations(chosen.pgv_only, setting) if chosen.interval else {}
-        return [forecast_from_pgv(pgv, setting, known.get(pgv)) for pgv in chosen.pgv_only]
+        known = _calibrations(chosen.pgv_only, methods) if chosen.interval else {}
+        return [forecast_from_pgv(pgv, methods, known.get(pgv)) for pgv in chosen.pgv_only]
     motions = inputs.scaled(inputs.load_motions(chosen), chosen.pgv)
-    known = _calibrations([_pgv(motion) for motion in motions], setting) if chosen.interval else {}
-    return [forecast(motion, setting, known.get(_pgv(motion))) for motion in motions]
+    known = _calibrations([_pgv(motion) for motion in motions], methods) if chosen.interval else {}
+    return [forecast(motion, methods, known.get(_pgv(motion))) for motion in motions]
 
 
 def _pgv(motion: GroundMotion) -> float:
@@ -110,10 +109,10 @@ def _pgv(motion: GroundMotion) -> float:
     return float(f"{motion.peak_velocity:.9g}")
 
 
-def _calibrations(pgvs: Sequence[float], setting: Setting) -> dict[float, list[Case]]:
+def _calibrations(pgvs: Sequence[float], methods: Methods) -> dict[float, list[Case]]:
     wanted = list(dict.fromkeys(pgvs))
     with progress("analyses for the intervals", len(wanted) * len(calibration_set())) as advance:
-        return {pgv: cases_at(pgv, setting, advance) for pgv in wanted}
+        return {pgv: cases_at(pgv, methods, advance) for pgv in wanted}
 
 
 def _remarks(forecasts: Sequence[Forecast]) -> list[str]:
@@ -135,7 +134,7 @@ def _remarks(forecasts: Sequence[Forecast]) -> list[str]:
     return [*told, *notes]
 
 
-def _figure(forecasts: Sequence[Forecast], setting: Setting) -> "Figure":
+def _figure(forecasts: Sequence[Forecast], methods: Methods) -> "Figure":
     """Draw one record with its pulses and, beside them, the analysis; several records or PGVs beside each other."""
     from dcfp.present.figures.forecasts import plot_forecasts  # late: Matplotlib takes long to import
 
@@ -143,7 +142,7 @@ def _figure(forecasts: Sequence[Forecast], setting: Setting) -> "Figure":
     if first is None:
         return _pgv_figure(forecasts)
     if len(forecasts) == 1:
-        return pulse_figure(compare(first, setting, keep_response=True), setting)
+        return pulse_figure(compare(first, methods, keep_response=True), methods)
     return plot_forecasts(forecasts)
 
 
@@ -154,29 +153,32 @@ def _pgv_figure(forecasts: Sequence[Forecast]) -> "Figure":
     known: dict[str, list[tuple[float, float, float]]] = {name: [] for name in DRAWN}
     for one in forecasts:
         for quantity, interval in one.intervals.get(None, {}).items():
-            if quantity.name in known:
-                known[quantity.name].append((interval.low, interval.median, interval.high))
+            if quantity.title in known:
+                known[quantity.title].append((interval.low, interval.median, interval.high))
     complete = all(None in one.intervals for one in forecasts)
     return plot_pgv_prediction([one.pgv for one in forecasts], said, known if complete else None)
 
 
-def pulse_figure(case: Case, setting: Setting) -> "Figure":
+def pulse_figure(case: Case, methods: Methods) -> "Figure":
     """Draw a case that kept its analysis, with the march through the pulses."""
     from dcfp.present.figures import plot_pulses  # late: Matplotlib takes long to import
     from dcfp.present.figures.pulses import response_of
 
-    marched = march(response_of(case).motion, setting, with_path=True)
-    return plot_pulses(case, marched, constants=setting.constants)
+    marched = march(Ground.of(response_of(case).motion), methods, with_path=True)
+    return plot_pulses(case, marched, constants=methods.constants)
 
 
-def _design(pgvs: Sequence[float], allowed: float, setting: Setting) -> Answer:
+def _design(pgvs: Sequence[float], allowed: float, methods: Methods) -> Answer:
     """Look at a grid of bearings for every PGV, and tell and draw which of them hold a displacement [mm]."""
     with progress("radii", len(pgvs) * RADII.size) as advance:
-        spaces = [survey(calibration_set(), pgv, setting, report=advance) for pgv in pgvs]
-    table = held_table(spaces, allowed, constants=setting.constants)
+        spaces = [survey(calibration_set(), pgv, methods.system, report=advance) for pgv in pgvs]
+    table = held_table(spaces, allowed, constants=methods.constants)
     lines = [
-        ("Bearing", f"{setting.bearing}; its radii are varied"),
-        ("Question", f"which reference coefficient of {setting.friction.name} holds y_max to {allowed:g} mm"),
+        ("Bearing", f"{methods.system.bearing}; its radii are varied"),
+        (
+            "Question",
+            f"which reference coefficient of {methods.system.friction.name} holds y_max to {allowed:g} mm",
+        ),
         ("Answer from", f"analyses of {SET} at each PGV, on a grid of bearings"),
     ]
     remarks = [

@@ -4,8 +4,7 @@ import math
 from typing import TYPE_CHECKING
 
 from dcfp.exchange.excel.sheet import Head, Sheet
-from dcfp.inference.case import Basis
-from dcfp.inference.forecast import setting_remarks
+from dcfp.methods.method import Information
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -62,8 +61,8 @@ def _write_notes(sheet: Sheet, calculation: "Calculation") -> None:
     """Write what is to be known of the methods, each sentence once."""
     notes: dict[str, None] = {}
     for one in calculation.results:
-        notes |= dict.fromkeys(setting_remarks(one.case.pgv, calculation.setting))
-        for said in one.case.answers.values():
+        notes |= dict.fromkeys(calculation.methods.remarks(one.case.pgv))
+        for said in one.case.codes.values():
             sentences = (*(f"not confirmed: {words}." for words in said.unconfirmed), *said.remarks)
             notes |= dict.fromkeys(f"{said.method}: {sentence}" for sentence in sentences)
     if notes:
@@ -85,20 +84,20 @@ def _analysis(name: str, one: "ScenarioResult") -> list[object]:
 
 
 def _predictions(name: str, case: "Case") -> "Iterator[list[object]]":
-    for (method, basis), said in case.predicted.items():
-        if basis is Basis.SPECTRUM:
+    for variant, said in case.predicted.items():
+        if variant.method in case.codes:
             continue
         energies = (said.input_velocity, said.hysteretic_velocity, said.total_velocity)
         yield [
-            name, method.value, basis.value, _NO_CONDITIONS, said.bound, _ratio(said.bound, case),
+            name, variant.method, variant.information.value, _NO_CONDITIONS, said.bound, _ratio(said.bound, case),
             said.displacement_change, *energies, None, None, None,
         ]  # fmt: skip
 
 
 def _codes(name: str, case: "Case") -> "Iterator[list[object]]":
-    for said in case.answers.values():
+    for said in case.codes.values():
         yield [
-            name, said.method, Basis.SPECTRUM.value, said.verdict, said.displacement, _ratio(said.displacement, case),
+            name, said.method, Information.SPECTRUM.value, said.verdict, said.displacement, _ratio(said.displacement, case),
             None, None, None, None, said.base_shear, said.period, said.damping,
         ]  # fmt: skip
 
@@ -118,7 +117,7 @@ def write_conditions(sheet: Sheet, calculation: "Calculation", cases: "Sequence[
             "yes" if one.confirmed else "unconfirmed",
         ]
         for name, result in zip(cases, calculation.results, strict=True)
-        for said in result.case.answers.values()
+        for said in result.case.codes.values()
         for one in said.conditions
     ]  # fmt: skip
     sheet.table(_CONDITIONS, rows, frozen=3)

@@ -4,9 +4,12 @@ import math
 from dataclasses import replace
 
 from dcfp.errors import InputError
-from dcfp.methods.li_2020 import simplified_method
-from dcfp.methods.li_2020.constants import LI_2020, Constants
+from dcfp.methods.li_2020.constants import DESIGN, LI_2020, PAPER, Constants
+from dcfp.methods.li_2020.simplified_method import change_formula, check_slope, dissipated_formula
+from dcfp.methods.method import Information, Look, register
+from dcfp.methods.prediction import Ground, Methods, Predicted, PredictionMethod
 from dcfp.methods.pulses import Prediction
+from dcfp.schema.formulas import Formula, number
 
 #: Halvings after which a coefficient is found to the last digit.
 _HALVINGS = 60
@@ -71,7 +74,7 @@ def predict_from_pgv(pgv: float, constants: Constants = LI_2020) -> Prediction:
     if not (math.isfinite(pgv) and pgv > 0.0):
         msg = f"The PGV must be positive, not {pgv / 1000.0:g} m/s."
         raise InputError(msg)
-    simplified_method.check_slope(constants)
+    check_slope(constants)
     k_u, k_ave = constants.friction_deceleration, constants.average_slope
     put_in = input_velocity(pgv, k_u, k_ave, constants.change_ratio)
     k_g = slope(pgv, k_ave, constants.reference_pgv)
@@ -104,3 +107,42 @@ def friction_that_holds(allowed: float, pgv: float, constants: Constants = LI_20
         middle = 0.5 * (low + high)
         low, high = (middle, high) if change(middle) > allowed else (low, middle)
     return high
+
+
+def _predict(ground: Ground, methods: Methods) -> Predicted | None:
+    if not (methods.constants.slides_on_average and ground.pgv > 0.0):
+        return None
+    return Predicted(predict_from_pgv(ground.pgv, methods.constants))
+
+
+def _formulas(ground: Ground, methods: Methods) -> tuple[Formula, ...]:
+    """Return the method with its numbers; nothing where it cannot be used."""
+    predicted, constants, pgv = _predict(ground, methods), methods.constants, ground.pgv
+    if predicted is None:
+        return ()
+    said, k_u = predicted.prediction, constants.friction_deceleration
+    k_g = slope(pgv, constants.average_slope, constants.reference_pgv)
+    dv = velocity_change(pgv, constants.change_ratio)
+    u, s, put_in = number(k_u, 1), number(k_g, 1), number(said.input_velocity, 1)
+    eps, ave, zeta = (f"{value:g}" for value in (constants.fall_ratio, constants.average_slope, constants.change_ratio))  # fmt: skip
+    absorbed = ("sqrt(((1 + epsilon) k_u) / (k_u + epsilon k_g))", f"{put_in} times sqrt(((1 + {eps}) times {u}) / ({u} + {eps} times {s}))")  # fmt: skip
+    return (
+        Formula("Change of ground velocity of the largest pulse", 'Delta v_g = zeta "PGV"', f"{zeta} times {number(pgv, 1)}", dv, 1, "mm/s", f"{PAPER}, Eq. (29)"),
+        Formula("Its slope", 'k_g = k_(g,"ave") "PGV" / "PGV"_0', f"{ave} times {number(pgv, 1)} / {constants.reference_pgv:g}", k_g, 1, "mm/s²", f"{PAPER}, Eq. (30)"),
+        Formula("Equivalent velocity of the energy put in", 'V_(Delta E) = sqrt(1 - k_u / k_(g,"ave")) thin zeta "PGV"', f"sqrt(1 - {u} / {ave}) times {number(dv, 1)}", said.input_velocity, 1, "mm/s", f"{PAPER}, Eq. (31)"),
+        dissipated_formula(*(absorbed if k_u <= k_g else ("", put_in)), said.hysteretic_velocity, "Eq. (32)"),
+        change_formula(said.hysteretic_velocity, u, said.displacement_change, "Eq. (33)"),
+    )  # fmt: skip
+
+
+DESIGN_METHOD = register(
+    PredictionMethod(
+        key="design",
+        name=DESIGN,
+        knows=(Information.PGV,),
+        citations=("li_2020",),
+        look=Look("s", "grey", 0.9, order=2),
+        predict=_predict,
+        formulas=_formulas,
+    )
+)

@@ -1,9 +1,10 @@
 """What the methods of codes take of a spectrum: the pseudo-acceleration at a damping of 5 %; and a spectrum of the user's own from a file of columns."""
 
 import re
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from pathlib import Path
-from typing import NoReturn, Protocol
+from typing import ClassVar, NoReturn, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,7 +14,9 @@ from dcfp.errors import InputError
 from dcfp.motion.formats.component import canonical_unit, unit_size
 from dcfp.motion.formats.numbers import to_number
 from dcfp.schema.notebook import fields_card
+from dcfp.schema.parameters import Declared
 from dcfp.schema.reading import read_bytes
+from dcfp.schema.registry import Registry
 
 
 class ElasticSpectrum(Protocol):
@@ -42,6 +45,50 @@ def displacement(spectrum: ElasticSpectrum, period: ArrayLike) -> FloatArray:
 def velocity(spectrum: ElasticSpectrum, period: ArrayLike) -> FloatArray:
     """Pseudo-velocity S_v = S_a T / 2 pi [mm/s] at a period [s]."""
     return spectrum.acceleration(period) * np.asarray(period) / (2.0 * np.pi)
+
+
+#: Classes of design spectra by the names of their options.
+DESIGN_SPECTRA: "Registry[type[DesignSpectrum]]" = Registry("design spectrum")
+
+
+class DesignSpectrum(Declared, ABC):
+    """An elastic spectrum of a code; a class with an ``option`` of its own registers itself.
+
+    Attributes
+    ----------
+    option
+        Name of the option that chooses it; its first parameters stand behind it, the others have options of their own.
+    words
+        What stands behind the option, for its help.
+    behind
+        How many parameters stand behind it, at least and at most.
+    doubts
+        What in it could not be confirmed in its source.
+    """
+
+    option: ClassVar[str]
+    words: ClassVar[str]
+    behind: ClassVar[tuple[int, int]] = (1, 1)
+    doubts: ClassVar[tuple[str, ...]] = ()
+
+    def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
+        if "option" in cls.__dict__:
+            DESIGN_SPECTRA.add(cls.option, cls)
+
+    @property
+    def unconfirmed(self) -> tuple[str, ...]:
+        """What in it could not be confirmed in its source."""
+        return self.doubts
+
+    @property
+    @abstractmethod
+    def name(self) -> str:
+        """What to call it."""
+
+    @abstractmethod
+    def acceleration(self, period: ArrayLike) -> FloatArray:
+        """Pseudo-acceleration S_a at a damping of 5 % [mm/s2] at a period [s]."""
 
 
 @dataclass(frozen=True, eq=False)

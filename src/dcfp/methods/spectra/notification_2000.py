@@ -4,14 +4,15 @@ The notifications themselves were not read. The spectrum on the bedrock agrees i
 ``soil.py`` and a ``japan.js``), the amplification of all soil classes in the last two. Published points of class 1, and one of class 2, are in the tests.
 """
 
-from dataclasses import dataclass
+from typing import Annotated, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
-from dcfp.errors import InputError
-from dcfp.schema.checks import positive
+from dcfp.methods.spectra.elastic import DesignSpectrum
+from dcfp.schema.parameters import Parameter, declared
+from dcfp.schema.units import NONE
 
 _METRES = 1000.0
 #: Corner periods [s] and levels [m/s2] of the spectrum on the engineering bedrock.
@@ -20,11 +21,10 @@ _RISE_END, _PLATEAU_END, _AT_ZERO, _SLOPE, _PLATEAU, _FALL = 0.16, 0.64, 3.2, 30
 _CLASS_1 = (1.5, 0.576, 1.35)
 #: Of classes 2 and 3: largest at short periods, and at long ones.
 _SHORT, _LONG = 1.5, {2: 2.025, 3: 2.7}
-SOILS = (1, 2, 3)
 
 
-@dataclass(frozen=True)
-class Notification2000Spectrum:
+@declared
+class Notification2000Spectrum(DesignSpectrum):
     """Spectrum on the engineering bedrock times the amplification of the soil.
 
     Parameters
@@ -35,24 +35,17 @@ class Notification2000Spectrum:
         Zone factor Z [-].
     level
         1 for the very rare earthquake, 0.2 for the rare one [-].
-
-    Raises
-    ------
-    InputError
-        If there is no such soil, or a factor is not positive.
     """
 
-    soil: int = 2
-    zone: float = 1.0
-    level: float = 1.0
-    unconfirmed: tuple[str, ...] = ()
+    noun = "a spectrum of Notification 1457"
+    option: ClassVar[str] = "japan"
+    words: ClassVar[str] = "very rare earthquake of Notification 1457 on soil class 1, 2 or 3"
 
-    def __post_init__(self) -> None:
-        positive(self.zone, "zone factor", "-")
-        positive(self.level, "level", "-")
-        if self.soil not in SOILS:
-            msg = f"The soil classes of the notification are 1, 2 and 3, not {self.soil!r}."
-            raise InputError(msg)
+    soil: Annotated[int, Parameter("soil class", NONE, 1, 3)] = 2
+    zone: Annotated[float, Parameter("zone factor", NONE, 0.1, 10.0, symbol="Z", option=False)] = 1.0
+    level: Annotated[
+        float, Parameter("level, 0.2 for the rare earthquake", NONE, 0.01, 10.0, option=False)
+    ] = 1.0
 
     @property
     def name(self) -> str:

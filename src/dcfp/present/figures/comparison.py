@@ -8,19 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from dcfp.errors import InputError
-from dcfp.present.figures.style import (
-    BLUE,
-    ENTRIES,
-    GREY,
-    INK,
-    OCHRE,
-    PAGE_WIDTH,
-    PALE,
-    RED,
-    calm_ticks,
-    plain_numbers,
-    style,
-)
+from dcfp.present.figures.style import INK, PAGE_WIDTH, PALE, calm_ticks, looks, plain_numbers, style
 from dcfp.schema.digits import typeset
 from dcfp.schema.nomenclature import quantity
 
@@ -31,8 +19,9 @@ if TYPE_CHECKING:
 
     from dcfp.arrays import FloatArray
     from dcfp.inference import Case
-    from dcfp.inference.case import Quantity, View
     from dcfp.inference.statistics import Scatter
+    from dcfp.methods.method import Look, Variant
+    from dcfp.schema.quantities import Quantity
 
 #: Limits of the axes beyond the data [-].
 _ROOM = 1.35
@@ -41,34 +30,13 @@ _FEW, _MANY = 20, 200
 
 
 @dataclass(frozen=True)
-class _Look:
-    """How the predictions of one method are drawn; its name is the value of `dcfp.inference.case.Method`."""
+class _Drawn:
+    """What a panel shows: a quantity, and the methods that are compared in it."""
 
-    method: str
-    marker: str
-    colour: str
-    order: int
-    scale: float = 1.0
-
-    def mark(self, size: float) -> dict[str, Any]:
-        return {"marker": self.marker, "markersize": self.scale * size, "linestyle": "none"}
-
-
-_LOOKS = (
-    _Look("pulse", "o", BLUE, 4),
-    _Look("simplified", "^", OCHRE, 3, 1.25),
-    _Look("design", "s", GREY, 2, 0.9),
-    _Look("pulse march", "D", RED, 5, 0.9),
-)
-#: Methods of codes, all of which look at the record's spectrum.
-_CODE_LOOKS = (
-    _Look("ASCE 7-16 ELF", "v", BLUE, 2),
-    _Look("Eurocode 8 simplified", "p", OCHRE, 2, 1.1),
-    _Look("AIJ method 1", "h", GREY, 3),
-    _Look("AIJ method 2", "P", INK, 3),
-    _Look("AIJ energy balance", "X", RED, 4),
-    _Look("Iwan (1980)", "*", BLUE, 1, 1.2),
-)
+    name: str
+    quantity: "Quantity"
+    variants: "tuple[Variant, ...]"
+    of_codes: bool = False
 
 
 def plot_comparison(cases: "Sequence[Case]") -> Figure:
@@ -89,35 +57,56 @@ def plot_comparison(cases: "Sequence[Case]") -> Figure:
     InputError
         If there is no case.
     """
-    from dcfp.inference.case import DISPLACEMENT, QUANTITIES  # late: the package imports the kernels
-
     if not cases:
         msg = "There is nothing to compare; give at least one case."
         raise InputError(msg)
-    drawn: list[tuple[Quantity, tuple[_Look, ...]]] = [
-        (which, _LOOKS) for which in QUANTITIES if which.name in ENTRIES
-    ]
-    if any(case.answers for case in cases):
-        drawn.append((DISPLACEMENT, _CODE_LOOKS))
+    drawn = _drawn(cases)
     rows = (len(drawn) + 1) // 2
     with style():
         figure = Figure(figsize=(PAGE_WIDTH, 3.95 * rows), layout="constrained")
         panels: Any = figure.subplots(rows, 2)
         for axes in panels.flat[len(drawn) :]:
             axes.set_axis_off()
-        for axes, (which, looks) in zip(panels.flat, drawn, strict=False):
-            _draw_panel(axes, cases, which, looks)
+        for axes, one in zip(panels.flat, drawn, strict=False):
+            _draw_panel(axes, cases, one)
     return figure
 
 
-def _draw_panel(axes: "Axes", cases: "Sequence[Case]", which: "Quantity", looks: tuple[_Look, ...]) -> None:
-    entry = quantity(ENTRIES[which.name])
-    analysed, predicted = _values(cases, which, looks)
+def _drawn(cases: "Sequence[Case]") -> list[_Drawn]:
+    """Return the panels: each quantity that more than one method predicts, and y_max by the codes where they were asked."""
+    from dcfp.methods.method import Information, variants  # late: the package imports the kernels
+    from dcfp.methods.prediction import prediction_methods
+    from dcfp.methods.pulses import DISPLACEMENT, PREDICTION_QUANTITIES, value_of
+
+    compared = [one for one in variants() if one.information is not Information.INFORMED]
+    blind = tuple(one for one in compared if one.method in prediction_methods())
+    codes = tuple(one for one in compared if one.method not in prediction_methods())
+
+    def predicts(variant: "Variant", which: "Quantity") -> bool:
+        said = (case.predicted[variant] for case in cases if variant in case.predicted)
+        return any(np.isfinite(value_of(one, which)) for one in said)
+
+    told = {
+        name: which
+        for name, which in PREDICTION_QUANTITIES.items()
+        if sum(predicts(variant, which) for variant in blind) > 1
+    }
+    drawn = [_Drawn(name, which, blind) for name, which in (told or PREDICTION_QUANTITIES).items()]
+    if any(case.codes for case in cases):
+        name = next(name for name, one in PREDICTION_QUANTITIES.items() if one is DISPLACEMENT)
+        drawn.append(_Drawn(name, DISPLACEMENT, codes, of_codes=True))
+    return drawn
+
+
+def _draw_panel(axes: "Axes", cases: "Sequence[Case]", drawn: _Drawn) -> None:
+    entry, known = quantity(drawn.name), looks()
+    analysed, predicted = _values(cases, drawn)
     low, high = _limits(analysed, predicted)
     _draw_lines(axes, low, high)
     size = 4.5 if len(cases) <= _FEW else 3.0 if len(cases) <= _MANY else 2.2
-    for look, values in zip(looks, predicted, strict=True):
-        outside = np.array([_is_outside(case, look) for case in cases])
+    for variant, values in zip(drawn.variants, predicted, strict=True):
+        outside = np.array([_is_outside(case, variant.method) for case in cases])
+        look = known[variant.method]
         _draw_method(axes, look, np.where(outside, np.nan, analysed), values, low, size)
         _draw_outside(axes, look, np.where(outside, analysed, np.nan), values, size)
     calm_ticks(axes)
@@ -126,36 +115,29 @@ def _draw_panel(axes: "Axes", cases: "Sequence[Case]", which: "Quantity", looks:
     axes.set_xlabel(f"${entry.symbol}$ analysed [{entry.shown.name}]")
     axes.set_ylabel(f"${entry.symbol}$ predicted [{entry.shown.name}]")
     plain_numbers(axes)
-    _add_legend(axes, cases, which, looks)
+    _add_legend(axes, cases, drawn)
 
 
-def _is_outside(case: "Case", look: _Look) -> bool:
+def _is_outside(case: "Case", method: str) -> bool:
     """Whether a case is outside of the limits of a method of a code."""
-    return look.method in case.answers and case.answers[look.method].valid is False
+    return method in case.codes and case.codes[method].valid is False
 
 
-def _values(
-    cases: "Sequence[Case]", which: "Quantity", looks: tuple[_Look, ...]
-) -> "tuple[FloatArray, list[FloatArray]]":
+def _values(cases: "Sequence[Case]", drawn: _Drawn) -> "tuple[FloatArray, list[FloatArray]]":
     """Return what was analysed, and what each method predicts, as shown; not a number where there is nothing."""
-    from dcfp.inference.statistics import value_of
-    from dcfp.methods import NOTHING
+    from dcfp.methods.pulses import NOTHING, value_of
 
+    which, entry = drawn.quantity, quantity(drawn.name)
     analysed = np.array([value_of(case.analysed.whole, which) for case in cases])
     predicted = [
-        np.array([value_of(case.predicted.get(view, NOTHING), which) for case in cases])
-        for view in _views(looks)
+        np.array([value_of(case.predicted.get(variant, NOTHING), which) for case in cases])
+        for variant in drawn.variants
     ]
-    entry = quantity(ENTRIES[which.name])
     return entry.display(analysed), [entry.display(values) for values in predicted]
 
 
-def _views(looks: tuple[_Look, ...]) -> "list[View]":
-    """Return the view of each method that does not know the analysis, in the order of their looks."""
-    from dcfp.inference.case import VIEWS, Basis
-
-    blind = {str(method): (method, basis) for method, basis in VIEWS if basis is not Basis.INFORMED}
-    return [blind[look.method] for look in looks]
+def _mark(look: "Look", size: float) -> dict[str, Any]:
+    return {"marker": look.marker, "markersize": look.scale * size, "linestyle": "none"}
 
 
 def _limits(analysed: "FloatArray", predicted: "Sequence[FloatArray]") -> tuple[float, float]:
@@ -174,14 +156,14 @@ def _draw_lines(axes: "Axes", low: float, high: float) -> None:
 
 
 def _draw_method(
-    axes: "Axes", look: _Look, analysed: "FloatArray", predicted: "FloatArray", low: float, size: float
+    axes: "Axes", look: "Look", analysed: "FloatArray", predicted: "FloatArray", low: float, size: float
 ) -> None:
     shown = analysed > 0.0
     there = shown & (predicted > 0.0)
     axes.plot(
         analysed[there],
         predicted[there],
-        **look.mark(size),
+        **_mark(look, size),
         color=look.colour,
         alpha=0.9 if analysed.size <= _FEW else 0.6,
         markeredgewidth=0.0,
@@ -192,7 +174,7 @@ def _draw_method(
         axes.plot(
             analysed[nothing],
             np.full(int(nothing.sum()), low),
-            **look.mark(size + 1.5),
+            **_mark(look, size + 1.5),
             markerfacecolor="white",
             markeredgecolor=look.colour,
             markeredgewidth=0.8,
@@ -202,13 +184,13 @@ def _draw_method(
 
 
 def _draw_outside(
-    axes: "Axes", look: _Look, analysed: "FloatArray", predicted: "FloatArray", size: float
+    axes: "Axes", look: "Look", analysed: "FloatArray", predicted: "FloatArray", size: float
 ) -> None:
     there = np.isfinite(analysed) & np.isfinite(predicted)
     axes.plot(
         analysed[there],
         predicted[there],
-        **look.mark(size),
+        **_mark(look, size),
         markerfacecolor="none",
         markeredgecolor=look.colour,
         markeredgewidth=0.5,
@@ -217,16 +199,17 @@ def _draw_outside(
     )
 
 
-def _add_legend(axes: "Axes", cases: "Sequence[Case]", which: "Quantity", looks: tuple[_Look, ...]) -> None:
+def _add_legend(axes: "Axes", cases: "Sequence[Case]", drawn: _Drawn) -> None:
     from dcfp.inference.statistics import scatters
 
-    found = scatters(cases)
+    found, known = scatters(cases), looks()
     handles: list[Line2D] = []
-    for look, view in zip(looks, _views(looks), strict=True):
-        if (view, which) in found:
-            label = f"{look.method}: {_words(found[view, which])}"
-            handles.append(Line2D([], [], **look.mark(4.0), color=look.colour, label=label))
-    limits = "; hollow: outside of its limits" if looks is _CODE_LOOKS else ""
+    for variant in drawn.variants:
+        if (variant, drawn.quantity) in found:
+            look = known[variant.method]
+            label = f"{variant.method}: {_words(found[variant, drawn.quantity])}"
+            handles.append(Line2D([], [], **_mark(look, 4.0), color=look.colour, label=label))
+    limits = "; hollow: outside of its limits" if drawn.of_codes else ""
     axes.legend(
         handles=handles,
         title=("bias, dispersion" if len(cases) > 1 else "predicted / analysed") + limits,
@@ -234,7 +217,7 @@ def _add_legend(axes: "Axes", cases: "Sequence[Case]", which: "Quantity", looks:
         alignment="left",
         loc="lower left",
         bbox_to_anchor=(0.0, 1.01),
-        ncols=2 if looks is _LOOKS else 1,
+        ncols=1 if drawn.of_codes else 2,
         handlelength=0.8,
     )
 

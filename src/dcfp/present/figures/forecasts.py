@@ -10,12 +10,11 @@ from dcfp.present.figures.style import (
     ENTRIES,
     GREY,
     INK,
-    OCHRE,
     PAGE_WIDTH,
     PALE,
-    RED,
     calm_ticks,
     drawable,
+    looks,
     style,
 )
 from dcfp.schema.digits import metres_per_second
@@ -31,13 +30,6 @@ if TYPE_CHECKING:
     from dcfp.methods import Prediction
 
 
-#: Mark and colour of each method, in the order of the legend.
-_MARKS = {
-    "pulse": ("o", BLUE),
-    "simplified": ("s", OCHRE),
-    "design": ("|", GREY),
-    "pulse march": ("D", RED),
-}
 #: The method whose intervals are drawn, beside those from the PGV alone.
 _WITH_INTERVAL = "pulse march"
 #: Heights of a row and of what is around the rows, and the largest of a figure, in which rows get narrower and lose their names [in].
@@ -67,31 +59,40 @@ def _name(one: "Forecast") -> str:
 
 
 def _draw(axes: "Axes", forecasts: "Sequence[Forecast]", shown: str) -> None:
-    for method, (mark, colour) in _MARKS.items():
+    for method, look in looks().items():
         places: list[int] = []
         values: list[float] = []
         for place, one in enumerate(forecasts):
-            for view, said in one.predicted.items():
+            for variant, said in one.predicted.items():
                 value = said.displacement_change if shown == "dy" else said.displacement
-                if view[0].value == method and value is not None and value > 0.0:
+                if variant.method == method and value is not None and value > 0.0:
                     places.append(place)
                     values.append(value)
         if values:
-            axes.plot(values, places, mark, color=colour, markersize=3.5, markeredgewidth=1.2, label=method)
+            axes.plot(
+                values,
+                places,
+                look.marker,
+                color=look.colour,
+                markersize=3.5 * look.scale,
+                markeredgewidth=0.0,
+                label=method,
+            )
     _draw_intervals(axes, forecasts, shown)
     axes.set_xscale("log")
     axes.grid(visible=True, axis="y", linewidth=0.3, color="#DDDDDD")
 
 
 def _draw_intervals(axes: "Axes", forecasts: "Sequence[Forecast]", shown: str) -> None:
-    for words, colour in (("90 %, from the PGV", GREY), ("90 %, from the march", _MARKS[_WITH_INTERVAL][1])):
+    own = looks()[_WITH_INTERVAL].colour
+    for words, colour in (("90 %, from the PGV", GREY), ("90 %, from the march", own)):
         if any(one.intervals for one in forecasts):
             axes.plot([], [], color=colour, linewidth=1.0, label=words)
     for place, one in enumerate(forecasts):
-        for view, intervals in one.intervals.items():
-            if view is not None and view[0].value != _WITH_INTERVAL:
+        for variant, intervals in one.intervals.items():
+            if variant is not None and variant.method != _WITH_INTERVAL:
                 continue
-            colour, shift = (GREY, -0.3) if view is None else (_MARKS[_WITH_INTERVAL][1], 0.3)
+            colour, shift = (GREY, -0.3) if variant is None else (own, 0.3)
             for kind, interval in intervals.items():
                 if kind.name == shown:
                     axes.plot([interval.low, interval.high], [place + shift] * 2, color=colour, linewidth=1.0)

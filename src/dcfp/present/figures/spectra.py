@@ -1,5 +1,6 @@
 """Response and input energy spectra; what the methods of codes say beside the analysis, and the spectrum that they look at."""
 
+from itertools import cycle
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,7 +14,7 @@ if TYPE_CHECKING:
 
     from matplotlib.axes import Axes
 
-    from dcfp.methods.panel import Panel
+    from dcfp.methods.code_comparison import CodeComparison
     from dcfp.methods.spectra import EnergySpectrum
 
 
@@ -75,27 +76,27 @@ _COLOURS_OF_METHODS = (BLUE, OCHRE, RED, INK, GREY, "#6699CC")
 _ROW, _HEAD = 2.3, 0.5
 
 
-def plot_codes(panels: "Sequence[Panel]") -> Figure:
-    """Draw for every demand the answers in the displacement spectrum, and their displacements as bars, on a new figure.
+def plot_codes(comparisons: "Sequence[CodeComparison]") -> Figure:
+    """Draw for every demand the results in the displacement spectrum, and their displacements as bars, on a new figure.
 
     Left the spectrum at a damping of 5 % with effective period and displacement of every method that has both; right the displacements beside the
     analysis, a line. What is outside of the limits of its method is hollow, and hatched on the right.
     """
     with style():
-        figure = Figure(figsize=(PAGE_WIDTH, _HEAD + _ROW * len(panels)), layout="constrained")
-        axes: Any = figure.subplots(len(panels), 2, squeeze=False, width_ratios=(1.0, 1.15))
-        for row, panel in zip(axes, panels, strict=True):
-            _draw_spectrum(row[0], panel)
-            _draw_bars(row[1], panel)
+        figure = Figure(figsize=(PAGE_WIDTH, _HEAD + _ROW * len(comparisons)), layout="constrained")
+        axes: Any = figure.subplots(len(comparisons), 2, squeeze=False, width_ratios=(1.0, 1.15))
+        for row, comparison in zip(axes, comparisons, strict=True):
+            _draw_spectrum(row[0], comparison)
+            _draw_bars(row[1], comparison)
         axes[-1][0].set_xlabel("$T$ [s]")
         axes[-1][1].set_xlabel("$D$ [mm]")
     return figure
 
 
-def _draw_spectrum(axes: "Axes", panel: "Panel") -> None:
-    demand = panel.spectrum.acceleration(_PERIODS) * (_PERIODS / (2.0 * np.pi)) ** 2
+def _draw_spectrum(axes: "Axes", comparison: "CodeComparison") -> None:
+    demand = comparison.inputs.spectrum.acceleration(_PERIODS) * (_PERIODS / (2.0 * np.pi)) ** 2
     axes.plot(_PERIODS, demand, color=GREY, linewidth=1.0, label="5 %")
-    for colour, (name, said) in zip(_COLOURS_OF_METHODS, panel.answers.items(), strict=False):
+    for colour, (name, said) in zip(cycle(_COLOURS_OF_METHODS), comparison.results.items(), strict=False):
         if said.period is not None:
             face = "white" if said.valid is False else colour
             point = ([said.period], [said.displacement])
@@ -103,13 +104,17 @@ def _draw_spectrum(axes: "Axes", panel: "Panel") -> None:
     axes.set_ylabel("$S_d$ [mm]")
     axes.set_ylim(bottom=0.0)
     axes.set_xlim(0.0, float(_PERIODS[-1]))
-    title = drawable(panel.name) + ("" if panel.pgv is None else f",  PGV {metres_per_second(panel.pgv)}")
+    title = drawable(comparison.name) + (
+        "" if comparison.pgv is None else f",  PGV {metres_per_second(comparison.pgv)}"
+    )
     axes.set_title(title, loc="left", weight="bold", parse_math=False)
 
 
-def _draw_bars(axes: "Axes", panel: "Panel") -> None:
-    names = list(panel.answers)
-    for place, (colour, said) in enumerate(zip(_COLOURS_OF_METHODS, panel.answers.values(), strict=False)):
+def _draw_bars(axes: "Axes", comparison: "CodeComparison") -> None:
+    names = list(comparison.results)
+    for place, (colour, said) in enumerate(
+        zip(cycle(_COLOURS_OF_METHODS), comparison.results.values(), strict=False)
+    ):
         inside = said.valid is not False
         axes.barh(
             place,
@@ -130,10 +135,10 @@ def _draw_bars(axes: "Axes", panel: "Panel") -> None:
         )
         # where the line of the analysis passes behind it
         words.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 0.5})
-    if panel.displacement is not None:
-        axes.axvline(panel.displacement, color=INK, linewidth=1.0, linestyle=(0, (4, 2)))
+    if comparison.displacement is not None:
+        axes.axvline(comparison.displacement, color=INK, linewidth=1.0, linestyle=(0, (4, 2)))
         axes.set_title(
-            f"analysis {millimetres(panel.displacement)}; hollow: outside of its limits", loc="left"
+            f"analysis {millimetres(comparison.displacement)}; hollow: outside of its limits", loc="left"
         )
     else:
         axes.set_title("hollow: outside of its limits", loc="left")
@@ -141,5 +146,9 @@ def _draw_bars(axes: "Axes", panel: "Panel") -> None:
     axes.invert_yaxis()
     axes.set_xlim(
         0.0,
-        1.25 * max([said.displacement for said in panel.answers.values()] + [panel.displacement or 0.0, 1.0]),
+        1.25
+        * max(
+            [said.displacement for said in comparison.results.values()]
+            + [comparison.displacement or 0.0, 1.0]
+        ),
     )

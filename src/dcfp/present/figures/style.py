@@ -2,8 +2,10 @@
 
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import cache, wraps
 from io import BytesIO
+from itertools import cycle
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec
 
@@ -18,6 +20,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Colormap
+
+    from dcfp.methods.method import Look
 
 
 P = ParamSpec("P")
@@ -235,7 +239,26 @@ def plain_numbers(axes: "Axes") -> None:
         axis.set_minor_formatter(NullFormatter())
 
 
-#: Names in the nomenclature, by those in tables, which are those of `dcfp.inference.case`.
+#: Colours that a method may ask for by name, and what those get that ask for none.
+NAMED_COLOURS = {"blue": BLUE, "ochre": OCHRE, "red": RED, "grey": GREY, "ink": INK}
+_FREE_COLOURS = ("#6699CC", "#228833", "#AA3377", INK)
+_FREE_MARKERS = ("<", ">", "d", "H", "8", "p")
+
+
+def looks() -> "dict[str, Look]":
+    """Return how every method is drawn, by its name; one that does not say so gets the next colour and the next marker."""
+    from dcfp.methods import METHODS  # late: the package imports the kernels
+
+    colours, markers = cycle(_FREE_COLOURS), cycle(_FREE_MARKERS)
+    found: dict[str, Look] = {}
+    for method in METHODS.values():
+        look = method.look
+        colour = NAMED_COLOURS.get(look.colour, look.colour) or next(colours)
+        found[method.name] = replace(look, colour=colour, marker=look.marker or next(markers))
+    return found
+
+
+#: Names in the nomenclature, by those in tables, which are those of `dcfp.methods.pulses`.
 ENTRIES = {
     "dy": "displacement_change",
     "y": "peak_displacement",

@@ -79,7 +79,7 @@ def remarks_section(calculation: Calculation) -> Section:
 def sources_section(calculation: Calculation) -> Section:
     """Return the bibliography and what the numbers were made with."""
     lines = (*sources_of(calculation), *record_citations(calculation))
-    codes = [name for one in calculation.results for name in one.case.answers]
+    codes = [name for one in calculation.results for name in one.case.codes]
     if codes:
         lines += (
             f"Methods of codes as dcfp has them, with what could not be confirmed marked: {', '.join(dict.fromkeys(codes))}.",

@@ -17,7 +17,5 @@ def label_of(result: ScenarioResult) -> str:
 def checks_of(result: ScenarioResult) -> tuple[Check, ...]:
     """Return every check of a case: those of the analysis, then the conditions of each code."""
     of_analysis = [replace(one, of=ANALYSIS) for one in result.response.checks]
-    of_codes = [
-        replace(one, of=name) for name, said in result.case.answers.items() for one in said.conditions
-    ]
+    of_codes = [replace(one, of=name) for name, said in result.case.codes.items() for one in said.conditions]
     return (*of_analysis, *of_codes)

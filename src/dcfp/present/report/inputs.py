@@ -162,7 +162,7 @@ def _scale(motion: GroundMotion) -> str:
 
 def _settings(calculation: Calculation) -> Table:
     settings = calculation.scenario.study.settings
-    constants = calculation.setting.constants
+    constants = calculation.methods.constants
     tail = "until no more sliding can come" if settings.tail is None else f"{short(settings.tail)} s"
     step = (
         "that of the record, at most 0.01 s while sliding"
@@ -185,8 +185,8 @@ def _settings(calculation: Calculation) -> Table:
             (
                 "Prediction",
                 (
-                    f"pulses where the ground velocity turns back by {short(calculation.setting.threshold)} PGV, for the march by"
-                    f" {short(calculation.setting.march_threshold)} PGV; ",
+                    f"pulses where the ground velocity turns back by {short(calculation.methods.threshold)} PGV, for the march by"
+                    f" {short(calculation.methods.march_threshold)} PGV; ",
                     Maths("epsilon"),
                     f" {short(constants.fall_ratio)}, ",
                     Maths("zeta"),

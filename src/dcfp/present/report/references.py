@@ -7,7 +7,7 @@ from typing import Any
 
 from dcfp.inference.told import case_objects
 from dcfp.kernels._jit import source_digest
-from dcfp.methods import aij_2016, asce_2016, eurocode_8, iwan_1980
+from dcfp.methods.code import code_methods
 from dcfp.present.report.checks import checks_of
 from dcfp.present.report.document import DECIMALS
 from dcfp.schema.check import COLUMNS
@@ -16,23 +16,14 @@ from dcfp.schema.formulas import Formula
 from dcfp.study.scenario import Calculation, ScenarioResult
 from dcfp.version import version
 
-#: What the formulas and conditions of each method of a code cite.
-_OF_CODES = {
-    asce_2016.NAME: ("asce_7_2016",),
-    eurocode_8.NAME: ("en_1998_1_2004", "en_1998_2_2005"),
-    aij_2016.METHOD_1: ("aij_2016",),
-    aij_2016.METHOD_2: ("aij_2016",),
-    aij_2016.ENERGY_BALANCE: ("aij_2016", "akiyama_1985"),
-    iwan_1980.NAME: ("iwan_1980", "hadjian_1982"),
-}
 #: What the checks of every analysis cite.
 _OF_CHECKS = ("fema_p695_2009",)
 
 
 def citation_keys(calculation: Calculation) -> tuple[str, ...]:
     """Return the keys of the bibliography that a report cites."""
-    used = {name for one in calculation.results for name in one.case.answers}
-    codes = [key for name, keys in _OF_CODES.items() if name in used for key in keys]
+    used = {name for one in calculation.results for name in one.case.codes}
+    codes = [key for name, method in code_methods().items() if name in used for key in method.citations]
     law = calculation.scenario.model.friction.citation
     return tuple(dict.fromkeys(key for key in ("li_2020", law, *codes, *_OF_CHECKS) if key))
 
@@ -105,7 +96,7 @@ def numbers_of(calculation: Calculation, formulas: tuple[Formula, ...]) -> dict[
     scenario = calculation.scenario
     model = scenario.model
     digests = {motion.name: motion.digest for motion in scenario.study.motions}
-    compared = case_objects([one.case for one in calculation.results], calculation.setting)
+    compared = case_objects([one.case for one in calculation.results], calculation.methods)
     return {
         "title": scenario.title,
         "report": asdict(scenario.heading),

@@ -5,11 +5,11 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from dcfp.analysis import Status
-from dcfp.inference.case import CHANGE, Basis, View
 from dcfp.inference.statistics import ratios
-from dcfp.methods import Prediction, iwan_1980
-from dcfp.methods.panel import NAMES
-from dcfp.methods.result import Answer, answer_objects
+from dcfp.methods import Prediction
+from dcfp.methods.code import CodeResult, code_methods, code_objects
+from dcfp.methods.method import Variant
+from dcfp.methods.pulses import CHANGE
 from dcfp.present.report.checks import label_of
 from dcfp.present.report.document import (
     Block,
@@ -37,12 +37,6 @@ if TYPE_CHECKING:
     from dcfp.methods.li_2020 import Constants
 
 
-_BASES = {
-    Basis.BLIND: "record",
-    Basis.INFORMED: "record and analysis",
-    Basis.PGV: "PGV",
-    Basis.SPECTRUM: "spectrum",
-}
 _PEAKS: tuple[tuple[str, Parts, str], ...] = (
     ("pgv_m_s", ("PGV",), "m/s"),
     ("y_max_mm", (Maths('y_"max"'),), "mm"),
@@ -101,7 +95,7 @@ def _case(one: ScenarioResult, calculation: Calculation) -> tuple[Block, ...]:
             f"Force-displacement loop and histories of velocity, displacement, temperature, friction and energy, {name}",
         ),
         Drawing(
-            lambda: draw_pulses(one, calculation.setting.constants),
+            lambda: draw_pulses(one, calculation.methods.constants),
             f"Ground velocity with its pulses, velocities and displacement, {name}",
         ),
         _energies(one),
@@ -162,38 +156,35 @@ def _methods(one: ScenarioResult) -> tuple[Block, ...]:
             )
         )
     ]
-    for view, said in one.case.predicted.items():
-        method, basis = view
-        if basis is Basis.SPECTRUM:
+    for variant, said in one.case.predicted.items():
+        if variant.method in one.case.codes:
             continue
         values = (said.displacement_change, said.input_velocity, said.hysteretic_velocity)
         rows.append(
             (
-                *cells(method.value, _BASES[basis]),
+                *cells(variant.method, variant.information.words),
                 *cells(
                     *(written(key, _known(value)) for (key, _), value in zip(_METHODS, values, strict=True))
                 ),
                 *cells(written("y_mm", _known(said.displacement))),
-                *_ratios(one, view, said),
+                *_ratios(one, variant, said),
             )
         )
     head = heads("Method", "Knows", *(words for _, words in _METHODS), (Maths('y_"max"'), "\n[mm]"), (Maths("Delta y"), " over\nanalysis\n[–]"), (Maths('y_"max"'), " over\nanalysis\n[–]"), "Against\nanalysis")  # fmt: skip
     blocks: list[Block] = [Table(head, tuple(rows), "llrrrrrrl", (1.0, 1.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.9), "Predictions")]  # fmt: skip
-    if one.case.answers:
+    if one.case.codes:
         blocks.append(_codes(one, y))
-    remarks = [
-        f"{said.method}: {' '.join(said.remarks)}" for said in one.case.answers.values() if said.remarks
-    ]
-    missing = [name for name in (*NAMES, iwan_1980.NAME) if name not in one.case.answers]
+    remarks = [f"{said.method}: {' '.join(said.remarks)}" for said in one.case.codes.values() if said.remarks]
+    missing = [name for name in code_methods() if name not in one.case.codes]
     remarks += [f"No solution: {', '.join(missing)}."] if missing else []
     return (*blocks, words(" ".join(remarks), tone=Tone.NOTE)) if remarks else tuple(blocks)
 
 
 def _codes(one: ScenarioResult, y: float) -> Table:
     rows: list[tuple[Cell, ...]] = []
-    for said in one.case.answers.values():
+    for said in one.case.codes.values():
         ratio = said.displacement / y if y > 0.0 else None
-        numbers = answer_objects([said])[0]
+        numbers = code_objects([said])[0]
         keys = ("displacement_mm", "base_shear_over_weight", "effective_period_s", "effective_damping")
         rows.append(
             (
@@ -206,16 +197,16 @@ def _codes(one: ScenarioResult, y: float) -> Table:
     return Table(head, tuple(rows), "lrrrrrll", (1.3, 0.0, 0.0, 0.0, 0.0, 0.0, 0.9, 1.6), "Codes under the record's own spectrum")  # fmt: skip
 
 
-def _verdict(said: Answer) -> Verdict:
+def _verdict(said: CodeResult) -> Verdict:
     if not said.conditions or said.valid is None:
         return Verdict.NOT_KNOWN
     return Verdict.MET if said.valid else Verdict.NOT_MET
 
 
-def _ratios(one: ScenarioResult, view: View, said: Prediction) -> tuple[Cell, ...]:
+def _ratios(one: ScenarioResult, variant: Variant, said: Prediction) -> tuple[Cell, ...]:
     """Return change of displacement and largest displacement over the analysis, and the word on what the method predicts."""
     y = one.response.peak_displacement
-    change = _known(float(ratios([one.case], view, CHANGE)[0]))
+    change = _known(float(ratios([one.case], variant, CHANGE)[0]))
     bound = _known(said.bound / y) if y > 0.0 else None
     numbers = cells(written("ratio", change), written("ratio", bound))
     return (*numbers, _against(change if said.displacement is None else bound))

@@ -143,7 +143,7 @@ def _where(known: list[tuple[str, Check]], verdict: Verdict) -> str:
 
 def _codes_summary(calculation: Calculation) -> Block:
     rows: list[tuple[Cell, ...]] = []
-    answers = [one.case.answers for one in calculation.results]
+    answers = [one.case.codes for one in calculation.results]
     for name in dict.fromkeys(name for known in answers for name in known):
         said = [known[name] for known in answers if name in known]
         inside, outside = sum(one.valid is True for one in said), sum(one.valid is False for one in said)

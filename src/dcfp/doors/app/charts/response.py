@@ -10,8 +10,8 @@ from dcfp.doors.app.charts.look import BLUE, GREY, INK, MUTED, OCHRE, axis, leve
 from dcfp.doors.app.elements import Cell, Head, Options
 from dcfp.doors.app.units import Units
 from dcfp.inference import Case
-from dcfp.inference.case import VIEWS, Basis, View
-from dcfp.methods.result import Answer
+from dcfp.methods.code import CodeResult
+from dcfp.methods.method import Information, Variant, variants
 from dcfp.present.panels import shown
 from dcfp.schema.nomenclature import quantity
 from dcfp.schema.units import INCH, MM
@@ -19,23 +19,28 @@ from dcfp.schema.units import INCH, MM
 #: Frames of the animation at most, and its least time step [s].
 _MOST_FRAMES, _LEAST_STEP = 3000, 0.02
 _LENGTH = replace(quantity("displacement"), decimals=1)
-_COLOURS = {Basis.BLIND: BLUE, Basis.INFORMED: GREY, Basis.PGV: OCHRE, Basis.SPECTRUM: INK}
+_COLOURS = {
+    Information.BLIND: BLUE,
+    Information.INFORMED: GREY,
+    Information.PGV: OCHRE,
+    Information.SPECTRUM: INK,
+}
 
 
-def words_of(view: View) -> str:
+def words_of(variant: Variant) -> str:
     """Return a method and what it knows, in words."""
-    method, basis = view
-    return method.value if basis is Basis.SPECTRUM else f"{method.value}, {basis.value}"
+    method, information = variant
+    return method if information is Information.SPECTRUM else f"{method}, {information.value}"
 
 
 def bars(case: Case, units: Units) -> Options:
     """Draw what each method offers for the largest displacement, and the analysis as a line."""
-    views = [view for view in reversed(VIEWS) if view in case.predicted]
+    known = [variant for variant in reversed(variants()) if variant in case.predicted]
     length = units.of(_LENGTH)
-    bounds = [length.shown(case.predicted[view].bound) for view in views]
+    bounds = [length.shown(case.predicted[variant].bound) for variant in known]
     data = [
-        {"value": round(bound, 4), "itemStyle": {"color": _COLOURS[view[1]]}}
-        for view, bound in zip(views, bounds, strict=True)
+        {"value": round(bound, 4), "itemStyle": {"color": _COLOURS[variant.information]}}
+        for variant, bound in zip(known, bounds, strict=True)
     ]
     analysed = case.analysed.whole.bound
     words = f"analysis {units.written(_LENGTH, analysed)} {length.name}"
@@ -46,7 +51,7 @@ def bars(case: Case, units: Units) -> Options:
             axis(f"y_max offered [{length.name}]", "x", scale=False, splitLine={"show": True, "lineStyle": {"color": "var(--line)"}}),
             {
                 "type": "category",
-                "data": [words_of(view) for view in views],
+                "data": [words_of(variant) for variant in known],
                 "axisLabel": {"color": MUTED, "fontSize": 12, "width": 150, "overflow": "truncate"},
                 "axisTick": {"show": False},
                 "axisLine": {"lineStyle": {"color": MUTED}},
@@ -78,22 +83,21 @@ def prediction_rows(case: Case, units: Units) -> list[list[Cell | str]]:
     rows: list[list[Cell | str]] = [
         ["analysis", "everything", units.written(_LENGTH, whole.displacement_change), "1.00", units.written(_LENGTH, whole.bound), "1.00", ""]
     ]  # fmt: skip
-    for view in VIEWS:
-        if view not in case.predicted:
+    for variant in variants():
+        if variant not in case.predicted:
             continue
-        method, basis = view
-        said, beside = case.predicted[view], case.analysed.beside(basis)
+        said, beside = case.predicted[variant], case.analysed.beside(variant.information)
         change = said.displacement_change
         has_change = change == change  # codes do not say it
         rows.append(
             [
-                method.value,
-                basis.value,
+                variant.method,
+                variant.information.value,
                 units.written(_LENGTH, change),
                 _ratio(change, beside.displacement_change) if has_change else "–",
                 units.written(_LENGTH, said.bound),
                 _ratio(said.bound, beside.bound),
-                _verdict(case.answers.get(method.value)),
+                _verdict(case.codes.get(variant.method)),
             ]
         )
     return rows
@@ -103,24 +107,24 @@ def _ratio(said: float, analysed: float) -> str:
     return f"{said / analysed:.2f}" if analysed > 0.0 else "–"
 
 
-def _verdict(answer: Answer | None) -> Cell:
-    if answer is None:
+def _verdict(result: CodeResult | None) -> Cell:
+    if result is None:
         return Cell("")
-    tone = {True: "good", False: "bad", None: "doubt"}[answer.valid]
-    return Cell(answer.verdict, "" if not answer.conditions else tone)
+    tone = {True: "good", False: "bad", None: "doubt"}[result.valid]
+    return Cell(result.verdict, "" if not result.conditions else tone)
 
 
 def code_remarks(case: Case) -> list[str]:
     """Return which conditions are broken, and what could not be confirmed."""
     remarks: list[str] = []
-    for name, answer in case.answers.items():
+    for name, result in case.codes.items():
         broken = [
             f"{one.name} {one.found_words}, {one.limit_words}"
-            for one in answer.conditions
+            for one in result.conditions
             if one.verdict.value == "not met"
         ]
         remarks += [f"{name}, not met: {'; '.join(broken)}."] if broken else []
-        remarks += [f"{name}, unconfirmed: {'; '.join(answer.unconfirmed)}."] if answer.unconfirmed else []
+        remarks += [f"{name}, unconfirmed: {'; '.join(result.unconfirmed)}."] if result.unconfirmed else []
     return remarks
 
 

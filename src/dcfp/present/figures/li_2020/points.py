@@ -22,9 +22,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from dcfp.inference import Case
-    from dcfp.inference.case import Quantity, View
     from dcfp.methods import Prediction
     from dcfp.methods.li_2020 import Constants
+    from dcfp.schema.quantities import Quantity
 
     Draw: TypeAlias = Callable[[Axes, Sequence[Case], Mapping[str, Mark]], None]
     Described: TypeAlias = tuple[str, str, str, tuple[Draw, ...]]
@@ -45,13 +45,8 @@ def point_figures(cases: "Sequence[Case]", constants: "Constants") -> list[Paper
 
 def _described(cases: "Sequence[Case]", constants: "Constants") -> "tuple[Described, ...]":
     """Return number, title, caption and panels of each figure."""
-    from dcfp.inference.case import (  # late: the package imports the kernels
-        CHANGE,
-        HYSTERETIC,
-        INPUT,
-        Basis,
-        Method,
-    )
+    from dcfp.methods.li_2020.constants import PULSE, SIMPLIFIED  # late: the package imports the kernels
+    from dcfp.methods.pulses import CHANGE, HYSTERETIC, INPUT
 
     blind = (
         "the largest of all pulses of the record and of all swings of the analysis, with the paper's range."
@@ -68,7 +63,7 @@ def _described(cases: "Sequence[Case]", constants: "Constants") -> "tuple[Descri
             "18",
             "Accuracy of the pulse method for the change of displacement",
             f"Largest change of displacement, predicted by the pulse method and analysed, {blind}",
-            (partial(draw_accuracy, view=(Method.PULSE, Basis.BLIND), which=CHANGE),),
+            (partial(draw_accuracy, method=PULSE, which=CHANGE),),
         ),
         (
             "19",
@@ -86,19 +81,19 @@ def _described(cases: "Sequence[Case]", constants: "Constants") -> "tuple[Descri
             "22",
             "Accuracy of the simplified method for the input energy",
             f"Equivalent velocity of the input energy, predicted by the simplified method and analysed, {blind}",
-            (partial(draw_accuracy, view=(Method.SIMPLIFIED, Basis.BLIND), which=INPUT),),
+            (partial(draw_accuracy, method=SIMPLIFIED, which=INPUT),),
         ),
         (
             "23",
             "Accuracy of the simplified method for the dissipated energy",
             f"Equivalent velocity of the dissipated energy, predicted by the simplified method and analysed, {blind}",
-            (partial(draw_accuracy, view=(Method.SIMPLIFIED, Basis.BLIND), which=HYSTERETIC),),
+            (partial(draw_accuracy, method=SIMPLIFIED, which=HYSTERETIC),),
         ),
         (
             "24",
             "Accuracy of the simplified method for the change of displacement",
             f"Largest change of displacement, predicted by the simplified method and analysed, {blind}",
-            (partial(draw_accuracy, view=(Method.SIMPLIFIED, Basis.BLIND), which=CHANGE),),
+            (partial(draw_accuracy, method=SIMPLIFIED, which=CHANGE),),
         ),
         (
             "25",
@@ -322,20 +317,21 @@ def draw_input_over_change(
 
 
 def draw_accuracy(
-    axes: "Axes", cases: "Sequence[Case]", marks: "Mapping[str, Mark]", view: "View", which: "Quantity"
+    axes: "Axes", cases: "Sequence[Case]", marks: "Mapping[str, Mark]", method: str, which: "Quantity"
 ) -> None:
     """Draw what a blind method predicts against the analysis, with the range of their ratio that the paper prints."""
-    from dcfp.inference.printed import RANGES  # late: the package imports the kernels
-    from dcfp.inference.statistics import value_of
+    from dcfp.methods.li_2020.constants import PRINTED_RANGES  # late: the package imports the kernels
+    from dcfp.methods.method import Information, Variant
+    from dcfp.methods.pulses import value_of
 
-    entry = quantity(ENTRIES[which.name])
-    least, largest, _ = RANGES[view, which]
+    entry, variant = quantity(ENTRIES[which.title]), Variant(method, Information.BLIND)
+    least, largest, _ = PRINTED_RANGES[variant, which]
 
     def point(case: "Case") -> tuple[float, float] | None:
-        if view not in case.predicted:
+        if variant not in case.predicted:
             return None
         analysed = entry.display(value_of(case.analysed.whole, which))
-        predicted = entry.display(value_of(case.predicted[view], which))
+        predicted = entry.display(value_of(case.predicted[variant], which))
         return (analysed, predicted) if np.isfinite(predicted) else None
 
     draw_points(axes, cases, marks, point)

@@ -1,0 +1,217 @@
+"""What a method of prediction is given, the system, the constants and an earthquake, and what it says."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Annotated
+
+from dcfp.analysis.assumptions import LARGEST_YIELD_RADIUS
+from dcfp.analysis.rig import Program, RigTest, Sine, run_program
+from dcfp.errors import InputError
+from dcfp.methods.li_2020.constants import LI_2020, Constants
+from dcfp.methods.method import METHODS, Information, Method
+from dcfp.methods.pulses import MARCH_THRESHOLD, THRESHOLD, Prediction, PulsePrediction, Pulses, find_pulses
+from dcfp.motion.ground_motion import GroundMotion
+from dcfp.schema.formulas import Formula
+from dcfp.schema.notebook import fields_card
+from dcfp.schema.parameters import Declared, Parameter, declared
+from dcfp.schema.units import FRACTION
+from dcfp.system import LI_2020 as PAPER_BEARING
+from dcfp.system import ConstantFriction, Li2020, System
+from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
+
+#: Part by which a PGV that was scaled to may be off [-].
+_ROUNDING = 1e-6
+
+
+@declared
+class Methods(Declared):
+    """What stands on the ground, and how the methods of prediction are set.
+
+    Parameters
+    ----------
+    system
+        Bearing, friction law and heating model.
+    constants
+        Of the methods of Li et al. (2020).
+    threshold, march_threshold
+        Of the pulses that those methods and the march through the pulses take [-]; see `find_pulses`.
+    """
+
+    system: System = field(default_factory=System)
+    constants: Constants = LI_2020
+    threshold: Annotated[
+        float,
+        Parameter(
+            "part of PGV by which the ground velocity must turn back for a peak to count",
+            FRACTION,
+            0.0,
+            1.0,
+            above=True,
+        ),
+    ] = THRESHOLD
+    march_threshold: Annotated[float, Parameter("the same for the march through the pulses", FRACTION, 0.0, 1.0, above=True, option=False)] = MARCH_THRESHOLD  # fmt: skip
+
+    @classmethod
+    def of(cls, system: System, nominal: "Nominal | None" = None) -> "Methods":
+        """Return the methods for a system, with the nominal coefficient that stands for its law."""
+        nominal = nominal_coefficient(system) if nominal is None else nominal
+        return cls(system, replace(LI_2020, nominal_friction=nominal.value))
+
+    def remarks(self, pgv: float) -> tuple[str, ...]:
+        """Return what must be known of the methods at a PGV [mm/s]."""
+        remarks = list(self.constants.remarks(pgv * (1.0 + _ROUNDING)))
+        law, bearing = self.system.friction, self.system.bearing
+        if law.caution:
+            remarks.append(f"Friction law {law.name}: {law.caution}")
+        stretch = self.constants.nominal_friction * bearing.vertical_force / bearing.elastic_stiffness
+        if stretch > LARGEST_YIELD_RADIUS:
+            remarks.append(
+                f"Spring (b) stretches {stretch:.1f} mm before the bearing slides; the predictions take it as rigid."
+            )
+        return tuple(remarks)
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, "How records are predicted")
+
+
+@dataclass(frozen=True, eq=False)
+class Ground:
+    """An earthquake as the methods of prediction know it.
+
+    Attributes
+    ----------
+    pgv
+        [mm/s].
+    motion
+        The record; None where only the PGV is known.
+    found
+        Its pulses by the threshold, as far as they have been looked for.
+    """
+
+    pgv: float
+    motion: GroundMotion | None = None
+    found: dict[float, Pulses] = field(default_factory=dict[float, Pulses], repr=False)
+
+    @classmethod
+    def of(cls, motion: GroundMotion) -> "Ground":
+        """Return what is known of a record."""
+        return cls(motion.peak_velocity, motion)
+
+    def pulses(self, threshold: float) -> Pulses:
+        """Return the velocity pulses by a threshold [-], found once.
+
+        Raises
+        ------
+        InputError
+            If only the PGV is known.
+        """
+        if self.motion is None:
+            msg = "Pulses are of a record; of this earthquake only the PGV is known."
+            raise InputError(msg)
+        if threshold not in self.found:
+            self.found[threshold] = find_pulses(self.motion, threshold)
+        return self.found[threshold]
+
+
+@dataclass(frozen=True, eq=False)
+class Predicted:
+    """What a method says of an earthquake.
+
+    Attributes
+    ----------
+    prediction
+        Without the analysis.
+    by_pulse
+        Of every pulse, where the method takes one after the other.
+    remarks
+        Sentences that a reader must know.
+    """
+
+    prediction: Prediction
+    by_pulse: PulsePrediction | None = None
+    remarks: tuple[str, ...] = ()
+
+    def knowing(self, information: Information, pulse: int | None) -> Prediction:
+        """Return the prediction with that information; `pulse` is the number of the one that the analysis found to govern, or None."""
+        informed = information is Information.INFORMED and self.by_pulse is not None
+        return self.by_pulse.of(pulse) if informed and self.by_pulse is not None else self.prediction
+
+
+@dataclass(frozen=True, kw_only=True)
+class PredictionMethod(Method):
+    """A method that predicts from a ground velocity.
+
+    Attributes
+    ----------
+    predict
+        Returns what it says of an earthquake; None where it cannot be used.
+    formulas
+        Returns the governing pulse with its numbers, for the report; None where the report has no section on it.
+    without
+        Why there may be no formulas, in words.
+    """
+
+    predict: Callable[[Ground, Methods], Predicted | None]
+    formulas: Callable[[Ground, Methods], tuple[Formula, ...]] | None = None
+    without: str = "the method cannot be used"
+
+
+def prediction_methods() -> Mapping[str, PredictionMethod]:
+    """Return every method of prediction by its name, in the order of tables."""
+    return {one.name: one for one in METHODS.values() if isinstance(one, PredictionMethod)}
+
+
+# The nominal coefficient of friction of any bearing: Li et al. (2020), section 4.4.
+
+
+#: Dependency test T01 of Li et al. (2020), Table 1 [mm, mm/s], as far as the second cycle, in which mu_n is measured.
+_AMPLITUDE, _PEAK_VELOCITY, _CYCLES = 200.0, 400.0, 2
+#: Amplitude over the effective radius of a bearing for which that is too far [-].
+_LARGEST_AMPLITUDE = 0.4
+
+
+@dataclass(frozen=True)
+class Nominal:
+    """A nominal coefficient.
+
+    Attributes
+    ----------
+    value
+        mu_n [-].
+    source
+        Where it comes from, in words.
+    """
+
+    value: float
+    source: str
+
+
+def nominal_coefficient(system: System) -> Nominal:
+    """Return the constant coefficient that stands for a law in the methods of Li et al. (2020).
+
+    A constant law is its own. Any other is put through dependency test T01, which gave the paper's 0.043, on the virtual machine at the
+    bearing's pressure. Of the paper's law that result is taken relative to the one of the paper's own bearing, heating and ambient temperature, for which
+    mu_n then is the 0.043 of the tests; of another law it is taken as it is.
+    """
+    law = system.friction
+    if isinstance(law, ConstantFriction):
+        return Nominal(law.mu, "the constant coefficient itself")
+    found = _tested(system)
+    if not isinstance(law, Li2020):
+        return Nominal(found, "virtual dependency test T01, second cycle")
+    ratio = found / _tested(System(PAPER_BEARING))
+    tests = "tests, Li et al. (2020), section 4.4"
+    if ratio == 1.0:
+        return Nominal(NOMINAL_COEFFICIENT, tests)
+    words = f"{NOMINAL_COEFFICIENT:g} of the {tests}, times {ratio:.3f} by the virtual dependency test T01"
+    return Nominal(NOMINAL_COEFFICIENT * ratio, words)
+
+
+def _tested(system: System) -> float:
+    """Mean coefficient at zero displacement in the second cycle of T01 on the virtual machine [-]."""
+    bearing = system.bearing
+    wave = Sine(min(_AMPLITUDE, _LARGEST_AMPLITUDE * bearing.effective_radius), _PEAK_VELOCITY, _CYCLES)
+    # the capacity limits an earthquake, not what the material does
+    free = replace(bearing, displacement_capacity=None)
+    (loops,) = run_program(Program("T01", (RigTest("T01", wave),)), free, system.friction, system.heating)
+    return loops.cycles[1].friction
