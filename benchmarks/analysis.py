@@ -10,11 +10,12 @@ from stopwatch import once
 from dcfp.analysis.integration import DEFAULT
 from dcfp.analysis.kernel_input import State, heat_of, state_at_rest
 from dcfp.analysis.response_history import LONGEST_STEP
-from dcfp.kernels.march import PEAK_DISPLACEMENT, STEPS, TEMPERATURE, march
+from dcfp.kernels.integrate import TEMPERATURE, integrate
+from dcfp.kernels.motion import StepControl
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import load_motion
 from dcfp.system import Bearing, FrictionLaw, Heating, SimplifiedHeating, System
-from dcfp.system.plates import structure_of
+from dcfp.system.plates import kernel_model
 
 if TYPE_CHECKING:
     from dcfp.arrays import FloatArray
@@ -57,12 +58,12 @@ class Analysis:
 
     def __post_init__(self) -> None:
         """Make all that a march takes, and run one so that the kernels are compiled."""
-        system = System(self.bearing, self.friction, self.heating)
-        self.structure = structure_of(system)
-        self.law = self.friction.at_pressure(self.bearing.pressure)
+        self.system = System(self.bearing, self.friction, self.heating)
         self.acceleration: FloatArray = np.array(self.motion.acceleration)
-        self.at_rest = state_at_rest(system)
-        self.lines: FloatArray = np.zeros((self.acceleration.size, TEMPERATURE + self.structure.plates))
+        self.at_rest = state_at_rest(self.system)
+        self.lines: FloatArray = np.zeros(
+            (self.acceleration.size, TEMPERATURE + len(set(self.bearing.radii)))
+        )
         self.state: State = self.at_rest
         self.coarsest = max(0, math.ceil(math.log2(self.motion.time_step / LONGEST_STEP * (1.0 - 1e-9))))
         self.march()
@@ -70,18 +71,17 @@ class Analysis:
     def march(self) -> float:
         """March once through the record; return the time of the kernels' call [s]."""
         self.state = self.at_rest.copy()
-        heat = heat_of(self.state)
-        size = self.acceleration.size
-        given = (self.law, self.structure, heat, self.acceleration, self.motion.time_step)
-        rules = (self.coarsest, size, self.tolerance)
-        return once(lambda: march(*given, *rules, self.state.march, self.lines))
+        model = kernel_model(self.system, heat_of(self.state))
+        control = StepControl(self.motion.time_step, self.coarsest, self.tolerance)
+        given = (model, self.acceleration, control, self.acceleration.size)
+        return once(lambda: integrate(*given, self.state.integration, 0, self.lines, True))
 
     @property
     def peak_displacement(self) -> float:
         """Largest displacement [mm]."""
-        return float(self.state.march[PEAK_DISPLACEMENT])
+        return self.state.extremes.displacement
 
     @property
     def steps(self) -> int:
         """Number of steps that the integration took."""
-        return int(self.state.march[STEPS])
+        return int(self.state.integration["steps"][0])

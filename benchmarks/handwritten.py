@@ -17,9 +17,10 @@ from dcfp.analysis.kernel_input import heat_of
 from dcfp.arrays import FloatArray
 from dcfp.kernels.heat_state import RATES, WEIGHTS
 from dcfp.kernels.law import Law
-from dcfp.kernels.memory import MODES
-from dcfp.kernels.motion import Structure as KernelStructure
+from dcfp.kernels.motion import SystemConstants
+from dcfp.kernels.sum_of_exponentials import MODES
 from dcfp.system import LI_2020, Bearing, FrictionLaw, Kumar2015, Li2020
+from dcfp.system.plates import kernel_model
 
 SOURCE = Path(__file__).parent / "c" / "march.c"
 #: The last two let a C compiler do what ours is allowed to: sums in any order, and no errno to set.
@@ -36,7 +37,7 @@ class _Law(Structure):
 
 
 class _Structure(Structure):
-    _fields_ = [(name, c_long if name == "plates" else c_double) for name in KernelStructure._fields]
+    _fields_ = [(name, c_long if name == "plates" else c_double) for name in SystemConstants._fields]
 
 
 class _Steel(Structure):
@@ -106,10 +107,11 @@ class HandWritten:
         heat = heat_of(analysis.at_rest)
         row = c_double * MODES
         self.steel = _Steel(
-            heat.ambient, heat.half_contact, heat.instant, row(*heat.bank[RATES]), row(*heat.bank[WEIGHTS])
+            heat.ambient, heat.half_contact, heat.instant, row(*heat.modes[RATES]), row(*heat.modes[WEIGHTS])
         )
-        self.law = _Law(*analysis.law[1:])
-        self.structure = _Structure(*analysis.structure)
+        model = kernel_model(analysis.bearing, analysis.friction, heat)
+        self.law = _Law(*model.law[1:])
+        self.structure = _Structure(*model.system)
         self.lines = np.zeros_like(analysis.lines)
         self.outcome = _Outcome()
 

@@ -17,7 +17,7 @@ from dcfp.methods import Prediction, Pulses, find_pulses, march_through_pulses
 from dcfp.methods.li_2020 import LI_2020, predict_from_pulses
 from dcfp.methods.pulses import MARCH_THRESHOLD
 from dcfp.system import LI_2020 as BEARING
-from dcfp.system.plates import structure_of
+from dcfp.system.plates import system_constants
 
 THRESHOLDS = (0.005, 0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.3)
 PARTS = (6, 12, 24, 48)
@@ -30,7 +30,7 @@ System = Callable[[Pulses], Prediction]
 
 def own(cosine: bool, spring: bool) -> System:
     """Return the study's own march with constant friction."""
-    structure = structure_of(model.System(BEARING, CONSTANT))
+    structure = system_constants(model.System(BEARING, CONSTANT))
     friction = LI_2020.nominal_friction * structure.gravity
     choice = own_march.Choice(cosine, friction, structure.restoring if spring else 0.0)
     return lambda pulses: own_march.march(pulses, choice)

@@ -265,8 +265,8 @@ def test_folders_long_out_of_use_are_deleted_when_a_new_one_is_opened(mini):
 
 def test_real_kernels_point_into_the_cache_folder():
     from dcfp.kernels._jit import cache_folder
-    from dcfp.kernels.oscillator import swing
+    from dcfp.kernels.oscillator import advance_oscillator
 
-    if not hasattr(swing, "stats"):
+    if not hasattr(advance_oscillator, "stats"):
         pytest.skip("compilation is switched off")
-    assert swing.stats.cache_path.startswith(cache_folder())
+    assert advance_oscillator.stats.cache_path.startswith(cache_folder())

@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dcfp.kernels.turning_points import find_turning_points
+from dcfp.kernels.pulses import find_turning_points
 from dcfp.methods import find_pulses
 from dcfp.motion.ground_motion import GroundMotion
 

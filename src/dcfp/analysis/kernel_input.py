@@ -1,20 +1,13 @@
-"""Where a march can be taken up again."""
+"""Where an integration can be taken up again."""
 
 import math
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from dcfp.arrays import FloatArray
+from dcfp.kernels._jit import Records, as_bytes
 from dcfp.kernels.heat_state import Heat
-from dcfp.kernels.march import (
-    FIRST_TALLY,
-    LEAST_FRICTION,
-    PEAK_TEMPERATURE,
-    STATE_DISPLACEMENT,
-    STATE_SIZE,
-    STATE_TURNING,
-)
+from dcfp.kernels.integrate import INTEGRATION_STATE, Extremes
 from dcfp.system import System
 from dcfp.system.plates import PlateHeat, cold_plates
 from dcfp.system.plates import heat_of as plate_heat_of
@@ -22,12 +15,12 @@ from dcfp.system.plates import heat_of as plate_heat_of
 
 @dataclass(frozen=True)
 class State:
-    """Everything that a march changes: where it can be taken up again.
+    """Everything that an integration changes: where it can be taken up again.
 
     Attributes
     ----------
-    march
-        Motion, energies and peaks.
+    integration
+        Motion, energies and peaks: one `dcfp.kernels.integrate.IntegrationState`, shape (1,).
     plates
         Heat in the plates.
     ground_velocity
@@ -36,41 +29,49 @@ class State:
         What it is the state of.
     """
 
-    march: FloatArray
+    integration: Records
     plates: PlateHeat
     ground_velocity: float
     system: System
 
+    @property
+    def extremes(self) -> Extremes:
+        """What was added up or compared on the way, per unit mass."""
+        return Extremes(*self.integration["extremes"].item())
+
     def copy(self) -> "State":
         """Return a copy that shares no array with this one."""
-        return replace(self, march=self.march.copy(), plates=self.plates.copy())
+        return replace(self, integration=_copied(self.integration), plates=self.plates.copy())
 
     def afresh(self) -> "State":
         """Return the same motion and heat with energies and peaks begun anew, for the next earthquake."""
         state = self.copy()
-        march = state.march
-        motion = march[:FIRST_TALLY].copy()
-        march[:] = tallies_at(float(self.plates.temperature.max()))
-        march[:FIRST_TALLY] = motion
-        march[STATE_TURNING] = march[STATE_DISPLACEMENT]
+        new = states_at_rest(1, float(self.plates.temperature.max()))
+        new["extremes"]["turning"] = state.integration["motion"]["displacement"]
+        for name in ("extremes", "steps", "status", "at_rest"):
+            state.integration[name] = new[name]
         return state
 
     def with_room(self, cells: int) -> "State":
         """Return a copy with so many more cells at each end of the plates."""
-        return replace(self, march=self.march.copy(), plates=self.plates.with_room(cells))
+        return replace(self, integration=_copied(self.integration), plates=self.plates.with_room(cells))
 
 
-def tallies_at(temperature: float) -> FloatArray:
-    """Return the march's state at rest, with nothing added up yet and that peak temperature [degC]."""
-    march = np.zeros(STATE_SIZE)
-    march[PEAK_TEMPERATURE] = temperature
-    march[LEAST_FRICTION] = math.inf
-    return march
+def _copied(states: Records) -> Records:
+    return as_bytes(states).copy().view(INTEGRATION_STATE)
+
+
+def states_at_rest(count: int, temperature: float) -> Records:
+    """Return states of integrations at rest, with nothing added up yet and that peak temperature [degC]."""
+    states = np.zeros(count, INTEGRATION_STATE)
+    states["extremes"]["temperature"] = temperature
+    states["extremes"]["friction"] = math.inf
+    return states
 
 
 def state_at_rest(system: System) -> State:
     """Return the state at rest and at the ambient temperature."""
-    return State(tallies_at(system.heating.ambient), cold_plates(system), 0.0, system)
+    return State(states_at_rest(1, system.heating.ambient), cold_plates(system), 0.0, system)
 
 
 def heat_of(state: State) -> Heat:

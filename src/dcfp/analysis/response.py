@@ -14,7 +14,7 @@ from dcfp.analysis.integration import Integration
 from dcfp.analysis.kernel_input import State
 from dcfp.analysis.result import Result
 from dcfp.arrays import FloatArray
-from dcfp.kernels import march as m
+from dcfp.kernels import integrate as k
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import motion_remarks
 from dcfp.schema.check import Check
@@ -127,12 +127,12 @@ class Response(Result):
     @property
     def displacement(self) -> FloatArray:
         """Relative displacement y [mm]."""
-        return self._line(m.DISPLACEMENT)
+        return self._line(k.DISPLACEMENT)
 
     @property
     def velocity(self) -> FloatArray:
         """Relative velocity v [mm/s]."""
-        return self._line(m.VELOCITY)
+        return self._line(k.VELOCITY)
 
     @property
     def structure_velocity(self) -> FloatArray:
@@ -142,17 +142,17 @@ class Response(Result):
     @property
     def elongation(self) -> FloatArray:
         """Elongation of spring (b), y - O_Y [mm]."""
-        return self._line(m.ELONGATION)
+        return self._line(k.ELONGATION)
 
     @property
     def friction(self) -> FloatArray:
         """Coefficient of friction [-]: the one at work while sliding, the one to overcome while sticking."""
-        return self._line(m.FRICTION)
+        return self._line(k.FRICTION)
 
     @property
     def sliding(self) -> FloatArray:
         """Side on which it slides: 1, -1, or 0 while sticking."""
-        return self._line(m.SIDE)
+        return self._line(k.SLIP_SIGN)
 
     @property
     def temperature(self) -> FloatArray:
@@ -162,7 +162,7 @@ class Response(Result):
     @property
     def plate_temperatures(self) -> FloatArray:
         """Temperature of the contact on each plate that differs [degC], shape (n, plates)."""
-        return self.lines[:, m.TEMPERATURE :]
+        return self.lines[:, k.TEMPERATURE :]
 
     @property
     def force(self) -> FloatArray:
@@ -184,8 +184,8 @@ class Response(Result):
             self.velocity,
             self.elongation,
             self.ground_velocity,
-            self._line(m.INPUT) * self.bearing.mass,
-            self._line(m.HYSTERETIC) * self.bearing.mass,
+            self._line(k.INPUT) * self.bearing.mass,
+            self._line(k.HYSTERETIC) * self.bearing.mass,
         )
 
     def _line(self, column: int) -> FloatArray:
@@ -196,22 +196,22 @@ class Response(Result):
     @property
     def peak_displacement(self) -> float:
         """Largest displacement y_max, to either side [mm]."""
-        return float(self.final_state.march[m.PEAK_DISPLACEMENT])
+        return self.final_state.extremes.displacement
 
     @property
     def peak_change(self) -> float:
         """Largest change of displacement between two successive peaks, dy_max [mm]; Li et al. (2020), section 6.1."""
-        return float(self.final_state.march[m.PEAK_CHANGE])
+        return self.final_state.extremes.change
 
     @property
     def peak_velocity(self) -> float:
         """Largest relative velocity at the ends of steps [mm/s]."""
-        return float(self.final_state.march[m.PEAK_VELOCITY])
+        return self.final_state.extremes.velocity
 
     @property
     def peak_force(self) -> float:
         """Largest horizontal force at the ends of steps [N]."""
-        return float(self.final_state.march[m.PEAK_FORCE]) * self.bearing.mass
+        return self.final_state.extremes.force * self.bearing.mass
 
     @property
     def force_ratio(self) -> float:
@@ -221,12 +221,12 @@ class Response(Result):
     @property
     def peak_temperature(self) -> float:
         """Highest temperature of the contact of any plate [degC]."""
-        return float(self.final_state.march[m.PEAK_TEMPERATURE])
+        return self.final_state.extremes.temperature
 
     @property
     def least_friction(self) -> float:
         """Smallest coefficient of friction while sliding [-]; where it never slides, the one at rest at the start."""
-        least = float(self.final_state.march[m.LEAST_FRICTION])
+        least = self.final_state.extremes.friction
         return least if math.isfinite(least) else float(self.friction[0])
 
     @property
@@ -249,7 +249,7 @@ class Response(Result):
     @property
     def steps(self) -> int:
         """Number of steps that the integration took."""
-        return int(self.final_state.march[m.STEPS])
+        return int(self.final_state.integration["steps"][0])
 
     @property
     def status(self) -> Status:

@@ -12,17 +12,14 @@ from dcfp.analysis.kernel_input import State, heat_of, state_at_rest
 from dcfp.analysis.response import Response
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import AnalysisError, InputError
-from dcfp.kernels import march as m
-from dcfp.kernels.friction import mean_coefficient
-from dcfp.kernels.heat_state import FINEST_LEVEL, PRESENT
-from dcfp.kernels.law import Law
-from dcfp.kernels.march import AT_REST, NO_NUMBER, NO_PROGRESS, OUT_OF_CELLS, TEMPERATURE, march
-from dcfp.kernels.motion import Structure
+from dcfp.kernels import integrate as k
+from dcfp.kernels.heat_state import MOST_HALVINGS
+from dcfp.kernels.motion import AT_REST, NO_NUMBER, NO_PROGRESS, OUT_OF_CELLS, StepControl
 from dcfp.motion.ground_motion import GroundMotion, parts_in, refined, with_tail
 from dcfp.motion.load import Motion, motion_of
 from dcfp.schema.parameters import refuse_other
 from dcfp.system import FrictionLaw, Heating, System, SystemLike
-from dcfp.system.plates import Profiles, profile_now, structure_of
+from dcfp.system.plates import Profiles, kernel_model, profile_now
 
 #: Longest step of sliding [s], whatever the record's own: peaks are looked for at the ends of steps.
 LONGEST_STEP = 0.01
@@ -30,7 +27,7 @@ LONGEST_STEP = 0.01
 
 @dataclass
 class _Run:
-    """What one march left behind."""
+    """What one integration left behind."""
 
     state: State
     lines: FloatArray
@@ -121,7 +118,7 @@ def analyse(
     _load_kernels()
     run = None
     while run is None:
-        run = _march(
+        run = _integrated(
             motion.name, first.copy(), acceleration, interval, free_from, integration.tolerance, every
         )
         if run is None:  # the slider left the line of cells
@@ -145,7 +142,7 @@ def analyse(
 
 def halvings(interval: float) -> int:
     """Return how often a sample interval [s] must be halved not to exceed the longest step."""
-    return min(max(0, math.ceil(math.log2(interval / LONGEST_STEP * (1.0 - 1e-9)))), FINEST_LEVEL)
+    return min(max(0, math.ceil(math.log2(interval / LONGEST_STEP * (1.0 - 1e-9)))), MOST_HALVINGS)
 
 
 def _ground_velocity(acceleration: FloatArray, interval: float) -> FloatArray:
@@ -157,10 +154,10 @@ def _ground_velocity(acceleration: FloatArray, interval: float) -> FloatArray:
 @cache
 def _load_kernels() -> None:
     """Have the kernels compiled or loaded, and their arguments' types known, so that the time of an analysis is its own."""
-    _march("", state_at_rest(System()), np.zeros(2), 1e-3, 2, DEFAULT.tolerance, None)
+    _integrated("", state_at_rest(System()), np.zeros(2), 1e-3, 2, DEFAULT.tolerance, None)
 
 
-def _march(
+def _integrated(
     name: str,
     state: State,
     acceleration: FloatArray,
@@ -169,31 +166,19 @@ def _march(
     tolerance: float,
     every: int | None,
 ) -> _Run | None:
-    """March through the whole motion; None if the slider left the line of cells."""
-    structure = structure_of(state.system)
-    law = state.system.friction.at_pressure(state.system.bearing.pressure)
+    """Respond to the whole motion; None if the slider left the line of cells."""
+    model = kernel_model(state.system, heat_of(state))
     began = time.perf_counter()
-    heat = heat_of(state)
-    lines = np.empty((acceleration.size, TEMPERATURE + structure.plates))
-    lines[0] = _first_line(law, state, structure)
+    control = StepControl(interval, halvings(interval), tolerance)
+    integration = state.integration
+    lines = np.empty((acceleration.size, k.TEMPERATURE + model.system.plates))
     profiles: list[tuple[float, FloatArray]] = []
     part = every or acceleration.size
-    done, rests = 0, False
+    done = 0
     while done < acceleration.size - 1:
-        stop = min(done + part, acceleration.size - 1)
-        status, samples, rests = march(
-            law,
-            structure,
-            heat,
-            acceleration[done : stop + 1],
-            interval,
-            halvings(interval),
-            free_from - done,
-            tolerance,
-            state.march,
-            lines[done:],
-        )
-        done += samples
+        ground = acceleration[done : min(done + part, acceleration.size - 1) + 1]
+        done += k.integrate(model, ground, control, free_from - done, integration, 0, lines[done:], done == 0)
+        status = int(integration["status"][0])
         if status == OUT_OF_CELLS:
             return None
         if status == NO_NUMBER:
@@ -205,26 +190,11 @@ def _march(
             )
             raise AnalysisError(msg)
         if every is not None:
-            flux = structure.pressure * abs(
-                lines[done, m.SIDE] * lines[done, m.FRICTION] * lines[done, m.VELOCITY]
-            )
-            now = float(state.march[m.STATE_TIME])
-            profiles.append((done * interval, profile_now(heat, structure, now, flux)))
+            _, velocity, _, coefficient, slip_sign = lines[done, : k.SLIP_SIGN + 1]
+            flux = model.system.pressure * abs(slip_sign * coefficient * velocity)
+            now = float(integration["time"][0])
+            profiles.append((done * interval, profile_now(model.heat, model.system, now, flux)))
         if status == AT_REST:
             break
+    rests = bool(integration["at_rest"][0])
     return _Run(state, lines, profiles, done, rests, time.perf_counter() - began)
-
-
-def _first_line(law: Law, state: State, structure: Structure) -> FloatArray:
-    line = np.zeros(TEMPERATURE + structure.plates)
-    line[m.DISPLACEMENT] = state.march[m.STATE_DISPLACEMENT]
-    line[m.VELOCITY] = state.march[m.STATE_VELOCITY]
-    line[m.ELONGATION] = state.march[m.STATE_ELONGATION]
-    line[m.SIDE] = state.march[m.STATE_SIDE]
-    line[m.INPUT] = state.march[m.STATE_INPUT]
-    line[m.HYSTERETIC] = state.march[m.STATE_HYSTERETIC]
-    line[m.FRICTION] = mean_coefficient(law, structure, abs(line[m.VELOCITY]), state.plates.notes, PRESENT)
-    if line[m.SIDE] != 0.0:
-        line[m.FRICTION] = abs(line[m.ELONGATION]) / structure.reach
-    line[TEMPERATURE:] = state.plates.temperature
-    return line

@@ -13,11 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.friction import mean_coefficient, note_ratios
+from dcfp.kernels.friction import BearingModel, mean_coefficient, store_ratios
 from dcfp.kernels.heat_state import EXPECTED, ODD_LENGTH, POINT, PRESENT, RATIO, Heat
 from dcfp.kernels.heating import cool_down, expect, heat_up, prepare, prepare_cooling
 from dcfp.kernels.law import Law
-from dcfp.kernels.motion import Structure, share
+from dcfp.kernels.motion import SystemConstants, share
 from dcfp.kernels.oscillator import squared_speed
 
 Floats: TypeAlias = NDArray[np.float64]
@@ -50,7 +50,7 @@ GROUND, GROUND_RATE, PUSH, PUSH_RATE, INPUTS = 0, 1, 2, 3, 4
 LINE_ELONGATION, LINE_FRICTION, LINE_SIDE, LINE_INPUT, LINE_HYSTERETIC, LINE_DAMPED, LINE_SIZE = range(7)
 #: Rows of the peaks: displacement of the base and drifts, and absolute accelerations.
 PEAK_DRIFT, PEAK_ACCELERATION = 0, 1
-#: How a march can end.
+#: How an integration can end.
 DONE, AT_REST, OUT_OF_CELLS, NO_PROGRESS = range(4)
 
 #: Rounds of a sliding step: one looks for its end, one expects the heat, two correct the friction.
@@ -85,19 +85,19 @@ class Walk(NamedTuple):
 
 @kernel
 def _yields(
-    law: Law, structure: Structure, heat: Heat, elongation: float, speed: float, outside: float
+    law: Law, system: SystemConstants, heat: Heat, elongation: float, speed: float, outside: float
 ) -> bool:
     """Whether spring (b) goes out through the yield surface, or is more than `outside` [mm] beyond it."""
     if elongation * speed < 0.0:
         return False
-    friction = mean_coefficient(law, structure, abs(speed), heat.notes, PRESENT)
-    return abs(elongation) - friction * structure.reach > outside
+    friction = mean_coefficient(BearingModel(law, system, heat), abs(speed), PRESENT)
+    return abs(elongation) - friction * system.yield_per_mu > outside
 
 
 @kernel
 def _walk(
     law: Law,
-    structure: Structure,
+    system: SystemConstants,
     heat: Heat,
     building: Building,
     phase: int,
@@ -131,7 +131,7 @@ def _walk(
                 after[i] += piece[j, i] * factor
         happens = going * after[floors] < 0.0
         if phase == STICKING and not happens:
-            happens = _yields(law, structure, heat, elongation + after[0], after[floors], outside)
+            happens = _yields(law, system, heat, elongation + after[0], after[floors], outside)
         if happens and level < LEVELS - 1:
             level += 1
             happens = False
@@ -172,79 +172,81 @@ def _take(building: Building, state: Floats, walked: Walk) -> None:
 
 
 @kernel
-def _acceleration(building: Building, structure: Structure, elongation: float, floor: int) -> float:
+def _acceleration(building: Building, system: SystemConstants, elongation: float, floor: int) -> float:
     """Absolute acceleration of a floor [mm/s2]."""
     now = building.vectors[NOW]
-    total = -structure.elastic * elongation / building.inertia[0] if floor == 0 else 0.0
+    total = -system.elastic * elongation / building.inertia[0] if floor == 0 else 0.0
     for j in range(2 * building.floors):
         total += building.resistance[floor, j] * now[j]
     return total
 
 
 @kernel
-def _stick(law: Law, structure: Structure, heat: Heat, building: Building, state: Floats, most: int) -> int:
+def _stick(
+    law: Law, system: SystemConstants, heat: Heat, building: Building, state: Floats, most: int
+) -> int:
     """Stick for at most so many ticks, or until the base turns or slides; return the ticks it took."""
     now, floors = building.vectors[NOW], building.floors
     elongation, origin, speed = state[ELONGATION], now[0], now[floors]
     going = speed
     if speed == 0.0:
-        going = _acceleration(building, structure, elongation, 0) - now[2 * floors + GROUND]
+        going = _acceleration(building, system, elongation, 0) - now[2 * floors + GROUND]
     # a sticking phase begins on the surface, as closely as the end of sliding was found: it slides where it goes further out
-    friction = mean_coefficient(law, structure, abs(speed), heat.notes, PRESENT)
-    outside = max(0.0, abs(elongation) - friction * structure.reach)
-    push = -structure.restoring * origin - structure.elastic * elongation
-    walked = _walk(law, structure, heat, building, STICKING, going, elongation, outside, most, push, 0.0)
+    friction = mean_coefficient(BearingModel(law, system, heat), abs(speed), PRESENT)
+    outside = max(0.0, abs(elongation) - friction * system.yield_per_mu)
+    push = -system.restoring * origin - system.elastic * elongation
+    walked = _walk(law, system, heat, building, STICKING, going, elongation, outside, most, push, 0.0)
     _take(building, state, walked)
     elongation += now[0] - origin
     speed = now[floors]
     state[ELONGATION] = elongation
-    if walked.event and _yields(law, structure, heat, elongation, speed, outside):
+    if walked.event and _yields(law, system, heat, elongation, speed, outside):
         state[SIDE] = 1.0 if elongation > 0.0 else -1.0
-        state[FRICTION] = abs(elongation) / structure.reach
+        state[FRICTION] = abs(elongation) / system.yield_per_mu
         state[FRESH] = 1.0
     place = 0 if walked.ticks == TICKS else ODD_LENGTH
     prepare_cooling(heat, place, building.step * walked.ticks / TICKS)
-    cool_down(heat, structure, place)
+    cool_down(heat, system, place)
     if state[SIDE] == 0.0:
-        state[FRICTION] = mean_coefficient(law, structure, abs(speed), heat.notes, PRESENT)
+        state[FRICTION] = mean_coefficient(BearingModel(law, system, heat), abs(speed), PRESENT)
     return walked.ticks
 
 
 @kernel
 def _slide(
-    law: Law, structure: Structure, heat: Heat, building: Building, state: Floats, most: int, time: float
+    law: Law, system: SystemConstants, heat: Heat, building: Building, state: Floats, most: int, time: float
 ) -> tuple[int, bool]:
     """Slide for at most so many ticks, or until the base stops; return the ticks it took and whether the cells sufficed."""
     now, there, floors = building.vectors[NOW], building.vectors[WALKED], building.floors
     side, friction, elongation = state[SIDE], state[FRICTION], state[ELONGATION]
     origin, opening_speed = now[0], abs(now[floors])
-    pull, pendulum = -side * structure.gravity, structure.restoring * origin
+    pull, pendulum = -side * system.gravity, system.restoring * origin
     most = min(most, int(state[ROOM]))
     slope, length, place = 0.0, 0.0, 0
     walked, travel = Walk(0, False, 0.0, 0.0, 0.0), 0.0
     for round_ in range(_ROUNDS):
         push = pull * friction - pendulum
-        walked = _walk(law, structure, heat, building, SLIDING, side, 0.0, 0.0, most, push, pull * slope)
+        walked = _walk(law, system, heat, building, SLIDING, side, 0.0, 0.0, most, push, pull * slope)
         length = building.step * walked.ticks / TICKS
         travel = there[0]
         if round_ == 0:
             if walked.event:  # with the friction corrected it may come later
                 most = min(most, 2 * walked.ticks)
-            most = min(most, _ticks_to_edge(heat, structure, origin, travel, walked.ticks))
+            most = min(most, _ticks_to_edge(heat, system, origin, travel, walked.ticks))
             continue
         if round_ == _ROUNDS - 1:
             break
         speed = 0.0 if walked.event else abs(there[floors])
         if round_ == 1:
             place = 0 if walked.ticks == TICKS else ODD_LENGTH
-            flux = structure.pressure * friction
+            flux = system.pressure * friction
             prepare(heat, place, length)
-            rubbing = structure.pressure * squared_speed(length, opening_speed, speed, abs(travel))
+            rubbing = system.pressure * squared_speed(length, opening_speed, speed, abs(travel))
             middle, closing = origin + 0.5 * travel, flux * speed
-            expect(heat, structure, place, time, middle, travel, flux * opening_speed, closing, rubbing)
-        slope = (mean_coefficient(law, structure, speed, heat.notes, EXPECTED) - friction) / length
+            expect(heat, system, place, time, middle, travel, flux * opening_speed, closing, rubbing)
+        slope = (mean_coefficient(BearingModel(law, system, heat), speed, EXPECTED) - friction) / length
     last = friction + slope * length
-    reach = side * last * structure.reach
+    reach = side * last * system.yield_per_mu
     if side * (travel - reach + elongation) < 0.0 and walked.ticks > 1:
         # spring (b) lags behind, for the force can grow faster than the yield force: it slides for a shorter time, or it sticks
         if walked.ticks > _LEAST_ROOM:
@@ -261,35 +263,35 @@ def _slide(
     state[FRESH] = 0.0
     state[ROOM] = min(2.0 * max(state[ROOM], walked.ticks), TICKS)
     rubbed = -(walked.push + pendulum * travel)
-    stored = 0.5 * structure.elastic * (reach * reach - elongation * elongation)
+    stored = 0.5 * system.elastic * (reach * reach - elongation * elongation)
     state[HYSTERETIC] += rubbed - stored
     state[ELONGATION], state[FRICTION] = reach, last
-    opening, closing = structure.pressure * friction * opening_speed, structure.pressure * last * speed
+    opening, closing = system.pressure * friction * opening_speed, system.pressure * last * speed
     # the flux is taken as linear, and raised so that the heat is the work of friction
-    missing = structure.pressure * abs(rubbed) / (structure.gravity * length) - 0.5 * (opening + closing)
+    missing = system.pressure * abs(rubbed) / (system.gravity * length) - 0.5 * (opening + closing)
     place = 0 if walked.ticks == TICKS else ODD_LENGTH
     prepare(heat, place, length)
-    note_ratios(law, structure, speed, heat.notes, EXPECTED, RATIO)
-    rubbing = structure.pressure * squared_speed(length, opening_speed, speed, abs(travel))
+    store_ratios(BearingModel(law, system, heat), speed, EXPECTED, RATIO)
+    rubbing = system.pressure * squared_speed(length, opening_speed, speed, abs(travel))
     middle, end, time = origin + 0.5 * travel, now[0], time + length
     opening += missing
     fits = heat_up(
-        heat, structure, place, time, length, end, middle, opening, closing + missing, closing, rubbing
+        heat, system, place, time, length, end, middle, opening, closing + missing, closing, rubbing
     )
-    for i in range(structure.plates):
-        state[PEAK_TEMPERATURE] = max(state[PEAK_TEMPERATURE], heat.notes[PRESENT + i])
+    for i in range(system.plates):
+        state[PEAK_TEMPERATURE] = max(state[PEAK_TEMPERATURE], heat.workspace[PRESENT + i])
     return walked.ticks, fits
 
 
 @kernel
-def _ticks_to_edge(heat: Heat, structure: Structure, origin: float, travel: float, ticks: int) -> int:
+def _ticks_to_edge(heat: Heat, system: SystemConstants, origin: float, travel: float, ticks: int) -> int:
     """Return after how many ticks a plate's monitoring point comes under the slider or leaves it, Eq. (12); all if none does."""
     earliest = TICKS
     if heat.kind != POINT:
         return earliest
     end = origin + travel
-    for i in range(structure.plates):
-        portion = share(structure, i)
+    for i in range(system.plates):
+        portion = share(system, i)
         if (portion * abs(origin) <= heat.half_contact) == (portion * abs(end) <= heat.half_contact):
             continue
         outer = end if abs(end) > abs(origin) else origin
@@ -300,9 +302,9 @@ def _ticks_to_edge(heat: Heat, structure: Structure, origin: float, travel: floa
 
 
 @kernel
-def march_building(
+def integrate_building(
     law: Law,
-    structure: Structure,
+    system: SystemConstants,
     heat: Heat,
     building: Building,
     acceleration: Floats,
@@ -319,7 +321,7 @@ def march_building(
     """
     now, size = building.vectors[NOW], 2 * building.floors
     status, done = DONE, 0
-    _record(structure, heat, building, state, histories[0])
+    _record(system, heat, building, state, histories[0])
     for i in range(acceleration.size - 1):
         rate = (acceleration[i + 1] - acceleration[i]) / (parts * building.step)
         now[size + GROUND_RATE] = rate
@@ -328,14 +330,14 @@ def march_building(
             left, events = TICKS, 0
             while left > 0 and status == DONE:
                 if state[SIDE] == 0.0:
-                    left -= _stick(law, structure, heat, building, state, left)
+                    left -= _stick(law, system, heat, building, state, left)
                 else:
                     time = building.step * (i * parts + part + (TICKS - left) / TICKS)
-                    ticks, fits = _slide(law, structure, heat, building, state, left, time)
+                    ticks, fits = _slide(law, system, heat, building, state, left, time)
                     left -= ticks
                     if not fits:
                         status = OUT_OF_CELLS
-                _note_peaks(building, structure, state, peaks)
+                _note_peaks(building, system, state, peaks)
                 events += 1
                 if events > _MOST_EVENTS_PER_STEP:
                     status = NO_PROGRESS
@@ -343,19 +345,19 @@ def march_building(
         if status != DONE:
             break
         done = i + 1
-        _record(structure, heat, building, state, histories[done])
-        if done >= free_from and _rests(law, structure, heat, building, state):
+        _record(system, heat, building, state, histories[done])
+        if done >= free_from and _rests(law, system, heat, building, state):
             status = AT_REST
             break
-    return status, done, _rests(law, structure, heat, building, state)
+    return status, done, _rests(law, system, heat, building, state)
 
 
 @kernel
-def _note_peaks(building: Building, structure: Structure, state: Floats, peaks: Floats) -> None:
+def _note_peaks(building: Building, system: SystemConstants, state: Floats, peaks: Floats) -> None:
     """Note displacement, drifts and accelerations, if they are the largest; a drift that turns within half a step, where it turns."""
     now, floors, below = building.vectors[NOW], building.floors, 0.0
     for i in range(floors):
-        acceleration = _acceleration(building, structure, state[ELONGATION], i)
+        acceleration = _acceleration(building, system, state[ELONGATION], i)
         drift = now[i] - now[i - 1] if i > 0 else now[i]
         rate, change = now[floors + i] - now[floors + i - 1], acceleration - below
         if i > 0 and 2.0 * abs(rate) < building.step * abs(change):
@@ -366,7 +368,7 @@ def _note_peaks(building: Building, structure: Structure, state: Floats, peaks: 
 
 
 @kernel
-def _record(structure: Structure, heat: Heat, building: Building, state: Floats, line: Floats) -> None:
+def _record(system: SystemConstants, heat: Heat, building: Building, state: Floats, line: Floats) -> None:
     size = 2 * building.floors
     for i in range(size):
         line[i] = building.vectors[NOW, i]
@@ -376,26 +378,26 @@ def _record(structure: Structure, heat: Heat, building: Building, state: Floats,
     line[size + LINE_INPUT] = state[INPUT]
     line[size + LINE_HYSTERETIC] = state[HYSTERETIC]
     line[size + LINE_DAMPED] = state[DAMPED]
-    for i in range(structure.plates):
-        line[size + LINE_SIZE + i] = heat.notes[PRESENT + i]
+    for i in range(system.plates):
+        line[size + LINE_SIZE + i] = heat.workspace[PRESENT + i]
 
 
 @kernel
-def _rests(law: Law, structure: Structure, heat: Heat, building: Building, state: Floats) -> bool:
+def _rests(law: Law, system: SystemConstants, heat: Heat, building: Building, state: Floats) -> bool:
     """Whether all the energy of the free vibration that is left, brought into the base, would leave it inside the yield surface."""
     if state[SIDE] != 0.0:
         return False
     now, floors = building.vectors[NOW], building.floors
-    stiffness = structure.restoring + structure.elastic
+    stiffness = system.restoring + system.elastic
     stuck = now[0] - state[ELONGATION]
-    centre = structure.elastic * stuck / stiffness
+    centre = system.elastic * stuck / stiffness
     twice = stiffness * (now[0] - centre) ** 2
     for i in range(floors):
         twice += building.inertia[i] * now[floors + i] ** 2
         if i > 0:
             twice += building.stiffness[i] * (now[i] - now[i - 1]) ** 2
     for speed in (0.0, math.sqrt(twice / building.inertia[0])):
-        friction = mean_coefficient(law, structure, speed, heat.notes, PRESENT)
-        if abs(centre - stuck) + math.sqrt(twice / stiffness) >= friction * structure.reach:
+        friction = mean_coefficient(BearingModel(law, system, heat), speed, PRESENT)
+        if abs(centre - stuck) + math.sqrt(twice / stiffness) >= friction * system.yield_per_mu:
             return False
     return True

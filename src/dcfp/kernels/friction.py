@@ -10,22 +10,28 @@ are in line. The form of any other law is the address of a compiled function, wh
 """
 
 import ctypes
-from typing import Any
+from typing import Any, NamedTuple
 
-import numpy as np
 from llvmlite import ir
 from numba.core import cgutils
 from numba.extending import intrinsic
-from numpy.typing import NDArray
 
 from dcfp.kernels._jit import kernel, numba_config
-from dcfp.kernels.exponential import fading
-from dcfp.kernels.heat_state import DOSE
+from dcfp.kernels.heat_state import CYCLING_PARAMETER, Heat
 from dcfp.kernels.law import CYCLING, LAW_ARGUMENTS, Law
-from dcfp.kernels.motion import Structure
+from dcfp.kernels.motion import SystemConstants, speed_factor
+from dcfp.kernels.sum_of_exponentials import exp_neg
 
 # numba gives these no types
 utilities: Any = cgutils
+
+
+class BearingModel(NamedTuple):
+    """A bearing under its load, with its friction and the heat in its plates."""
+
+    law: Law
+    system: SystemConstants
+    heat: Heat
 
 
 def _called_interpreted(law: Law, pressure: float, speed: float, temperature: float, cycling: float) -> float:
@@ -55,59 +61,47 @@ def coefficient(law: Law, pressure: float, speed: float, temperature: float, cyc
     """Coefficient of friction [-] at a pressure [N/mm2], speed [mm/s], temperature [degC] and cycling parameter [N/s]."""
     if law.form > CYCLING:
         return call_by_address(law, pressure, speed, temperature, cycling)
-    speed_factor = 1.0 - law.speed_drop * fading(law.speed_rate * speed)
+    speed_term = 1.0 - law.speed_drop * exp_neg(law.speed_rate * speed)
     if law.form == CYCLING:
-        return law.reference * speed_factor * fading((law.heat_rate * cycling) ** law.heat_scale)
-    heat_factor = law.heat_scale * fading(law.heat_rate * temperature) + law.heat_floor
-    return law.reference * speed_factor * heat_factor
+        return law.reference * speed_term * exp_neg((law.heat_rate * cycling) ** law.heat_scale)
+    heat_term = law.heat_scale * exp_neg(law.heat_rate * temperature) + law.heat_floor
+    return law.reference * speed_term * heat_term
 
 
 @kernel
 def with_reference(law: Law, reference: float) -> Law:
     """Return a law in line at another pressure, at which its reference is this one [-]."""
     return Law(
-        law.form,
-        reference,
-        law.speed_drop,
-        law.speed_rate,
-        law.heat_scale,
-        law.heat_rate,
-        law.heat_floor,
+        law.form, reference, law.speed_drop, law.speed_rate, law.heat_scale, law.heat_rate, law.heat_floor
     )
 
 
 @kernel
-def mean_coefficient(
-    law: Law, structure: Structure, speed: float, notes: NDArray[np.float64], first: int
-) -> float:
+def _plate_coefficient(model: BearingModel, plate: int, speed: float, first: int) -> float:
+    system, workspace = model.system, model.heat.workspace
+    temperature, cycling = workspace[first + plate], workspace[first + plate + CYCLING_PARAMETER]
+    return coefficient(model.law, system.pressure, speed_factor(system, plate) * speed, temperature, cycling)
+
+
+@kernel
+def mean_coefficient(model: BearingModel, speed: float, first: int) -> float:
     """Coefficient of the whole bearing [-] at a relative speed [mm/s]: the plates' mean by their share of the travel.
 
-    The plates' temperatures [degC] stand in `notes` from entry `first` on, their doses so many entries later.
+    The plates' temperatures [degC] stand in the workspace from entry `first` on, their cycling parameters so many entries later.
     """
-    one = coefficient(
-        law, structure.pressure, structure.first_speed * speed, notes[first], notes[first + DOSE]
-    )
-    if structure.plates == 1:
+    one = _plate_coefficient(model, 0, speed, first)
+    if model.system.plates == 1:
         return one
-    other = coefficient(
-        law, structure.pressure, structure.second_speed * speed, notes[first + 1], notes[first + DOSE + 1]
-    )
-    return structure.first_share * one + structure.second_share * other
+    other = _plate_coefficient(model, 1, speed, first)
+    return model.system.first_share * one + model.system.second_share * other
 
 
 @kernel
-def note_ratios(
-    law: Law, structure: Structure, speed: float, notes: NDArray[np.float64], first: int, ratio: int
-) -> None:
-    """Note from entry `ratio` on the coefficient of each plate over that of the bearing, if the plates differ."""
-    if structure.plates == 1:
+def store_ratios(model: BearingModel, speed: float, first: int, ratio: int) -> None:
+    """Store from entry `ratio` on the coefficient of each plate over that of the bearing, if the plates differ."""
+    if model.system.plates == 1:
         return
-    one = coefficient(
-        law, structure.pressure, structure.first_speed * speed, notes[first], notes[first + DOSE]
-    )
-    other = coefficient(
-        law, structure.pressure, structure.second_speed * speed, notes[first + 1], notes[first + DOSE + 1]
-    )
-    mean = structure.first_share * one + structure.second_share * other
-    notes[ratio] = one / mean
-    notes[ratio + 1] = other / mean
+    one, other = _plate_coefficient(model, 0, speed, first), _plate_coefficient(model, 1, speed, first)
+    mean = model.system.first_share * one + model.system.second_share * other
+    model.heat.workspace[ratio] = one / mean
+    model.heat.workspace[ratio + 1] = other / mean

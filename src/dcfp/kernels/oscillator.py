@@ -1,4 +1,4 @@
-r"""An undamped oscillator under a quadratic push, in closed form.
+r"""An undamped oscillator under a quadratic force, in closed form.
 
 .. math:: \ddot y + \omega^2 y = p_0 + p_1 t + p_2 t^2
 
@@ -22,7 +22,7 @@ _7, _8, _9, _10 = 1.0 / 42.0, 1.0 / 56.0, 1.0 / 72.0, 1.0 / 90.0
 _11, _12, _13, _14 = 1.0 / 110.0, 1.0 / 132.0, 1.0 / 156.0, 1.0 / 182.0
 
 
-class Swing(NamedTuple):
+class OscillatorStep(NamedTuple):
     """What a step of the oscillator brings.
 
     ``displacement`` y - y0 [mm] and ``velocity`` [mm/s] at the end; ``area`` [mm s] and ``moment`` [mm s2] are the
@@ -36,18 +36,18 @@ class Swing(NamedTuple):
 
 
 @kernel
-def swing(
+def advance_oscillator(
     stiffness: float,
     step: float,
     velocity: float,
     acceleration: float,
-    push_rate: float,
-    push_curvature: float,
-) -> Swing:
+    force_rate: float,
+    force_curvature: float,
+) -> OscillatorStep:
     """Advance the oscillator over `step` [s], which must not exceed about one radian.
 
-    `stiffness` is omega squared [1/s2]; `acceleration` is that at the start [mm/s2]; the push is
-    p0 + `push_rate` t + `push_curvature` t2 [mm/s2, mm/s3, mm/s4].
+    `stiffness` is omega squared [1/s2]; `acceleration` is that at the start [mm/s2]; the force is
+    p0 + `force_rate` t + `force_curvature` t2 [mm/s2, mm/s3, mm/s4].
     """
     h = step
     z = stiffness * h * h
@@ -61,10 +61,10 @@ def swing(
     phi0 = 1.0 - z * phi2
     v0 = velocity
     a0 = acceleration * h
-    # the push is what a step waits for: all else is multiplied before it
-    p1 = push_rate * (h * h)
-    p2 = push_curvature * (2.0 * h * h * h)
-    return Swing(
+    # a step depends on the force last: all else is multiplied before it
+    p1 = force_rate * (h * h)
+    p2 = force_curvature * (2.0 * h * h * h)
+    return OscillatorStep(
         h * (v0 * phi1 + a0 * phi2 + p1 * phi3 + p2 * phi4),
         v0 * phi0 + a0 * phi1 + p1 * phi2 + p2 * phi3,
         h * h * (v0 * phi2 + a0 * phi3 + p1 * phi4 + p2 * phi5),
@@ -73,11 +73,11 @@ def swing(
 
 
 @kernel
-def work(constant: float, rate: float, curvature: float, step: float, swung: Swing) -> float:
+def work(constant: float, rate: float, curvature: float, length: float, step: OscillatorStep) -> float:
     """Integrate (`constant` + `rate` t + `curvature` t2) times the velocity over the step, exactly."""
-    h, dy = step, swung.displacement
-    first = h * dy - swung.area
-    second = h * h * dy - 2.0 * h * swung.area + 2.0 * swung.moment
+    h, dy = length, step.displacement
+    first = h * dy - step.area
+    second = h * h * dy - 2.0 * h * step.area + 2.0 * step.moment
     return constant * dy + rate * first + curvature * second
 
 

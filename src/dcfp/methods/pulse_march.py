@@ -14,14 +14,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
-from dcfp.kernels import pulse_march as k
+from dcfp.kernels import pulses as k
 from dcfp.methods.method import Information, Look, register
 from dcfp.methods.prediction import Ground, Methods, Predicted, PredictionMethod
 from dcfp.methods.pulses import MARCH_THRESHOLD, Prediction, Pulses, find_pulses
 from dcfp.motion.load import Motion
 from dcfp.schema.notebook import fields_card
 from dcfp.system import FrictionLaw, Heating, System, SystemLike
-from dcfp.system.plates import cold_plates, heat_of, structure_of
+from dcfp.system.plates import cold_plates, heat_of, kernel_model
 
 NAME = "pulse march"
 #: Steps in a leg, at least, and the longest step [s].
@@ -96,52 +96,42 @@ def march_through_pulses(
     system = System.of(bearing, friction, heating)
     rows = _rows(pulses, parts) if with_path else 0
     state, path, elapsed = _marched(pulses, system, parts, rows)
-    if not np.isfinite(state[: k.PEAK_LEG]).all():
+    if not np.isfinite(state[:-1]).all():
         what = "the march through the pulses"
         raise system.friction.no_number(what)
     return PulseMarch(
         prediction=Prediction(
-            displacement_change=float(state[k.PEAK_CHANGE]),
-            input_velocity=math.sqrt(2.0 * state[k.PEAK_INPUT]),
-            hysteretic_velocity=math.sqrt(2.0 * state[k.PEAK_HYSTERETIC]),
-            displacement=float(state[k.PEAK_DISPLACEMENT]),
-            total_velocity=math.sqrt(2.0 * max(float(state[k.INPUT]), 0.0)),
+            displacement_change=state.peak_change,
+            input_velocity=math.sqrt(2.0 * state.peak_input),
+            hysteretic_velocity=math.sqrt(2.0 * state.peak_hysteretic),
+            displacement=state.peak_displacement,
+            total_velocity=math.sqrt(2.0 * max(state.input, 0.0)),
         ),
-        pulse=_pulse_of(float(state[k.PEAK_LEG]), pulses),
-        rests=bool(state[k.SIDE] == 0.0),
-        peak_temperature=float(state[k.PEAK_TEMPERATURE]),
-        residual_displacement=float(state[k.DISPLACEMENT]),
+        pulse=_pulse_of(state.peak_leg, pulses),
+        rests=state.slip_sign == 0.0,
+        peak_temperature=state.peak_temperature,
+        residual_displacement=state.displacement,
         time=freeze(path[:, k.PATH_TIME].copy()),
         displacement=freeze(path[:, k.PATH_DISPLACEMENT].copy()),
         elapsed=elapsed,
     )
 
 
-def _marched(pulses: Pulses, system: System, parts: int, rows: int) -> tuple[FloatArray, FloatArray, float]:
+def _marched(pulses: Pulses, system: System, parts: int, rows: int) -> tuple[k.PulseState, FloatArray, float]:
     """Return state and path at the end, and the computing time [s]; again with more cells where they did not suffice."""
-    structure = structure_of(system)
-    law = system.friction.at_pressure(system.bearing.pressure)
     plates = cold_plates(system)
     while True:
-        state = np.zeros(k.STATE_SIZE)
-        state[k.PEAK_TEMPERATURE] = system.heating.ambient
-        state[k.PEAK_LEG] = math.nan
+        state = np.zeros(1, k.PULSE_STATE)
+        state["peak_temperature"], state["peak_leg"] = system.heating.ambient, math.nan
         path = np.empty((rows, k.PATH_SIZE))
+        model = kernel_model(system, heat_of(plates, system))
         began = time.perf_counter()
-        written, fits = k.march_pulses(
-            law,
-            structure,
-            heat_of(plates, system),
-            pulses.times,
-            pulses.velocities,
-            parts,
-            LONGEST_STEP,
-            state,
-            path,
+        written, fits = k.integrate_pulses(
+            model, pulses.times, pulses.velocities, parts, LONGEST_STEP, state, path
         )
         elapsed = time.perf_counter() - began
         if fits:
-            return state, path[:written], elapsed
+            return k.PulseState(*state[0].item()), path[:written], elapsed
         plates = cold_plates(system).with_room(plates.cells.shape[1])
 
 

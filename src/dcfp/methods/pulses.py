@@ -8,7 +8,7 @@ import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
-from dcfp.kernels.turning_points import find_turning_points
+from dcfp.kernels.pulses import find_turning_points
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import Motion, motion_of
 from dcfp.schema.nomenclature import Quantities

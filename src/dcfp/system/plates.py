@@ -8,24 +8,24 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
+from dcfp.kernels.friction import BearingModel
 from dcfp.kernels.heat_state import (
-    BANK_ROWS,
-    DOSE,
+    CYCLING_PARAMETER,
     LEFT_CELL,
-    NOTES,
-    PLATE_NOTE,
-    PLATE_NOTES,
+    MODE_ROWS,
+    PLATE_ENTRIES,
+    PLATE_ENTRY,
     PRESENT,
     RATES,
     RATIO,
-    STEP_NOTE,
+    STEP_ENTRY,
     WEIGHTS,
+    WORKSPACE_SIZE,
     Heat,
 )
-from dcfp.kernels.memory import HORIZON, MODES, fading_modes
-from dcfp.kernels.motion import Structure
+from dcfp.kernels.motion import SystemConstants
 from dcfp.kernels.plate import write_profile
-from dcfp.kernels.slab import slab_modes
+from dcfp.kernels.sum_of_exponentials import HORIZON, MODES, finite_plate_modes, half_space_modes
 from dcfp.schema.nomenclature import quantity
 from dcfp.system.bearing import Bearing
 from dcfp.system.heating import INSULATED, Heating, PreciseHeating
@@ -47,47 +47,49 @@ class PlateHeat:
 
     Attributes
     ----------
-    bank, notes, cells
+    modes, workspace, cells
         As in `dcfp.kernels.heat_state`.
     instant
-        Instant weight of the modes in the bank [s^1/2].
+        Instant weight of the modes [s^1/2].
     """
 
-    bank: FloatArray
-    notes: FloatArray
+    modes: FloatArray
+    workspace: FloatArray
     cells: FloatArray
     instant: float
 
     @property
     def temperature(self) -> FloatArray:
         """Temperature of the contact on each plate that differs [degC], shape (plates,)."""
-        return self.notes[PRESENT : PRESENT + self.cells.shape[0]]
+        return self.workspace[PRESENT : PRESENT + self.cells.shape[0]]
 
     def copy(self) -> "PlateHeat":
         """Return a copy that shares no array with this one."""
-        return replace(self, bank=self.bank.copy(), notes=self.notes.copy(), cells=self.cells.copy())
+        return replace(
+            self, modes=self.modes.copy(), workspace=self.workspace.copy(), cells=self.cells.copy()
+        )
 
     def with_room(self, cells: int) -> "PlateHeat":
         """Return a copy with so many more cells at each end of the plates."""
         wider = self.copy()
         blank = np.zeros((self.cells.shape[0], cells, self.cells.shape[2]))
         for plate in range(self.cells.shape[0]):
-            wider.notes[PLATE_NOTE + plate * PLATE_NOTES + LEFT_CELL] += cells
+            wider.workspace[PLATE_ENTRY + plate * PLATE_ENTRIES + LEFT_CELL] += cells
         return replace(wider, cells=np.concatenate((blank, wider.cells, blank), axis=1))
 
 
-def structure_of(system: System) -> Structure:
-    """Return the structure on its bearing per unit mass; two equal plates become one with half the travel."""
+def system_constants(system: System) -> SystemConstants:
+    """Return the constants of a rigid structure on its bearing per unit mass; two equal plates become one with half the travel."""
     bearing, friction = system.bearing, system.friction
     shares = bearing.shares
     plates = len(set(bearing.radii))
     speeds = shares if friction.speed_is_of_surface else (1.0,) * len(shares)
-    return Structure(
+    return SystemConstants(
         restoring=bearing.restoring_stiffness / bearing.mass,
         elastic=bearing.elastic_stiffness / bearing.mass,
         gravity=bearing.vertical_force / bearing.mass,
         pressure=bearing.pressure,
-        reach=bearing.vertical_force / bearing.elastic_stiffness,
+        yield_per_mu=bearing.vertical_force / bearing.elastic_stiffness,
         plates=plates,
         first_share=shares[0],
         second_share=shares[-1],
@@ -133,35 +135,35 @@ def cold_plates(system: System, *, reach: float = FIRST_REACH, horizon: float = 
     reach
         Displacement for which the line of cells of the precise model has room [mm].
     horizon
-        Time within which the slowest mode of a half-space hardly fades [s]; see `fading_modes`.
+        Time within which the slowest mode of a half-space hardly decays [s]; see `half_space_modes`.
     """
     heating, plates = system.heating, len(set(system.bearing.radii))
     rates, weights, instant = modes_of(heating, horizon)
-    bank = np.zeros((BANK_ROWS, MODES))
-    bank[RATES] = rates
-    bank[WEIGHTS] = weights * heating.rise_factor
-    notes = cold_notes(heating.ambient)
+    modes = np.zeros((MODE_ROWS, MODES))
+    modes[RATES] = rates
+    modes[WEIGHTS] = weights * heating.rise_factor
+    workspace = cold_workspace(heating.ambient)
     margin = margin_for(system, reach)
     for i in range(plates):
-        notes[PLATE_NOTE + i * PLATE_NOTES + LEFT_CELL] = margin
-    return PlateHeat(bank, notes, no_heat(plates, heating, margin), instant)
+        workspace[PLATE_ENTRY + i * PLATE_ENTRIES + LEFT_CELL] = margin
+    return PlateHeat(modes, workspace, no_heat(plates, heating, margin), instant)
 
 
 def modes_of(heating: Heating, horizon: float = HORIZON) -> tuple[FloatArray, FloatArray, float]:
     """Return rates [1/s], weights [s^-1/2] and the instant weight [s^1/2] of the modes of a plate; `horizon` as for `cold_plates`."""
     if heating.thickness is None:
-        return fading_modes(horizon)
+        return half_space_modes(horizon)
     insulated = heating.back == INSULATED
-    return slab_modes(heating.diffusivity, heating.thickness, insulated=insulated)
+    return finite_plate_modes(heating.diffusivity, heating.thickness, insulated=insulated)
 
 
-def cold_notes(ambient: float) -> FloatArray:
-    """Return the notes of plates at an ambient temperature [degC], without the place of the slider."""
-    notes = np.zeros(NOTES)
-    notes[PRESENT:DOSE] = ambient
-    notes[RATIO:PLATE_NOTE] = 1.0
-    notes[STEP_NOTE:] = math.nan  # no step is prepared
-    return notes
+def cold_workspace(ambient: float) -> FloatArray:
+    """Return the workspace of plates at an ambient temperature [degC], without the place of the slider."""
+    workspace = np.zeros(WORKSPACE_SIZE)
+    workspace[PRESENT:CYCLING_PARAMETER] = ambient
+    workspace[RATIO:PLATE_ENTRY] = 1.0
+    workspace[STEP_ENTRY:] = math.nan  # no step is prepared
+    return workspace
 
 
 def cells_across(heating: Heating) -> int:
@@ -190,10 +192,16 @@ def heat_of(plates: PlateHeat, system: System) -> Heat:
         half_contact=system.bearing.contact_half_side,
         cell=cell_width(system),
         instant=plates.instant * heating.rise_factor,
-        bank=plates.bank,
-        notes=plates.notes,
+        modes=plates.modes,
+        workspace=plates.workspace,
         cells=plates.cells,
     )
+
+
+def kernel_model(system: System, heat: Heat) -> BearingModel:
+    """Return the kernels' view of a bearing under its own load, with the heat in its plates."""
+    law = system.friction.at_pressure(system.bearing.pressure)
+    return BearingModel(law, system_constants(system), heat)
 
 
 # Temperature along the plates over time.
@@ -219,7 +227,7 @@ class Profiles:
 
     @classmethod
     def of(cls, kept: Sequence[tuple[float, FloatArray]], system: System) -> "Profiles":
-        """Return the profiles that a march kept: for each time [s] what `profile_now` gave."""
+        """Return the profiles that an integration kept: for each time [s] what `profile_now` gave."""
         temperature = np.stack([profile for _, profile in kept])
         cells = int(temperature.shape[-1])
         # the last cell is there only for the right edge to enter: the line is centred without it
@@ -227,15 +235,15 @@ class Profiles:
         return cls(freeze(np.array([t for t, _ in kept])), freeze(position), freeze(temperature))
 
 
-def profile_now(heat: Heat, structure: Structure, time: float, flux: float) -> FloatArray:
+def profile_now(heat: Heat, constants: SystemConstants, time: float, flux: float) -> FloatArray:
     """Return the temperature along the plates [degC] at a time [s], shape (plates, cells).
 
     `flux` is mu p |v| [N/(mm s)], zero while sticking.
     """
-    rises = np.zeros((structure.plates, heat.cells.shape[1]))
-    shares = (structure.first_share, structure.second_share)
-    for i in range(structure.plates):
-        write_profile(heat, i, time, shares[i] * float(heat.notes[RATIO + i]) * flux, rises[i])
+    rises = np.zeros((constants.plates, heat.cells.shape[1]))
+    shares = (constants.first_share, constants.second_share)
+    for i in range(constants.plates):
+        write_profile(heat, i, time, shares[i] * float(heat.workspace[RATIO + i]) * flux, rises[i])
     return rises + heat.ambient
 
 

@@ -11,11 +11,10 @@ import numpy as np
 from dcfp.analysis import respond
 from dcfp.analysis.kernel_input import State, state_at_rest
 from dcfp.constants import STANDARD_GRAVITY
-from dcfp.kernels import march
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.synthetic import harmonic
 from dcfp.system import LI_2020, Bearing, ConstantFriction, NoHeating, System
-from dcfp.system.plates import structure_of
+from dcfp.system.plates import system_constants
 from dcfp.verify.check import Finding, Task
 
 GROUP = "Closed forms of the motion"
@@ -26,11 +25,11 @@ _ROUNDING = "Allowed: rounding over the steps."
 def _moving(bearing: Bearing, velocity: float, *, sliding: bool) -> State:
     """Return the state at zero displacement with a velocity [mm/s], on the yield surface if it is sliding."""
     system = System(bearing, _FRICTION, NoHeating())
-    structure, state = structure_of(system), state_at_rest(system)
-    state.march[march.STATE_VELOCITY] = velocity
+    constants, state = system_constants(system), state_at_rest(system)
+    state.integration["motion"]["velocity"] = velocity
     if sliding:
-        state.march[march.STATE_ELONGATION] = _FRICTION.mu * structure.reach
-        state.march[march.STATE_SIDE] = 1.0
+        state.integration["spring"]["elongation"] = _FRICTION.mu * constants.yield_per_mu
+        state.integration["spring"]["slip_sign"] = 1
     return state
 
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from dcfp.analysis import respond
 from dcfp.arrays import FloatArray
-from dcfp.kernels.memory import fading_modes
+from dcfp.kernels.sum_of_exponentials import half_space_modes
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.system import LI_2020, Bearing, FrictionLaw, Kumar2015, Li2020, SimplifiedHeating
 from dcfp.verify.check import Finding, Task, scaled_record
@@ -49,7 +49,7 @@ def integrate(
     """Integrate the motion of a bearing with one plate, or two equal ones, under a built-in law."""
     law = friction.at_pressure(bearing.pressure)
     share = bearing.shares[0]
-    rates, weights, instant = fading_modes()
+    rates, weights, instant = half_space_modes()
     displacement, rise = _march(
         motion.acceleration,
         motion.time_step,

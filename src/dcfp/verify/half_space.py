@@ -9,16 +9,21 @@ import numpy as np
 from dcfp.analysis import Response, respond
 from dcfp.analysis.kernel_input import state_at_rest
 from dcfp.arrays import FloatArray
-from dcfp.kernels.march import STATE_ELONGATION, STATE_SIDE, STATE_VELOCITY
-from dcfp.kernels.memory import RATE_RATIO, fading_modes, feed, fill_fade, fill_weights
+from dcfp.kernels.sum_of_exponentials import (
+    RATE_RATIO,
+    accumulate,
+    fill_decay,
+    fill_weights,
+    half_space_modes,
+)
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.system import LI_2020, ConstantFriction, Heating, PreciseHeating, SimplifiedHeating, System
 from dcfp.system.heating import constant_flux_rise
-from dcfp.system.plates import structure_of
+from dcfp.system.plates import system_constants
 from dcfp.verify.check import Finding, Task, scaled_record
 
 GROUP = "Heat in the plate"
-#: Largest relative error of the trapezoidal rule behind the modes: `dcfp.kernels.memory`.
+#: Largest relative error of the trapezoidal rule behind the modes: `dcfp.kernels.sum_of_exponentials`.
 _KERNEL_BOUND = 2.0 * math.sqrt(2.0) * math.exp(-(math.pi**2) / math.log(RATE_RATIO))
 _BOUND_NOTE = "Allowed: 2 sqrt(2) exp(-pi2 / ln r), the bound of the rule behind the modes."
 _CARSLAW = "Carslaw and Jaeger (1959), section 2.9"
@@ -27,7 +32,7 @@ _CARSLAW = "Carslaw and Jaeger (1959), section 2.9"
 def _kernel_error(first: float, last: float, limit: float) -> Finding:
     error = kernel_error(first, last)
     note = (
-        f"Largest relative error for these lags. Allowed: what `fading_modes` states. Shorter lags are outside of what it"
+        f"Largest relative error for these lags. Allowed: what `half_space_modes` states. Shorter lags are outside of what it"
         f" states: from 1 to 4 ms the error is {100.0 * kernel_error(1e-3, 4e-3):.1f} %, and heat that young is"
         f" {100.0 * abs(_fed(np.ones(2), 1e-3)[1] / (2.0 * math.sqrt(1e-3)) - 1.0):.1f} % off after 1 ms."
     )
@@ -36,7 +41,7 @@ def _kernel_error(first: float, last: float, limit: float) -> Finding:
 
 def kernel_error(first: float, last: float) -> float:
     """Return the largest relative error of the sum of modes for lags between `first` and `last` [s]."""
-    rates, weights, _ = fading_modes()
+    rates, weights, _ = half_space_modes()
     lag = np.geomspace(first, last, 20_001)
     total = (weights * np.exp(-np.outer(lag, rates))).sum(axis=1)
     return float(np.abs(total * np.sqrt(lag) - 1.0).max())
@@ -44,12 +49,12 @@ def kernel_error(first: float, last: float) -> float:
 
 def _fed(flux: FloatArray, step: float) -> FloatArray:
     """Return the integral of flux / sqrt(lag) at each time by the kernels' modes; the flux is linear in each step."""
-    rates, weights, instant = fading_modes()
-    bank = np.zeros((6, rates.size))
-    bank[0], bank[1] = rates, weights
-    fill_fade(bank, 0, step, 3)
-    fill_weights(bank, 0, 1, step, 3)
-    sums = [feed(bank, 3, 2, flux[i], flux[i + 1]) for i in range(flux.size - 1)]
+    rates, weights, instant = half_space_modes()
+    modes = np.zeros((6, rates.size))
+    modes[0], modes[1] = rates, weights
+    fill_decay(modes, 0, step, 3)
+    fill_weights(modes, 0, 1, step, 3)
+    sums = [accumulate(modes, 3, 2, flux[i], flux[i + 1]) for i in range(flux.size - 1)]
     return np.concatenate(([0.0], sums)) + instant * flux
 
 
@@ -68,11 +73,11 @@ def _constant_flux_by_analysis() -> Finding:
     friction = ConstantFriction(1e-9)
     heating = SimplifiedHeating().unchecked(conductivity=1e-8)
     system = System(plane, friction, heating)
-    structure, start = structure_of(system), state_at_rest(system)
+    constants, start = system_constants(system), state_at_rest(system)
     velocity = 100.0
-    start.march[STATE_VELOCITY] = velocity
-    start.march[STATE_ELONGATION] = friction.mu * structure.reach
-    start.march[STATE_SIDE] = 1.0
+    start.integration["motion"]["velocity"] = velocity
+    start.integration["spring"]["elongation"] = friction.mu * constants.yield_per_mu
+    start.integration["spring"]["slip_sign"] = 1
     still = GroundMotion(np.zeros(30_001), 0.01, "ground at rest")
     slide = respond(still, system, tail=0.0, start=start)
     flux = 0.5 * friction.mu * plane.pressure * velocity

@@ -8,14 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.analysis.batch.lanes import Family, GroundSet, Lanes, families_of
-from dcfp.analysis.kernel_input import tallies_at
+from dcfp.analysis.kernel_input import states_at_rest
 from dcfp.analysis.response import FAILED, NUMBERS, Status
 from dcfp.arrays import FloatArray, IntArray
-from dcfp.kernels import batch as k
-from dcfp.kernels.batch import LANE_MODEL, LANE_RECORD, LANE_SIZE, OUT_ENDED, OUT_SIZE, Workspace, march_lanes
-from dcfp.kernels.march import AT_REST, DONE, OUT_OF_CELLS, STATE_SIZE, TEMPERATURE
+from dcfp.kernels._jit import Records, as_bytes
+from dcfp.kernels.batch import BATCH_RUN, run_batch
+from dcfp.kernels.integrate import TEMPERATURE
+from dcfp.kernels.motion import AT_REST, DONE, OUT_OF_CELLS
 from dcfp.system import Bearing
-from dcfp.system.plates import cold_notes
+from dcfp.system.plates import cold_workspace
 
 # What a batch gives for each lane.
 
@@ -55,28 +56,28 @@ class Peaks:
     status: NDArray[np.uint8]
 
     @classmethod
-    def of(cls, outcome: FloatArray, lanes: Lanes) -> "Peaks":
-        """Read the outcome of the kernel."""
+    def of(cls, states: Records, lanes: Lanes) -> "Peaks":
+        """Read the states that the kernel left."""
         bearings = [model.bearing for model in lanes.models]
         mass, weight, elastic, restoring, capacity = _constants(bearings)[:, lanes.model]
-        force = outcome[:, k.OUT_FORCE] * mass
-        stuck = outcome[:, k.OUT_LAST_DISPLACEMENT] - outcome[:, k.OUT_LAST_ELONGATION]
+        extremes = states["extremes"]
+        force = extremes["force"] * mass
+        stuck = states["motion"]["displacement"] - states["spring"]["elongation"]
         values = {
-            "peak_displacement": outcome[:, k.OUT_DISPLACEMENT],
-            "peak_change": outcome[:, k.OUT_CHANGE],
-            "peak_velocity": outcome[:, k.OUT_VELOCITY],
+            "peak_displacement": extremes["displacement"],
+            "peak_change": extremes["change"],
+            "peak_velocity": extremes["velocity"],
             "peak_force": force,
             "force_ratio": force / weight,
-            "peak_temperature": outcome[:, k.OUT_TEMPERATURE],
-            "least_friction": outcome[:, k.OUT_FRICTION],
+            "peak_temperature": extremes["temperature"],
+            "least_friction": extremes["friction"],
             "residual_displacement": stuck * elastic / (elastic + restoring),
-            "input_velocity": _equivalent_velocity(outcome[:, k.OUT_INPUT], mass),
-            "hysteretic_velocity": _equivalent_velocity(outcome[:, k.OUT_HYSTERETIC], mass),
+            "input_velocity": _equivalent_velocity(extremes["input"], mass),
+            "hysteretic_velocity": _equivalent_velocity(extremes["hysteretic"], mass),
         }
-        finished = np.isin(outcome[:, k.OUT_ENDED], (DONE, AT_REST))
-        failed = ~(finished & np.isfinite(outcome).all(axis=1))
-        status = np.where(outcome[:, k.OUT_RESTS] > 0.0, NUMBERS[Status.OK], NUMBERS[Status.STILL_MOVING])
-        status[outcome[:, k.OUT_DISPLACEMENT] > capacity] = NUMBERS[Status.BEYOND_CAPACITY]
+        failed = ~np.isin(states["status"], (DONE, AT_REST))
+        status = np.where(states["at_rest"], NUMBERS[Status.OK], NUMBERS[Status.STILL_MOVING])
+        status[extremes["displacement"] > capacity] = NUMBERS[Status.BEYOND_CAPACITY]
         status[failed] = FAILED
         whole = {name: np.where(failed, np.nan, one) for name, one in values.items()}
         return cls(**whole, status=status.astype(np.uint8))
@@ -123,14 +124,16 @@ def respond_in_batch(grounds: GroundSet, lanes: Lanes) -> Peaks:
     lanes
         What is analysed; lanes of the same record and scale are best side by side.
     """
-    outcome = np.full((len(lanes), OUT_SIZE), np.nan)
+    ambient = np.array([model.heating.ambient for model in lanes.models])
+    states = states_at_rest(len(lanes), 0.0)
+    states["extremes"]["temperature"] = ambient[lanes.model]
     for family in families_of(lanes.models):
         rows = np.full(len(lanes.models), -1, dtype=np.intp)
         rows[family.members] = np.arange(len(family.members))
         row = rows[lanes.model]
         chosen = np.flatnonzero(row >= 0)
-        _march_family(grounds, lanes, family, chosen, row, outcome)
-    return Peaks.of(outcome, lanes)
+        _run_family(grounds, lanes, family, chosen, row, states)
+    return Peaks.of(states, lanes)
 
 
 def available_threads() -> int:
@@ -138,43 +141,37 @@ def available_threads() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def _march_family(
+def _run_family(
     grounds: GroundSet,
     lanes: Lanes,
     family: Family,
     chosen: IntArray,
     row: IntArray,
-    outcome: FloatArray,
+    states: Records,
 ) -> None:
-    """March through the lanes numbered in `chosen`, again on wider plates for those whose slider left them."""
-    work = Workspace(
-        acceleration=np.zeros(grounds.longest),
-        state=np.zeros(STATE_SIZE),
-        histories=np.empty((0, TEMPERATURE + family.plates)),
-    )
+    """Make the runs numbered in `chosen` from their states at rest, again on wider plates for those whose slider left them."""
+    histories = np.empty((0, TEMPERATURE + family.plates))
     margin = family.margin
     while chosen.size:
-        which = np.empty((chosen.size, LANE_SIZE), dtype=np.intp)
-        which[:, LANE_RECORD], which[:, LANE_MODEL] = lanes.record[chosen], row[chosen]
-        part = np.empty((chosen.size, OUT_SIZE))
-        work.acceleration[:] = 0.0
-        march_lanes(
+        runs = np.zeros(chosen.size, BATCH_RUN)
+        runs["record"], runs["system"] = lanes.record[chosen], row[chosen]
+        runs["scale"] = lanes.scale[chosen]
+        left = as_bytes(states)[chosen].view(states.dtype)
+        run_batch(
             family.heat(margin),
-            family.plates,
             margin,
-            family.table,
-            family.banks,
-            tallies_at(0.0),
-            cold_notes(0.0),
-            grounds.ground,
-            which,
-            lanes.scale[chosen],
+            family.systems,
+            family.mode_sets,
+            cold_workspace(0.0),
+            grounds.acceleration,
+            grounds.records,
+            runs,
             grounds.integration.tolerance,
-            work,
-            part,
+            np.zeros(grounds.longest),
+            histories,
+            left,
         )
-        outcome[chosen] = part
         margin = 2 * margin + 1
-        if margin > _MOST_CELLS:
-            return
-        chosen = chosen[part[:, OUT_ENDED] == OUT_OF_CELLS]
+        again = (left["status"] == OUT_OF_CELLS) & (margin <= _MOST_CELLS)
+        as_bytes(states)[chosen[~again]] = as_bytes(left)[~again]
+        chosen = chosen[again]

@@ -16,7 +16,7 @@ from dcfp.motion.ground_motion import parts_in, with_tail
 from dcfp.motion.load import Motion, motion_of
 from dcfp.schema.parameters import refuse_other
 from dcfp.system import FrictionLaw, Heating, System, SystemLike
-from dcfp.system.plates import cold_plates, heat_of, structure_of
+from dcfp.system.plates import cold_plates, heat_of, system_constants
 
 #: Longest fine step, unless another is asked for [s]; and over the shortest period on a fixed base [-], but for steps that are short already [s].
 LONGEST_STEP, PERIOD_FRACTION, SHORT_STEP = 0.002, 0.1, 0.0002
@@ -79,9 +79,9 @@ def respond_building(
     # from one sample of the record after its last, where the ground has stopped accelerating
     free_from = motion.acceleration.size if tail is None else acceleration.size
     own = building_of(building, bearing, fine)
-    structure = structure_of(system)
+    constants = system_constants(system)
     law = friction.at_pressure(bearing.pressure)
-    lines = np.empty((acceleration.size, 2 * own.floors + k.LINE_SIZE + structure.plates))
+    lines = np.empty((acceleration.size, 2 * own.floors + k.LINE_SIZE + constants.plates))
     plates = cold_plates(system)
 
     def march(ground: FloatArray) -> _Run:
@@ -89,7 +89,7 @@ def respond_building(
         state, peaks = _at_rest(heating), np.zeros((2, own.floors))
         heat = heat_of(plates.copy(), system)
         began = time.perf_counter()
-        ended = k.march_building(law, structure, heat, own, ground, parts, free_from, state, peaks, lines)
+        ended = k.integrate_building(law, constants, heat, own, ground, parts, free_from, state, peaks, lines)
         return _Run(*ended, state, peaks, time.perf_counter() - began)
 
     march(np.zeros(2))  # has the kernels compiled or loaded, so that the time of an analysis is its own

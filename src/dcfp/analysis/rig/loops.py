@@ -12,7 +12,7 @@ from dcfp.analysis.result import Result
 from dcfp.analysis.rig.measures import Cycle, cycles_of, zero_crossings
 from dcfp.analysis.rig.program import RigTest
 from dcfp.arrays import FloatArray
-from dcfp.kernels import drive as d
+from dcfp.kernels import integrate as k
 from dcfp.schema.nomenclature import Quantities
 from dcfp.schema.notebook import card, with_units
 from dcfp.schema.quantities import Quantity
@@ -97,32 +97,32 @@ class Loops(Result):
     @property
     def displacement(self) -> FloatArray:
         """Displacement y [mm]."""
-        return self.lines[:, d.DISPLACEMENT]
+        return self.lines[:, k.DISPLACEMENT]
 
     @property
     def velocity(self) -> FloatArray:
         """Velocity v [mm/s]; at a corner of the displacement the one before it."""
-        return self.lines[:, d.VELOCITY]
+        return self.lines[:, k.VELOCITY]
 
     @property
     def elongation(self) -> FloatArray:
         """Elongation of spring (b) [mm]."""
-        return self.lines[:, d.ELONGATION]
+        return self.lines[:, k.ELONGATION]
 
     @property
     def friction(self) -> FloatArray:
         """Coefficient of friction [-]: the one at work while sliding, the one to overcome while sticking."""
-        return self.lines[:, d.FRICTION]
+        return self.lines[:, k.FRICTION]
 
     @property
     def sliding(self) -> FloatArray:
         """Side on which it slides: 1, -1, or 0 while sticking."""
-        return self.lines[:, d.SIDE]
+        return self.lines[:, k.SLIP_SIGN]
 
     @property
     def load(self) -> FloatArray:
         """Vertical force [N]."""
-        return self.lines[:, d.LOAD]
+        return self.lines[:, k.LOAD]
 
     @property
     def temperature(self) -> FloatArray:
@@ -132,7 +132,7 @@ class Loops(Result):
     @property
     def plate_temperatures(self) -> FloatArray:
         """Temperature of the contact on each plate that differs [degC], shape (n, plates)."""
-        return self.lines[:, d.TEMPERATURE :]
+        return self.lines[:, k.TEST_TEMPERATURE :]
 
     @property
     def friction_force(self) -> FloatArray:
@@ -147,12 +147,12 @@ class Loops(Result):
     @property
     def work(self) -> FloatArray:
         """Work of the machine on the bearing since the start of the test [N mm]."""
-        return self.lines[:, d.WORK]
+        return self.lines[:, k.WORK]
 
     @property
     def hysteretic_energy(self) -> FloatArray:
         """Energy dissipated by friction since the start of the test [N mm]."""
-        return self.lines[:, d.HYSTERETIC]
+        return self.lines[:, k.TEST_HYSTERETIC]
 
     @property
     def crossings(self) -> FloatArray:

@@ -14,12 +14,14 @@ from dcfp.analysis.rig.read import program_of
 from dcfp.analysis.rig.waveform import Travel
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import AnalysisError
-from dcfp.kernels import drive as d
-from dcfp.kernels.grip import Rig, available
+from dcfp.kernels import integrate as k
+from dcfp.kernels._jit import Records
+from dcfp.kernels.friction import BearingModel
 from dcfp.kernels.heat_state import PRESENT, Heat
 from dcfp.kernels.heating import place_slider
+from dcfp.kernels.imposed_motion import ImposedMotion, MachineConstants, PathInterval, friction_at
 from dcfp.kernels.law import Law
-from dcfp.kernels.path import Piece
+from dcfp.kernels.motion import DONE, NO_NUMBER
 from dcfp.schema.parameters import refuse_other
 from dcfp.system import (
     ConstantFriction,
@@ -39,7 +41,7 @@ from dcfp.system.plates import (
     heat_of,
     horizon_for,
     profile_now,
-    structure_of,
+    system_constants,
 )
 
 
@@ -102,8 +104,8 @@ class _Machine:
     def __init__(self, story: Sequence[RigTest], system: System, tolerance: float, keep: Keep) -> None:
         self.system, self.tolerance, self.keep = system, tolerance, keep
         self.bearing, self.friction = system.bearing, system.friction
-        self.structure = structure_of(system)
-        self.rig = Rig(
+        self.constants = system_constants(system)
+        self.machine = MachineConstants(
             self.bearing.slider_area, self.bearing.effective_radius, self.bearing.elastic_stiffness
         )
         self.travels = {test.name: test.waveform.travel() for test in story}
@@ -124,16 +126,18 @@ class _Machine:
         heat = heat_of(self.plates, self.system)
         if self.clock > 0.0 and test.pause:
             self.pause(heat, test.pause)
-        place_slider(heat, self.structure, self.clock, float(travel.pieces[0, 0]))
-        law, pieces = self._pieces(test, travel)
-        lines = np.empty((travel.lengths.size + 1, d.TEMPERATURE + self.structure.plates))
-        lines[0] = self._first_line(law, heat, pieces[0])
+        place_slider(heat, self.constants, self.clock, float(travel.pieces[0, 0]))
+        law, path = self._path(test, travel)
+        model = BearingModel(law, self.constants, heat)
+        lines = np.empty((travel.lengths.size + 1, k.TEST_TEMPERATURE + self.constants.plates))
+        lines[0] = self._first_line(model, path)
         state = self._state()
+        state["spring"]["friction"] = lines[0, k.FRICTION]
         begins = self.clock
         began = time.perf_counter()
-        profiles = self._drive(test, law, heat, travel, pieces, state, lines)
+        profiles = self._imposed(test, model, travel, path, state, lines)
         elapsed = time.perf_counter() - began
-        self.clock = float(state[d.STATE_TIME])
+        self.clock = float(state["time"][0])
         return Loops(
             test=test,
             system=self.system,
@@ -145,74 +149,73 @@ class _Machine:
             elapsed=elapsed,
         )
 
-    def _state(self) -> FloatArray:
-        state = np.zeros(d.STATE_SIZE)
-        state[d.STATE_TIME] = self.clock
+    def _state(self) -> Records:
+        state = np.zeros(1, k.TEST_STATE)
+        state["time"] = self.clock
         return state
 
-    def _pieces(self, test: RigTest, travel: Travel) -> tuple[Law, FloatArray]:
-        """Return the law at some pressure, and the path with load and reference of the law in each piece."""
+    def _path(self, test: RigTest, travel: Travel) -> tuple[Law, Records]:
+        """Return the law at some pressure, and the path with load and reference of the law in each interval."""
         vertical = VerticalLoad((self.bearing.pressure,)) if test.load is None else test.load
         load = vertical.at(travel.time, self.bearing)
         pressure = load / self.bearing.slider_area
         law = self.friction.at_pressure(float(pressure[0]))
         levels, place = np.unique(pressure, return_inverse=True)
         reference = np.array([self.friction.at_pressure(float(level)).reference for level in levels])[place]
-        rates = (np.diff(values) / travel.lengths for values in (load, reference))
-        load_rate, reference_rate = rates
-        return law, np.column_stack((travel.pieces, load[:-1], load_rate, reference[:-1], reference_rate))
+        load_rate, reference_rate = (np.diff(values) / travel.lengths for values in (load, reference))
+        columns = (travel.pieces, load[:-1], load_rate, reference[:-1], reference_rate)
+        return law, np.column_stack(columns).view(k.PATH)[:, 0]
 
-    def _first_line(self, law: Law, heat: Heat, first: FloatArray) -> FloatArray:
-        line = np.zeros(d.TEMPERATURE + self.structure.plates)
-        piece = Piece(*(float(value) for value in first))
-        line[d.DISPLACEMENT], line[d.VELOCITY] = piece.displacement, piece.velocity
-        line[d.FRICTION] = available(law, self.structure, self.rig, heat, piece, 0.0, PRESENT)
-        line[d.LOAD] = piece.load
-        line[d.TEMPERATURE :] = self.plates.temperature
+    def _first_line(self, model: BearingModel, path: Records) -> FloatArray:
+        line = np.zeros(k.TEST_TEMPERATURE + self.constants.plates)
+        first = PathInterval(*path[0].item())
+        line[k.DISPLACEMENT], line[k.VELOCITY] = first.displacement, first.velocity
+        line[k.FRICTION] = friction_at(
+            model, ImposedMotion(self.machine, first, self.clock, 0.0), 0.0, PRESENT
+        )
+        line[k.LOAD] = first.load
+        line[k.TEST_TEMPERATURE :] = self.plates.temperature
         return line
 
     def pause(self, heat: Heat, length: float) -> None:
         """Let the plates cool."""
-        lines = np.empty((2, d.TEMPERATURE + self.structure.plates))
-        lines[0] = 0.0
-        pieces = np.array([[0.0, 0.0, 0.0, 0.0, self.bearing.vertical_force, 0.0, 1.0, 0.0]])
-        state = self._state()
-        law = self.friction.at_pressure(self.bearing.pressure)
-        d.drive(law, self.structure, self.rig, heat, np.array([length]), pieces, self.tolerance, state, lines)
+        lines = np.empty((2, k.TEST_TEMPERATURE + self.constants.plates))
+        at_rest = PathInterval(0.0, 0.0, 0.0, 0.0, self.bearing.vertical_force, 0.0, 1.0, 0.0)
+        model = BearingModel(self.friction.at_pressure(self.bearing.pressure), self.constants, heat)
+        path, lengths = np.array([at_rest], k.PATH), np.array([length])
+        k.impose_motion(model, self.machine, lengths, path, self.tolerance, self._state(), lines)
         self.clock += length
 
-    def _drive(
+    def _imposed(
         self,
         test: RigTest,
-        law: Law,
-        heat: Heat,
+        model: BearingModel,
         travel: Travel,
-        pieces: FloatArray,
-        state: FloatArray,
+        path: Records,
+        state: Records,
         lines: FloatArray,
     ) -> list[tuple[float, FloatArray]]:
-        """Drive through the whole path; return the profiles that were asked for."""
+        """Impose the whole path; return the profiles that were asked for."""
         profiles: list[tuple[float, FloatArray]] = []
         every = self.keep.interval(travel.lengths.size, self.system.heating)
         part = every or travel.lengths.size
         for first in range(0, travel.lengths.size, part):
             last = min(first + part, travel.lengths.size)
-            status, done = d.drive(
-                law, self.structure, self.rig, heat, travel.lengths[first:last], pieces[first:last],
-                self.tolerance, state, lines[first:],
-            )  # fmt: skip
-            if status == d.NO_NUMBER:
+            lengths, intervals = travel.lengths[first:last], path[first:last]
+            status, done = k.impose_motion(
+                model, self.machine, lengths, intervals, self.tolerance, state, lines[first:]
+            )
+            if status == NO_NUMBER:
                 raise self.friction.no_number(test.name, float(travel.time[first + done]))
-            if status != d.DONE:
+            if status != DONE:
                 msg = f"{test.name}: the test makes no progress at {travel.time[first + done]:.4g} s; look at the friction law."
                 raise AnalysisError(msg)
             if every is not None:
                 line = lines[last]
-                flux = abs(line[d.SIDE] * line[d.FRICTION] * line[d.VELOCITY]) * line[d.LOAD] / self.rig.area
-                now = float(state[d.STATE_TIME])
-                profiles.append(
-                    (float(travel.time[last]), profile_now(heat, self.structure, now, float(flux)))
-                )
+                heating = abs(line[k.SLIP_SIGN] * line[k.FRICTION] * line[k.VELOCITY]) * line[k.LOAD]
+                now, flux = float(state["time"][0]), float(heating / self.machine.area)
+                profile = profile_now(model.heat, self.constants, now, flux)
+                profiles.append((float(travel.time[last]), profile))
         return profiles
 
 

@@ -10,13 +10,19 @@ from dcfp.analysis.rig.program import check_load
 from dcfp.arrays import FloatArray, equally_spaced, freeze
 from dcfp.errors import AnalysisError, InputError
 from dcfp.inference.identification.smoothing import Smoothed, find_strokes, smooth
-from dcfp.kernels.heat_state import ODD_LENGTH, STEP_NOTE, STEP_NOTES
-from dcfp.kernels.heating import prepare
-from dcfp.kernels.thermometer import follow_heat
+from dcfp.kernels.heat_state import ODD_LENGTH, STEP_ENTRIES, STEP_ENTRY
+from dcfp.kernels.heating import prepare, surface_temperature
 from dcfp.schema.notebook import card
 from dcfp.system import Bearing, Heating, System
 from dcfp.system.friction import FittedFriction
-from dcfp.system.plates import PlateHeat, cold_plates, heat_of, horizon_for, mean_temperature, structure_of
+from dcfp.system.plates import (
+    PlateHeat,
+    cold_plates,
+    heat_of,
+    horizon_for,
+    mean_temperature,
+    system_constants,
+)
 
 #: Order of the polynomials that displacement and load are smoothed with.
 _DISPLACEMENT_ORDER, _LOAD_ORDER = 4, 2
@@ -243,13 +249,14 @@ def contact_temperature(
         reach=float(np.abs(displacement).max()),
         horizon=horizon_for(float(time[-1])),
     )
-    structure = structure_of(system)
-    temperatures = np.empty((time.size, structure.plates))
+    constants = system_constants(system)
+    temperatures = np.empty((time.size, constants.plates))
     steps = np.diff(time)
     if equally_spaced(time):
         steps = np.full(steps.size, float(np.median(steps)))  # equal steps are prepared once
     own = _rise_by_own_flux(steps, displacement, plates, system)
-    if not follow_heat(structure, heat_of(plates, system), steps, displacement, flux, temperatures):
+    heat = heat_of(plates, system)
+    if not surface_temperature(constants, heat, steps, displacement, flux, temperatures):
         msg = (
             "The slider leaves the cells of the precise heating model; look at the unit of the displacement."
         )
@@ -301,7 +308,7 @@ def _rise_by_own_flux(
     closing = np.empty(lengths.size)
     for n, length in enumerate(lengths.tolist()):
         prepare(heat, ODD_LENGTH, length)
-        closing[n] = heat.notes[STEP_NOTE + STEP_NOTES * ODD_LENGTH + 2] + heat.instant
+        closing[n] = heat.workspace[STEP_ENTRY + STEP_ENTRIES * ODD_LENGTH + 2] + heat.instant
     rise = np.concatenate(([0.0], closing[place]))
     felt = np.zeros(displacement.size)
     for share in bearing.shares:

@@ -5,8 +5,7 @@ import pytest
 
 from dcfp.analysis.rig import Program, RigTest, Sine, VerticalLoad, run_program
 from dcfp.errors import InputError
-from dcfp.kernels.memory import fading_modes
-from dcfp.kernels.slab import slab_kernel, slab_modes
+from dcfp.kernels.sum_of_exponentials import finite_plate_kernel, finite_plate_modes, half_space_modes
 from dcfp.system import PreciseHeating, SimplifiedHeating, System
 from dcfp.system.plates import cold_plates
 
@@ -16,9 +15,9 @@ DIFFUSIVITY = 4.07
 @pytest.mark.parametrize("thickness", [10.0, 30.0, 50.0, 100.0, 200.0])
 @pytest.mark.parametrize(("insulated", "reach", "allowed"), [(True, 10.0, 4e-4), (False, 2.0, 1.4e-3)])
 def test_modes_are_within_what_they_state_of_the_kernel(thickness, insulated, reach, allowed):
-    rates, weights, _ = slab_modes(DIFFUSIVITY, thickness, insulated=insulated)
+    rates, weights, _ = finite_plate_modes(DIFFUSIVITY, thickness, insulated=insulated)
     lag = np.geomspace(4e-3, reach * thickness**2 / DIFFUSIVITY, 3000)
-    kernel = slab_kernel(lag, DIFFUSIVITY, thickness, insulated=insulated)
+    kernel = finite_plate_kernel(lag, DIFFUSIVITY, thickness, insulated=insulated)
     total = (weights * np.exp(-np.outer(lag, rates))).sum(axis=1)
     assert np.abs(total / kernel - 1.0).max() < allowed
 
@@ -31,16 +30,18 @@ def test_both_series_of_the_kernel_agree():
     root = np.sqrt(np.pi * DIFFUSIVITY) / thickness
     insulated = root * (1.0 + 2.0 * np.exp(-np.outer(lag, n**2) * slow).sum(axis=1))
     cold = 2.0 * root * np.exp(-np.outer(lag, (n - 0.5) ** 2) * slow).sum(axis=1)
-    assert slab_kernel(lag, DIFFUSIVITY, thickness, insulated=True) == pytest.approx(insulated, rel=1e-12)
+    assert finite_plate_kernel(lag, DIFFUSIVITY, thickness, insulated=True) == pytest.approx(
+        insulated, rel=1e-12
+    )
     # the images of a cold back cancel, so that relative to their own size rounding remains
-    assert slab_kernel(lag, DIFFUSIVITY, thickness, insulated=False) == pytest.approx(
+    assert finite_plate_kernel(lag, DIFFUSIVITY, thickness, insulated=False) == pytest.approx(
         cold, rel=1e-9, abs=1e-12
     )
 
 
 def test_a_thick_plate_is_a_half_space():
-    rates, weights, instant = slab_modes(DIFFUSIVITY, 200.0, insulated=True)
-    other_rates, other_weights, other_instant = fading_modes()
+    rates, weights, instant = finite_plate_modes(DIFFUSIVITY, 200.0, insulated=True)
+    other_rates, other_weights, other_instant = half_space_modes()
     lag = np.geomspace(4e-3, 100.0, 500)
     ours = (weights * np.exp(-np.outer(lag, rates))).sum(axis=1)
     other = (other_weights * np.exp(-np.outer(lag, other_rates))).sum(axis=1)
@@ -97,8 +98,8 @@ def test_impossible_plates_are_refused(plates, words):
         SimplifiedHeating(**plates)
 
 
-def test_modes_of_plates_are_in_their_bank():
+def test_modes_of_plates_are_in_their_rows():
     plates = cold_plates(System(heating=SimplifiedHeating(thickness=50.0)))
-    rates, _, instant = slab_modes(DIFFUSIVITY, 50.0, insulated=True)
-    assert plates.bank[0] == pytest.approx(rates)
+    rates, _, instant = finite_plate_modes(DIFFUSIVITY, 50.0, insulated=True)
+    assert plates.modes[0] == pytest.approx(rates)
     assert plates.instant == instant

@@ -1,4 +1,4 @@
-"""The fading modes against the kernel that they stand for."""
+"""The sum of exponentials against the kernel that they stand for."""
 
 import itertools
 import math
@@ -6,14 +6,22 @@ import math
 import numpy as np
 import pytest
 
-from dcfp.kernels.memory import MODES, RATE_RATIO, fading_modes, feed, fill_fade, fill_weights, total
+from dcfp.kernels.sum_of_exponentials import (
+    MODES,
+    RATE_RATIO,
+    accumulate,
+    fill_decay,
+    fill_weights,
+    half_space_modes,
+    total,
+)
 
 RATES, WEIGHTS, STATE, STEP = 0, 1, 2, 3
 BOUND = 2.0 * math.sqrt(2.0) * math.exp(-(math.pi**2) / math.log(RATE_RATIO))
 
 
-def bank():
-    rates, weights, instant = fading_modes()
+def cold_rows():
+    rates, weights, instant = half_space_modes()
     rows = np.zeros((6, MODES))
     rows[RATES], rows[WEIGHTS] = rates, weights
     return rows, instant
@@ -23,7 +31,7 @@ def bank():
     ("first", "last", "allowed"), [(6e-3, 20.0, 1.02 * BOUND), (4e-3, 100.0, 2.7e-4), (100.0, 300.0, 1e-3)]
 )
 def test_modes_sum_to_the_half_order_kernel_within_the_stated_bound(first, last, allowed):
-    rates, weights, _ = fading_modes()
+    rates, weights, _ = half_space_modes()
     times = np.geomspace(first, last, 2000)
     modes = (weights * np.exp(-rates * times[:, None])).sum(axis=1)
     error = np.abs(modes * np.sqrt(times) - 1.0)
@@ -36,31 +44,31 @@ def test_the_bound_is_that_of_the_trapezoidal_rule():
 
 
 @pytest.mark.parametrize("step", [1e-9, 1e-5, 1e-3, 0.01, 0.5])
-def test_fade_by_squaring_is_the_exponential(step):
-    rows, _ = bank()
-    fill_fade(rows, RATES, step, STEP)
+def test_decay_by_squaring_is_the_exponential(step):
+    rows, _ = cold_rows()
+    fill_decay(rows, RATES, step, STEP)
     np.testing.assert_allclose(rows[STEP], np.exp(-rows[RATES] * step), rtol=2e-6, atol=1e-12)
 
 
 @pytest.mark.parametrize("step", [1e-6, 1e-3, 0.01])
 def test_constant_flux_heats_as_the_square_root_of_time(step):
-    rows, instant = bank()
-    fill_fade(rows, RATES, step, STEP)
+    rows, instant = cold_rows()
+    fill_decay(rows, RATES, step, STEP)
     fill_weights(rows, RATES, WEIGHTS, step, STEP)
     steps = 4000
     for _ in range(steps):
-        feed(rows, STEP, STATE, 1.0, 1.0)
+        accumulate(rows, STEP, STATE, 1.0, 1.0)
     rise = total(rows, STATE) + instant
     assert rise == pytest.approx(2.0 * math.sqrt(steps * step), rel=2e-4)
 
 
 def test_rising_flux_heats_as_the_three_halves_power_of_time():
-    rows, instant = bank()
+    rows, instant = cold_rows()
     step, steps = 0.01, 500
-    fill_fade(rows, RATES, step, STEP)
+    fill_decay(rows, RATES, step, STEP)
     fill_weights(rows, RATES, WEIGHTS, step, STEP)
     for i in range(steps):
-        feed(rows, STEP, STATE, i * step, (i + 1) * step)
+        accumulate(rows, STEP, STATE, i * step, (i + 1) * step)
     time = steps * step
     assert total(rows, STATE) + instant * time == pytest.approx(4.0 / 3.0 * time**1.5, rel=1e-4)
 
@@ -69,12 +77,12 @@ def test_steps_of_any_partition_give_the_same_heat():
     time = 0.37
 
     def heat(parts):
-        rows, _ = bank()
+        rows, _ = cold_rows()
         edges = np.concatenate(([0.0], np.cumsum(parts) / np.sum(parts) * time))
         for start, end in itertools.pairwise(edges):
-            fill_fade(rows, RATES, end - start, STEP)
+            fill_decay(rows, RATES, end - start, STEP)
             fill_weights(rows, RATES, WEIGHTS, end - start, STEP)
-            feed(rows, STEP, STATE, 3.0 - 2.0 * start, 3.0 - 2.0 * end)
+            accumulate(rows, STEP, STATE, 3.0 - 2.0 * start, 3.0 - 2.0 * end)
         return total(rows, STATE)
 
     whole = heat([1.0])
