@@ -212,6 +212,6 @@ def _tested(system: System) -> float:
     bearing = system.bearing
     wave = Sine(min(_AMPLITUDE, _LARGEST_AMPLITUDE * bearing.effective_radius), _PEAK_VELOCITY, _CYCLES)
     # the capacity limits an earthquake, not what the material does
-    free = replace(bearing, displacement_capacity=None)
-    (loops,) = run_program(Program("T01", (RigTest("T01", wave),)), free, system.friction, system.heating)
+    free = replace(system, bearing=replace(bearing, displacement_capacity=None))
+    (loops,) = run_program(Program("T01", (RigTest("T01", wave),)), free)
     return loops.cycles[1].friction

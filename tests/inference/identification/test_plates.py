@@ -5,11 +5,11 @@ import pytest
 from dcfp.errors import InputError
 from dcfp.inference.identification import bearing_file, identify
 from dcfp.system import (
-    LI_2020,
     FittedFriction,
     NoHeating,
     PreciseHeating,
     SimplifiedHeating,
+    System,
     UserFriction,
     read_bearing,
 )
@@ -40,7 +40,7 @@ def test_the_law_knows_its_tests(dependency, tmp_path) -> None:
     assert tests.speed[1] == pytest.approx(400.0, rel=1e-2)
     assert tests.ambient == 20.0
     path = tmp_path / "b.toml"
-    path.write_text(bearing_file(LI_2020, found.law, found.heating))
+    path.write_text(bearing_file(found.system))
     assert read_bearing(path).friction == found.law
 
 
@@ -57,4 +57,4 @@ def test_nothing_left_to_fit_is_said_in_one_sentence(dependency) -> None:
 def test_a_law_that_is_a_function_does_not_go_into_a_file() -> None:
     law = UserFriction(lambda pressure, speed, temperature: 0.05, "flat")
     with pytest.raises(InputError, match="'flat' is a function"):
-        bearing_file(LI_2020, law, SimplifiedHeating())
+        bearing_file(System(friction=law))

@@ -4,7 +4,15 @@ import numpy as np
 import pytest
 
 from dcfp.inference.identification import bearing_file, identify
-from dcfp.system import LI_2020, Bearing, FittedFriction, PreciseHeating, SimplifiedHeating, read_bearing
+from dcfp.system import (
+    LI_2020,
+    Bearing,
+    FittedFriction,
+    PreciseHeating,
+    SimplifiedHeating,
+    System,
+    read_bearing,
+)
 
 
 def test_without_noise_the_prediction_is_the_test(dependency) -> None:
@@ -61,7 +69,9 @@ def test_a_law_of_other_tests_is_seen_to_fail(dependency, measure) -> None:
 def test_a_bearing_file_reads_back_to_the_same_numbers(tmp_path, bearing, heating) -> None:
     law = FittedFriction(mu_0=0.1 / 3.0, temperature_rate=0.0)
     path = tmp_path / "bearing.toml"
-    path.write_text(bearing_file(bearing, law, heating, ("from tests", "line\nbreak")), encoding="utf-8")
+    path.write_text(
+        bearing_file(System(bearing, law, heating), ("from tests", "line\nbreak")), encoding="utf-8"
+    )
     found = read_bearing(path)
     assert found.friction == law
     assert found.heating == heating

@@ -20,14 +20,13 @@ _LEGEND = (
 def run(chosen: argparse.Namespace) -> Answer:
     """Analyse the building and the rigid structure under every record at every PGV."""
     system = inputs.system(chosen)
-    parts = (system.bearing, system.friction, system.heating)
     damping = StiffnessProportional(chosen.damping) if chosen.damping else None
     building = uniform_building(chosen.storeys, chosen.fixed_base_period, damping=damping)
     motions = inputs.scaled(inputs.load_motions(chosen), chosen.pgv)
     found: list[BesideRigid] = []
     with progress("analyses", len(motions)) as advance:
         for motion in motions:
-            found.append(BesideRigid(respond_building(motion, building, *parts), respond(motion, *parts)))
+            found.append(BesideRigid(respond_building(motion, building, system), respond(motion, system)))
             advance()
     table = Table(tuple(BESIDE_RIGID), found)
     periods = ", ".join(f"{period:.2f}" for period in building.fixed_base_periods[:3])

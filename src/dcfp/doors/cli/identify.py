@@ -48,7 +48,7 @@ def run(chosen: argparse.Namespace) -> Answer:
 
     def data(part: Path, kind: str) -> str:
         if kind == ".toml":
-            return bearing_file(found.bearing, found.law, found.heating, _origin(found))
+            return bearing_file(found.system, _origin(found))
         return (
             found.csv() if kind == ".csv" else f"{json.dumps(found.summary(), indent=2, allow_nan=False)}\n"
         )

@@ -94,7 +94,7 @@ def _exchange(
     from dcfp.exchange import opensees_script, write_workbook  # late: scripts and workbooks are rare
 
     if kind == SCRIPT:
-        script = opensees_script(response.motion, response.bearing, response.friction_law, response.heating)
+        script = opensees_script(response.motion, response.system)
         part.write_text(script, encoding="utf-8")
     else:
         write_workbook(part, _calculation(records, response, chosen))

@@ -28,7 +28,7 @@ def export(chosen: argparse.Namespace) -> Answer:
             )
             raise InputError(msg)
         model = scenario.model
-        script = opensees_script(scenario.motions[0], model.bearing, model.friction, model.heating)
+        script = opensees_script(scenario.motions[0], model)
     calculation = _calculated(scenario)
 
     def data(part: Path, kind: str) -> str | None:

@@ -62,7 +62,7 @@ def fit_element_law(motion: GroundMotion, model: System) -> Fit:
     plates = _equal_plates(model.bearing)
     steel = model.heating
     heating = SimplifiedHeating(steel.conductivity, steel.diffusivity, steel.ambient)
-    samples = _samples(respond(motion, plates, model.friction, heating))
+    samples = _samples(respond(motion, System(plates, model.friction, heating)))
     law: Any = model.friction.at_pressure(model.bearing.pressure)
     share = 1.0 / len(plates.radii) if model.friction.speed_is_of_surface else 1.0
     start = (law.reference, law.speed_rate * share)

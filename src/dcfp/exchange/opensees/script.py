@@ -11,7 +11,8 @@ from dcfp.exchange.opensees.constants import constant_lines
 from dcfp.exchange.opensees.element import Element, Kind, element_for
 from dcfp.exchange.opensees.head import difference_in_words, head_lines
 from dcfp.motion.ground_motion import GroundMotion, parts_in
-from dcfp.system import LI_2020, Bearing, FrictionLaw, Heating, Li2020, SimplifiedHeating, System
+from dcfp.motion.load import Motion, motion_of
+from dcfp.system import FrictionLaw, Heating, System, SystemLike
 
 #: Longest step of the script [s].
 STEP = 0.001
@@ -22,10 +23,10 @@ _IN_A_LINE = 5
 
 
 def opensees_script(
-    motion: GroundMotion,
-    bearing: Bearing = LI_2020,
-    friction: FrictionLaw | None = None,
-    heating: Heating | None = None,
+    motion: Motion,
+    bearing: SystemLike = None,
+    friction: FrictionLaw | str | None = None,
+    heating: Heating | str | None = None,
     *,
     step: float = STEP,
 ) -> str:
@@ -46,19 +47,15 @@ def opensees_script(
     InputError
         If OpenSees has no element that comes near, or the step is out of range.
     """
-    model = System(
-        bearing,
-        Li2020() if friction is None else friction,
-        SimplifiedHeating() if heating is None else heating,
-    )
+    motion, model = motion_of(motion), System.of(bearing, friction, heating)
     Integration(step=step)  # refuses a step out of range
     interval = motion.time_step / parts_in(motion.time_step, step)
     element = element_for(motion, model)
     response = respond(motion, model)
-    if response.peak_displacement > _FURTHEST * bearing.effective_radius:
+    if response.peak_displacement > _FURTHEST * model.bearing.effective_radius:
         msg = (
             f"{motion.name}: the displacement of {response.peak_displacement:.0f} mm is too near to the effective radius of"
-            f" {bearing.effective_radius:.0f} mm, at which the pendulum of OpenSees ends."
+            f" {model.bearing.effective_radius:.0f} mm, at which the pendulum of OpenSees ends."
         )
         raise InputError(msg)
     return _text(response, element, _stand_in(motion, element), interval)

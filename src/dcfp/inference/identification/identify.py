@@ -102,10 +102,9 @@ def identify(
         found, reasons = _fit_what_is_asked(samples, start, fit, given), {}
     constants = start.changed({name: found.values[name] for name in found.names})
     temperatures = _temperatures(histories, start, constants)
+    law = _with_tests(constants.law, histories, start.heating.ambient)
     return Identification(
-        bearing=system.bearing,
-        law=_with_tests(constants.law, histories, start.heating.ambient),
-        heating=constants.heating,
+        system=System(system.bearing, law, constants.heating),
         estimates=_estimates(found),
         held=_held(constants, found.names, given, reasons),
         correlation=found.jackknife.correlation,
@@ -114,7 +113,8 @@ def identify(
         temperatures=tuple(temperatures),
         residuals=residuals_of(histories, temperatures, samples, found),
         predictions=tuple(
-            predict(history, system.bearing, constants.law, constants.heating) for history in held_histories
+            predict(history, System(system.bearing, constants.law, constants.heating))
+            for history in held_histories
         ),
         remarks=(_given(start.heating), *remarks_on(histories, samples, found)),
     )

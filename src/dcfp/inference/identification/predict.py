@@ -15,7 +15,7 @@ from dcfp.schema.notebook import card, with_units
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import KN_M, KN_PER_MM, NONE
-from dcfp.system import Bearing, FrictionLaw, Heating
+from dcfp.system import System
 
 #: What is compared of each cycle.
 COMPARED = [
@@ -139,7 +139,7 @@ def _beside(one: Quantity) -> tuple[Quantity, ...]:
     )
 
 
-def predict(history: FrictionHistory, bearing: Bearing, law: FrictionLaw, heating: Heating) -> Prediction:
+def predict(history: FrictionHistory, system: System) -> Prediction:
     """Drive the bearing along the motion of a test, under its load, both without their noise.
 
     The cycles of both are taken between the same times, those at which the measured displacement passes zero; the force that was measured is as it is.
@@ -151,9 +151,8 @@ def predict(history: FrictionHistory, bearing: Bearing, law: FrictionLaw, heatin
         VerticalLoad(tuple(history.load.tolist()), tuple(measurement.time.tolist()), is_pressure=False),
     )
     # what was measured did not go beyond the plate
-    (loops,) = run_program(
-        Program("held out", (test,)), replace(bearing, displacement_capacity=None), law, heating
-    )
+    free = replace(system, bearing=replace(system.bearing, displacement_capacity=None))
+    (loops,) = run_program(Program("held out", (test,)), free)
     bounds = measurement.cycle_times
     motion = (measurement.time, history.displacement)
     return Prediction(

@@ -1,9 +1,10 @@
 """What an identification gives, and its bearing, friction law and heating model as a bearing file."""
 
-import json
 from dataclasses import asdict, dataclass
+from typing import cast
 
 import numpy as np
+import tomli_w
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
@@ -14,7 +15,7 @@ from dcfp.schema.notebook import card
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table, csv_text
 from dcfp.schema.units import DEGC, MM_PER_S, N_PER_MM2, NONE, PERCENT
-from dcfp.system import Bearing, FrictionLaw, Heating, UserFriction
+from dcfp.system import Bearing, Heating, System, UserFriction
 from dcfp.system.friction import FittedFriction
 
 
@@ -133,10 +134,8 @@ class Identification:
 
     Attributes
     ----------
-    bearing
-        That was tested.
-    law, heating
-        With the estimates in them.
+    system
+        The bearing that was tested, with the estimates in its law and heating model.
     estimates, held
         Parameters that were fitted, and constants that were not.
     correlation
@@ -155,9 +154,7 @@ class Identification:
         What must be known of the result.
     """
 
-    bearing: Bearing
-    law: FittedFriction
-    heating: Heating
+    system: System
     estimates: tuple[Estimate, ...]
     held: tuple[Held, ...]
     correlation: FloatArray
@@ -167,6 +164,21 @@ class Identification:
     residuals: tuple[ResidualStatistics, ...]
     predictions: tuple[Prediction, ...]
     remarks: tuple[str, ...]
+
+    @property
+    def bearing(self) -> Bearing:
+        """Bearing that was tested."""
+        return self.system.bearing
+
+    @property
+    def law(self) -> FittedFriction:
+        """Law that was found."""
+        return cast("FittedFriction", self.system.friction)
+
+    @property
+    def heating(self) -> Heating:
+        """Heating model that it goes with."""
+        return self.system.heating
 
     def fitted(self, test: int) -> FloatArray:
         """Return the coefficient of the law along a test [-]."""
@@ -222,51 +234,19 @@ class Identification:
         return card(f"Friction law of {self.bearing.name}", rows=rows, remarks=self.remarks)
 
 
-def bearing_file(bearing: Bearing, law: FrictionLaw, heating: Heating, notes: tuple[str, ...] = ()) -> str:
-    """Return the text of a bearing file that `read_bearing` reads back.
+def bearing_file(system: System, notes: tuple[str, ...] = ()) -> str:
+    """Return the text of a bearing file that `read_bearing` reads back, with lines of comment at its head.
 
     The numbers are the same, but for the elastic stiffness, whose last digit may change: the file has it in kN/mm.
-
-    Parameters
-    ----------
-    bearing, law, heating
-        What it holds; the law is one that has a name.
-    notes
-        Lines of comment at its head.
 
     Raises
     ------
     InputError
         If the law is a function of its own, which a file cannot hold.
     """
+    law = system.friction
     if isinstance(law, UserFriction):
         msg = f"The law {law.label!r} is a function, which a bearing file cannot hold; give one of the laws that have a name."
         raise InputError(msg)
-    top: dict[str, object] = {
-        "name": bearing.name,
-        "radii": list(bearing.radii),
-        "slider": bearing.slider_diameter,
-        "pressure": bearing.pressure,
-        "stiffness": bearing.elastic_stiffness / 1e3,
-    }
-    if bearing.displacement_capacity is not None:
-        top |= {"capacity": bearing.displacement_capacity, "capacity_note": bearing.capacity_note}
-    parameters: dict[str, object] = asdict(law)  # pyright: ignore[reportArgumentType]
-    tables = {
-        "friction": {"law": law.name, **parameters},
-        "heating": {"model": heating.name, **asdict(heating)},
-    }
     lines = [f"# {' '.join(note.split())}" for note in notes]
-    lines += [f"{key} = {_value(value)}" for key, value in top.items()]
-    for table, entries in tables.items():
-        lines += [
-            "",
-            f"[{table}]",
-            *(f"{key} = {_value(value)}" for key, value in entries.items() if value is not None),
-        ]
-    return "\n".join(lines) + "\n"
-
-
-def _value(value: object) -> str:
-    """Write a value as TOML does: as JSON, but for characters beyond the keyboard, which stay as they are."""
-    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+    return "\n".join([*lines, tomli_w.dumps(system.to_table())])
