@@ -12,7 +12,6 @@ from dcfp.methods.asce_2016 import (
     Asce2016Spectrum,
     damping_factor,
     equivalent_lateral_force,
-    maximum_displacement,
     structure_shear,
     total_displacement,
 )
@@ -47,13 +46,13 @@ ISOLATOR = PendulumWithFriction(152.0 * INCH, 13.36 / 152.0)
 
 def rounds(one_second, start=10.0):
     spectrum = Asce2016Spectrum(3.0 * one_second, one_second, 20.0)
-    return iterate(
-        ISOLATOR,
-        spectrum,
-        lambda damping: 1.0 / damping_factor(damping),
-        ISOLATOR.effective_damping,
-        start * INCH,
-    )
+    steps, _ = iterate(ISOLATOR, spectrum, lambda damping: 1.0 / damping_factor(damping), start=start * INCH)
+    return steps
+
+
+def maximum_displacement(one_second, period, factor):
+    """Return D_M [mm] on the branch of constant velocity, Eq. (17.5-1): S_M1 [g], T_M [s], B_M [-]."""
+    return STANDARD_GRAVITY * one_second * period / (4.0 * math.pi**2 * factor)
 
 
 def test_a_printed_iteration():

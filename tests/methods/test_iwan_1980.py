@@ -7,29 +7,34 @@ from hypothesis import strategies as st
 
 from dcfp import LI_2020
 from dcfp.errors import AnalysisError, InputError
-from dcfp.methods.code import CodeResult
-from dcfp.methods.equivalent_linear import (
+from dcfp.methods.equivalent_linear import PendulumWithFriction
+from dcfp.methods.iwan_1980 import (
     MOST_DAMPING,
     Bilinear,
-    PendulumWithFriction,
-    equivalent_oscillator,
-    secant,
-)
-from dcfp.methods.iwan_1980 import (
     added_damping,
     equivalent_linear,
-    inelastic_input_energy,
-    input_velocity,
+    equivalent_oscillator,
     lengthening,
-    secant_linear,
 )
-from dcfp.methods.spectra import input_energy_spectrum, response_spectrum
+from dcfp.methods.spectra import response_spectrum
 from dcfp.methods.spectra.of_record import LONGEST
 from dcfp.motion import GroundMotion
 from dcfp.motion.synthetic import harmonic
 from dcfp.schema.check import Verdict
 
-PERIODS = np.array([0.5, 1.0, 2.0])
+#: Second stiffness over the first [-].
+HARDENING = LI_2020.restoring_stiffness / (LI_2020.restoring_stiffness + LI_2020.elastic_stiffness)
+
+
+def secant(ductility, hardening=HARDENING):
+    """Return the rule of the secant stiffness and the loop's area, which follows from the mechanics without a fit."""
+    force = 1.0 + hardening * (max(ductility, 1.0) - 1.0)
+    damping = 2.0 / np.pi * (1.0 - hardening) * (max(ductility, 1.0) - 1.0) / (max(ductility, 1.0) * force)
+    return np.sqrt(max(ductility, 1.0) / force), damping
+
+
+def iwan(ductility):
+    return lengthening(ductility), added_damping(ductility)
 
 
 def test_the_two_formulas():
@@ -45,9 +50,9 @@ def test_the_two_formulas():
 def test_the_bilinear_system():
     system = Bilinear.of(LI_2020, 0.043)
     # springs of LI_2020: kra 838 N/mm, kf 1.9e6 N/mm; rf = mu N / kf
+    assert pytest.approx(837.76 / (837.76 + 1.9e6), rel=1e-5) == HARDENING
     assert system.yield_displacement == pytest.approx(0.043 * LI_2020.vertical_force / 1.9e6)
-    assert system.hardening == pytest.approx(837.76 / (837.76 + 1.9e6), rel=1e-5)
-    assert system.initial_period == pytest.approx(LI_2020.period * np.sqrt(system.hardening), rel=1e-9)
+    assert system.initial_period == pytest.approx(LI_2020.period * np.sqrt(HARDENING), rel=1e-9)
     for wrong in (0.0, 1.0):
         with pytest.raises(InputError):
             Bilinear.of(LI_2020, wrong)
@@ -58,7 +63,7 @@ def test_the_secant_of_a_stiff_bearing_is_the_rigid_plastic_one(ductility):
     system = Bilinear.of(LI_2020, 0.043)
     at = ductility * system.yield_displacement
     pendulum = PendulumWithFriction(LI_2020.effective_radius, 0.043)
-    lengthened, damping = secant(system, ductility)
+    lengthened, damping = secant(ductility)
     # the elastic displacement before yielding is in one and not in the other
     assert system.initial_period * lengthened == pytest.approx(pendulum.effective_period(at), rel=1e-3)
     assert damping == pytest.approx(pendulum.effective_damping(at) * (1.0 - 1.0 / ductility), rel=1e-2)
@@ -71,22 +76,25 @@ def test_the_secant_of_a_polygon(hardening, ductility):
     corners = np.array([(ductility, force), (ductility - 2.0, force - 2.0)])
     x, y = np.concatenate((corners, -corners)).T
     area = 0.5 * abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1)))
-    lengthened, damping = secant(Bilinear(1.0, 1.0, hardening), ductility)
+    lengthened, damping = secant(ductility, hardening)
     assert lengthened == pytest.approx(np.sqrt(ductility / force))
     assert damping == pytest.approx(area / (2.0 * np.pi * force * ductility), abs=1e-12)
 
 
 @pytest.mark.parametrize("pgv", [250.0, 1000.0])
-@pytest.mark.parametrize("method", [equivalent_linear, secant_linear])
-def test_the_answer_is_that_of_its_own_oscillator(motions, pgv, method):
+@pytest.mark.parametrize("rule", [iwan, secant])
+def test_the_answer_is_that_of_its_own_oscillator(motions, pgv, rule):
     for motion in motions.values():
         motion = motion.scaled_to_pgv(pgv)
-        answer = method(motion, LI_2020, 0.043)
-        own = response_spectrum(motion, np.array([answer.period]), answer.damping)
-        assert own.displacement[0] == pytest.approx(answer.displacement, rel=1e-6)
-        assert answer.base_shear == pytest.approx(0.043 + answer.displacement / 9000.0)
-        usual = response_spectrum(motion, np.array([answer.period]), 0.05)
-        assert answer.steps[-1].reduction == pytest.approx(own.displacement[0] / usual.displacement[0])
+        last = equivalent_oscillator(motion, Bilinear.of(LI_2020, 0.043), rule)[-1]
+        own = response_spectrum(motion, np.array([last.period]), last.damping)
+        assert own.displacement[0] == pytest.approx(last.displacement, rel=1e-6)
+        usual = response_spectrum(motion, np.array([last.period]), 0.05)
+        assert last.reduction == pytest.approx(own.displacement[0] / usual.displacement[0])
+        if rule is iwan:
+            answer = equivalent_linear(motion, LI_2020, 0.043)
+            assert answer.steps[-1] == last
+            assert answer.base_shear == pytest.approx(0.043 + last.displacement / 9000.0)
 
 
 def test_a_friction_bearing_is_outside_the_fit(motions):
@@ -131,10 +139,10 @@ def test_what_does_not_yield_is_elastic(motions):
 
 def test_rounds_that_do_not_settle_are_halved(motions):
     # a period that falls steeply where the displacement is 100 mm: each round ends on the other side
-    def rule(system, ductility):
+    def rule(ductility):
         return 0.25 + 2.0 / (1.0 + (min(ductility, 1e3) / 10.0) ** 12), 0.05
 
-    steps = equivalent_oscillator(motions["LPG"], Bilinear(2.0, 10.0, 0.1), rule)
+    steps = equivalent_oscillator(motions["LPG"], Bilinear(2.0, 10.0), rule)
     assert len(steps) == 1
     at = steps[0]
     own = response_spectrum(motions["LPG"], np.array([at.period]), at.damping)
@@ -143,37 +151,7 @@ def test_rounds_that_do_not_settle_are_halved(motions):
 
 def test_no_solution_within_reach(motions):
     with pytest.raises(AnalysisError, match="no equivalent oscillator"):
-        secant_linear(motions["LPG"].scaled(1e7))
-
-
-def test_energies_of_a_ductility(motions):
-    motion = motions["NCC"]
-    found = inelastic_input_energy(motion, PERIODS, 4.0, 0.02)
-    own = input_energy_spectrum(motion, PERIODS * lengthening(4.0), 0.02 + added_damping(4.0))
-    assert found.equivalent_velocity == pytest.approx(own.equivalent_velocity)
-    assert found.periods == pytest.approx(PERIODS)
-    assert "0.0587" in found.unconfirmed[0]
-    # a ductility of 1 changes nothing
-    elastic = input_energy_spectrum(motion, PERIODS, 0.02)
-    unchanged = inelastic_input_energy(motion, PERIODS, 1.0, 0.02)
-    assert unchanged.equivalent_velocity == pytest.approx(elastic.equivalent_velocity)
-
-
-@pytest.mark.parametrize(
-    ("ductility", "words"), [(0.5, "at least 1"), (np.nan, "ductility"), (3000.0, "equivalent system")]
-)
-def test_refused_ductilities(motions, ductility, words):
-    with pytest.raises(InputError, match=words):
-        inelastic_input_energy(motions["NCC"], PERIODS, ductility)
-
-
-def test_energy_of_an_answer(motions):
-    motion = motions["NCC"]
-    answer = equivalent_linear(motion)
-    own = input_energy_spectrum(motion, np.array([answer.period]), answer.damping)
-    assert input_velocity(motion, answer) == pytest.approx(float(own.equivalent_velocity[0]))
-    with pytest.raises(InputError, match="equivalent period"):
-        input_velocity(motion, CodeResult("energy balance", 100.0, 0.1))
+        equivalent_oscillator(motions["LPG"].scaled(1e7), Bilinear.of(LI_2020, 0.043), secant)
 
 
 def test_no_motion():

@@ -77,10 +77,10 @@ def test_the_formulas_are_the_area_and_the_work_between_the_lines(
 def test_the_energies_agree_with_each_other(change: float, ratio: float, fall: float) -> None:
     slope, mass = np.array([K_U / ratio]), 768.8
     dv, after, ku = np.array([change]), -fall * slope, np.array([K_U])
-    put_in = method.input_energy(dv, slope, ku, mass)
+    put_in = 0.5 * mass * (1.0 - ku / slope) * dv**2  # Eq. (22)
     assert method.input_velocity(dv, slope, ku) == pytest.approx(np.sqrt(2.0 * put_in / mass))
     dy = method.displacement_change(dv, slope, after, ku)
-    dissipated = method.hysteretic_energy(dy, ku, mass)
+    dissipated = mass * ku * dy  # Eqs (21), (25)
     velocity = method.hysteretic_velocity(dv, slope, after, ku)
     assert velocity == pytest.approx(np.sqrt(2.0 * dissipated / mass), rel=1e-9)
     assert velocity == pytest.approx(np.sqrt(2.0 * K_U * dy), rel=1e-9)

@@ -2,11 +2,11 @@
 
 The recommendations themselves were not read: Li et al. (2020), section 2, describe the methods, and the equations follow from that. F_h is that of
 Notification 2009 and agrees in five sources; its floor of 0.4 is in one, word for word. The part of 0.8 of the loop's damping was found nowhere (the calculation
-basis of matsumok/Squid-N takes the whole), nor was D_h.
+basis of matsumok/Squid-N takes the whole).
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -21,10 +21,11 @@ from dcfp.methods.code import (
     decimals_of,
     demand_formula,
     equivalent_formulas,
+    iterated,
     millimetres,
     shear_formula,
 )
-from dcfp.methods.equivalent_linear import PendulumWithFriction, agreements, iterate, several
+from dcfp.methods.equivalent_linear import PendulumWithFriction, halved
 from dcfp.methods.method import Look, register
 from dcfp.methods.spectra.elastic import ElasticSpectrum, velocity
 from dcfp.schema.checks import positive
@@ -39,11 +40,7 @@ _LEAST_CORRECTION = 0.4
 _SHORTEST, _PERIODS = 2.0, 25
 #: Steady loops at the largest displacement that dissipate the energy of the earthquake [-]: Akiyama (1985).
 LOOPS = 2.0
-_HALVINGS = 200
-
-_PART = "the part of 0.8 of the loop's damping"
-_FLOOR = "the least F_h of 0.4, which one source gives"
-_KASAI = "D_h for recorded motions"
+UNCONFIRMED = ("the part of 0.8 of the loop's damping", "the least F_h of 0.4, which one source gives")
 _WHICH_ENERGY = "two loops at the largest displacement, and which V_E belongs to them"
 
 
@@ -57,24 +54,7 @@ def damping_correction(damping: float) -> float:
     return max(1.5 / (1.0 + 10.0 * damping), _LEAST_CORRECTION)
 
 
-def kasai_correction(damping: float, reference: float = 0.05) -> float:
-    """Factor D_h = sqrt((1 + 25 h0) / (1 + 25 h)) [-] for recorded motions at a damping ratio [-]; Kasai et al. (2003), unconfirmed."""
-    return math.sqrt((1.0 + 25.0 * reference) / (1.0 + 25.0 * damping))
-
-
-def _unconfirmed(correction: Callable[[float], float]) -> tuple[str, ...]:
-    of_correction: dict[Callable[[float], float], tuple[str, ...]] = {
-        damping_correction: (_FLOOR,),
-        kasai_correction: (_KASAI,),
-    }
-    return (_PART, *of_correction.get(correction, ()))
-
-
-def method_1(
-    pendulum: PendulumWithFriction,
-    spectrum: ElasticSpectrum,
-    correction: Callable[[float], float] = damping_correction,
-) -> CodeResult:
+def method_1(pendulum: PendulumWithFriction, spectrum: ElasticSpectrum) -> CodeResult:
     """Iterate on equivalent period and damping against a response spectrum.
 
     Raises
@@ -82,27 +62,11 @@ def method_1(
     AnalysisError
         If the iteration has no solution.
     """
-
-    def damping(at: float) -> float:
-        return equivalent_damping(pendulum, at)
-
-    steps = iterate(pendulum, spectrum, correction, damping)
-    last = steps[-1]
-    return CodeResult(
-        method=METHOD_1,
-        displacement=last.displacement,
-        base_shear=pendulum.force(last.displacement),
-        period=last.period,
-        damping=last.damping,
-        steps=steps,
-        unconfirmed=(*spectrum.unconfirmed, *_unconfirmed(correction)),
-        remarks=several(agreements(pendulum, spectrum, correction, damping), steps),
-    )
+    found = iterated(METHOD_1, pendulum, spectrum, damping_correction, _LOOP_PART)
+    return replace(found, unconfirmed=(*found.unconfirmed, *UNCONFIRMED))
 
 
-def reduction_curve(
-    ratio: FloatArray, correction: Callable[[float], float] = damping_correction
-) -> tuple[FloatArray, FloatArray]:
+def reduction_curve(ratio: FloatArray) -> tuple[FloatArray, FloatArray]:
     r"""Return displacement and base shear over those of the frictionless pendulum under a constant velocity spectrum [-], shape (n,).
 
     `ratio` is alpha = mu R / D [-], the friction over the pendulum's force. With :math:`\omega_{eq} = \omega_f \sqrt{1 + \alpha}` and h_eq, which
@@ -111,15 +75,11 @@ def reduction_curve(
     .. math:: D / D_f = F_h / \sqrt{1 + \alpha}, \qquad Q / Q_f = F_h \sqrt{1 + \alpha}
     """
     damping = _LOOP_PART * 2.0 / np.pi * ratio / (1.0 + ratio)
-    F_h = np.array([correction(float(h)) for h in np.atleast_1d(damping)])
+    F_h = np.array([damping_correction(float(h)) for h in np.atleast_1d(damping)])
     return F_h / np.sqrt(1.0 + ratio), F_h * np.sqrt(1.0 + ratio)
 
 
-def method_2(
-    pendulum: PendulumWithFriction,
-    pseudo_velocity: float,
-    correction: Callable[[float], float] = damping_correction,
-) -> CodeResult:
+def method_2(pendulum: PendulumWithFriction, pseudo_velocity: float) -> CodeResult:
     """Read the response off the reduction curve of a velocity spectrum that is constant over the period, without iteration on a spectrum.
 
     `pseudo_velocity` S_v at a damping of 5 % [mm/s].
@@ -128,21 +88,17 @@ def method_2(
     free = S_v / pendulum.free_frequency
 
     def displacement(alpha: float) -> float:
-        return free * float(reduction_curve(np.array([alpha]), correction)[0][0])
+        return free * float(reduction_curve(np.array([alpha]))[0][0])
 
     # the point of the curve whose alpha is that of the bearing at its displacement: alpha D(alpha) = mu R
-    low, high = 1e-12, 1e12
-    for _ in range(_HALVINGS):
-        alpha = math.sqrt(low * high)
-        low, high = (alpha, high) if alpha * displacement(alpha) < pendulum.rest else (low, alpha)
-    D = displacement(math.sqrt(low * high))
+    D = displacement(halved(lambda alpha: alpha * displacement(alpha) < pendulum.rest, 1e-12, 1e12))
     return CodeResult(
         method=METHOD_2,
         displacement=D,
         base_shear=pendulum.force(D),
         period=pendulum.effective_period(D),
         damping=equivalent_damping(pendulum, D),
-        unconfirmed=_unconfirmed(correction),
+        unconfirmed=UNCONFIRMED,
     )
 
 
@@ -163,17 +119,6 @@ def energy_balance(
     b = 4.0 * n_1 * a
     D = V_E / omega / (b + math.hypot(b, 1.0))  # the difference of the roots, without cancelling
     return CodeResult(ENERGY_BALANCE, D, pendulum.force(D))
-
-
-def energy_balance_curve(
-    radius: float, frictions: FloatArray, equivalent_velocity: float, loops: float = LOOPS
-) -> tuple[FloatArray, FloatArray]:
-    """Return displacement [mm] and base shear coefficient [-] for each coefficient of friction [-], shape (n,); the curve of the recommendations."""
-    results = [
-        energy_balance(PendulumWithFriction(radius, float(friction)), equivalent_velocity, loops)
-        for friction in frictions
-    ]
-    return np.array([one.displacement for one in results]), np.array([one.base_shear for one in results])
 
 
 # As they are asked under a spectrum or a record.

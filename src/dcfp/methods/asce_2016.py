@@ -5,8 +5,9 @@ Amin-Moghaddasi (ASCE7_16_Design_Framework), one of H. Pham (mgrubisic/tfp-datab
 One source only gives the least D_TM, P_T, and the exponent for abrupt loops. Of the conditions below none could be confirmed.
 """
 
-import math
 from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
 from typing import Annotated, ClassVar
 
 import numpy as np
@@ -22,11 +23,12 @@ from dcfp.methods.code import (
     decimals_of,
     demand_formula,
     equivalent_formulas,
+    iterated,
     millimetres,
     shear_formula,
     unless_unknown,
 )
-from dcfp.methods.equivalent_linear import PendulumWithFriction, agreements, iterate, several
+from dcfp.methods.equivalent_linear import PendulumWithFriction
 from dcfp.methods.method import Look, register
 from dcfp.methods.spectra.elastic import DesignSpectrum, ElasticSpectrum
 from dcfp.schema.check import Check, Verdict, at_least, at_most
@@ -56,17 +58,8 @@ UNCONFIRMED = ("the least D_TM of 1.15 D_M, which one source gives",)
 
 def damping_factor(damping: float) -> float:
     """Factor B_M [-] at a damping ratio [-]: Table 17.5-1, with straight lines between."""
-    ratios = [ratio for ratio, _ in DAMPING_TABLE]
-    factors = [factor for _, factor in DAMPING_TABLE]
+    ratios, factors = zip(*DAMPING_TABLE, strict=True)
     return float(np.interp(damping, ratios, factors))
-
-
-def maximum_displacement(one_second: float, period: float, factor: float) -> float:
-    """Maximum displacement D_M = g S_M1 T_M / (4 pi^2 B_M) [mm]: Eq. (17.5-1).
-
-    `one_second` S_M1 in units of gravity [-], `period` T_M [s], `factor` B_M [-].
-    """
-    return STANDARD_GRAVITY * one_second * period / (4.0 * math.pi**2 * factor)
 
 
 def total_displacement(
@@ -121,23 +114,13 @@ def equivalent_lateral_force(
     AnalysisError
         If the iteration has no solution.
     """
-
-    def reduction(damping: float) -> float:
-        return 1.0 / damping_factor(damping)
-
-    steps = iterate(pendulum, spectrum, reduction, pendulum.effective_damping)
-    known = agreements(pendulum, spectrum, reduction, pendulum.effective_damping)
-    D_M, T_M, beta_M = steps[-1].displacement, steps[-1].period, steps[-1].damping
-    return CodeResult(
-        method=NAME,
-        displacement=D_M,
+    found = iterated(NAME, pendulum, spectrum, lambda damping: 1.0 / damping_factor(damping))
+    D_M = found.displacement
+    return replace(
+        found,
         base_shear=pendulum.effective_stiffness(D_M) * D_M,
-        period=T_M,
-        damping=beta_M,
-        steps=steps,
-        remarks=several(known, steps),
-        conditions=_conditions(pendulum, structure or Structure(), D_M, T_M, beta_M),
-        unconfirmed=(*spectrum.unconfirmed, *UNCONFIRMED),
+        conditions=_conditions(pendulum, structure or Structure(), found),
+        unconfirmed=(*found.unconfirmed, *UNCONFIRMED),
     )
 
 
@@ -191,17 +174,11 @@ _LONGEST, _MOST_DAMPING, _STIFFER, _SOFTENING, _HEIGHT = 5.0, 0.30, 3.0, 1.0 / 3
 _RESTORING = 0.025
 #: Site classes on which the procedure may be used.
 _SITES = ("A", "B", "C", "D")
-_SECTION = "17.4.1"
+_condition = partial(Check, source="17.4.1", confirmed=False)
 
 
-def _condition(name: str, verdict: Verdict, found: str, limit: str, source: str = _SECTION) -> Check:
-    return Check(name, verdict, found, limit, source, confirmed=False)
-
-
-def _conditions(
-    pendulum: PendulumWithFriction, structure: Structure, D_M: float, T_M: float, beta_M: float
-) -> tuple[Check, ...]:
-    """Return the conditions at D_M [mm], T_M [s] and beta_M [-]."""
+def _conditions(pendulum: PendulumWithFriction, structure: Structure, found: CodeResult) -> tuple[Check, ...]:
+    D_M, T_M, beta_M = found.displacement, found.period or 0.0, found.damping or 0.0
     softening = pendulum.effective_stiffness(D_M) / pendulum.effective_stiffness(0.2 * D_M)
     rise = pendulum.force(D_M) - pendulum.force(0.5 * D_M)
     height = unless_unknown(structure.height, lambda h: (at_most(h, _HEIGHT), f"{h / 1e3:.1f} m"))
@@ -211,7 +188,7 @@ def _conditions(
         _condition("effective damping", at_most(beta_M, _MOST_DAMPING), f"{100 * beta_M:.1f} %", "at most 30 %"),
         _condition("T_M over the period of the fixed base", *structure.over_fixed_base(T_M, _STIFFER), "at least 3"),
         _condition("k_eff(D_M) over k_eff(0.2 D_M)", at_least(softening, _SOFTENING), f"{softening:.2f}", "above 1/3"),
-        _condition("restoring force, F(D_M) - F(D_M/2) over W", at_least(rise, _RESTORING), f"{rise:.3f}", "at least 0.025", "17.2.4.4"),
+        _condition("restoring force, F(D_M) - F(D_M/2) over W", at_least(rise, _RESTORING), f"{rise:.3f}", "at least 0.025", source="17.2.4.4"),
         _condition("height of the structure above", *height, "at most 65 ft (19.8 m), or four storeys"),
         _condition("site class", *site, "A, B, C or D"),
     )  # fmt: skip

@@ -8,7 +8,7 @@ from typing import Annotated, Any, TypeVar
 import numpy as np
 
 from dcfp.errors import InputError
-from dcfp.methods.equivalent_linear import PendulumWithFriction, Step
+from dcfp.methods.equivalent_linear import PendulumWithFriction, Step, iterate
 from dcfp.methods.method import METHODS, Information, Method
 from dcfp.methods.spectra.elastic import ElasticSpectrum, displacement, velocity
 from dcfp.methods.spectra.of_record import PERIODS, input_energy_spectrum, response_spectrum
@@ -353,6 +353,28 @@ class CodeMethod(Method):
             f"{shear} {result.base_shear:.3f}",
         ]
         return ", ".join(parts)
+
+
+def iterated(
+    method: str,
+    pendulum: PendulumWithFriction,
+    spectrum: ElasticSpectrum,
+    reduction: Callable[[float], float],
+    part: float = 1.0,
+) -> CodeResult:
+    """Return what a method finds by iteration on effective period and damping, without its conditions; arguments and errors as for `iterate`."""
+    steps, remarks = iterate(pendulum, spectrum, reduction, part)
+    last = steps[-1]
+    return CodeResult(
+        method=method,
+        displacement=last.displacement,
+        base_shear=pendulum.force(last.displacement),
+        period=last.period,
+        damping=last.damping,
+        steps=steps,
+        unconfirmed=spectrum.unconfirmed,
+        remarks=remarks,
+    )
 
 
 def code_methods() -> Mapping[str, CodeMethod]:

@@ -7,6 +7,8 @@ and the accumulation of residual displacements nothing was found.
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
 from typing import Annotated, ClassVar
 
 import numpy as np
@@ -21,11 +23,12 @@ from dcfp.methods.code import (
     decimals_of,
     demand_formula,
     equivalent_formulas,
+    iterated,
     millimetres,
     shear_formula,
     unless_unknown,
 )
-from dcfp.methods.equivalent_linear import PendulumWithFriction, agreements, iterate, several
+from dcfp.methods.equivalent_linear import PendulumWithFriction
 from dcfp.methods.method import Look, register
 from dcfp.methods.spectra.elastic import DesignSpectrum, ElasticSpectrum
 from dcfp.schema.check import Check, Verdict, at_least, at_most
@@ -116,20 +119,12 @@ def simplified_linear_analysis(
     AnalysisError
         If the iteration has no solution.
     """
-    steps = iterate(pendulum, spectrum, damping_correction, pendulum.effective_damping)
-    d_dc, T_eff, xi = steps[-1].displacement, steps[-1].period, steps[-1].damping
-    factor = accumulation_factor(d_dc, yield_displacement, pendulum.rest)
-    known = agreements(pendulum, spectrum, damping_correction, pendulum.effective_damping)
-    return CodeResult(
-        method=NAME,
-        displacement=d_dc,
-        base_shear=pendulum.force(d_dc),
-        period=T_eff,
-        damping=xi,
-        steps=steps,
-        conditions=_conditions(pendulum, structure or Structure(), d_dc, T_eff, xi),
-        unconfirmed=(*spectrum.unconfirmed, *UNCONFIRMED, *((_ACCUMULATION,) if factor > 1.0 else ())),
-        remarks=several(known, steps),
+    found = iterated(NAME, pendulum, spectrum, damping_correction)
+    factor = accumulation_factor(found.displacement, yield_displacement, pendulum.rest)
+    return replace(
+        found,
+        conditions=_conditions(pendulum, structure or Structure(), found),
+        unconfirmed=(*found.unconfirmed, *UNCONFIRMED, *((_ACCUMULATION,) if factor > 1.0 else ())),
     )
 
 
@@ -160,13 +155,11 @@ def _formulas(result: CodeResult, inputs: CodeInputs) -> tuple[Formula, ...]:
     )  # fmt: skip
 
 
-def _condition(name: str, verdict: Verdict, found: str, limit: str, source: str) -> Check:
-    return Check(name, verdict, found, limit, source, confirmed=False)
+_condition = partial(Check, confirmed=False)
 
 
-def _conditions(
-    pendulum: PendulumWithFriction, structure: Structure, d_dc: float, T_eff: float, xi: float
-) -> tuple[Check, ...]:
+def _conditions(pendulum: PendulumWithFriction, structure: Structure, found: CodeResult) -> tuple[Check, ...]:
+    d_dc, T_eff, xi = found.displacement, found.period or 0.0, found.damping or 0.0
     ratio = pendulum.effective_stiffness(d_dc) / pendulum.effective_stiffness(0.2 * d_dc)
     rise, centred = pendulum.force(d_dc) - pendulum.force(0.5 * d_dc), d_dc / pendulum.rest
     plan = unless_unknown(structure.plan, lambda plan: (at_most(plan, _PLAN), f"{plan / 1e3:.0f} m"))

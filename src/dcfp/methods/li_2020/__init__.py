@@ -7,7 +7,7 @@ from dcfp.methods.li_2020.pulse_method import PULSE_METHOD as PULSE_METHOD
 from dcfp.methods.li_2020.pulse_method import predict_from_pulses as predict_from_pulses
 from dcfp.methods.li_2020.simplified_method import SIMPLIFIED_METHOD as SIMPLIFIED_METHOD
 from dcfp.methods.li_2020.simplified_method import predict_simplified as predict_simplified
-from dcfp.methods.li_2020.design_method import DESIGN_METHOD as DESIGN_METHOD
-from dcfp.methods.li_2020.design_method import friction_that_holds as friction_that_holds
-from dcfp.methods.li_2020.design_method import predict_from_pgv as predict_from_pgv
+from dcfp.methods.li_2020.simplified_method import DESIGN_METHOD as DESIGN_METHOD
+from dcfp.methods.li_2020.simplified_method import friction_that_holds as friction_that_holds
+from dcfp.methods.li_2020.simplified_method import predict_from_pgv as predict_from_pgv
 # isort: on

@@ -14,15 +14,6 @@ from dcfp.methods.pulses import PulsePrediction, Pulses
 from dcfp.schema.formulas import Formula, number
 
 
-def structure_slope(ground_slope: FloatArray, friction_deceleration: float) -> FloatArray:
-    """Slope ku_i of the structure's velocity [mm/s2]: Eq. (19).
-
-    `ground_slope` kg_i and `friction_deceleration` mu_n g [mm/s2].
-    """
-    k_g = ground_slope
-    return friction_deceleration * np.sign(k_g)
-
-
 def displacement_change(
     change: FloatArray, slope: FloatArray, next_slope: FloatArray, structure_slope: FloatArray
 ) -> FloatArray:
@@ -34,30 +25,8 @@ def displacement_change(
     return (k_g - k_u) * (k_g - k_next) / (2.0 * k_g**2 * (k_u - k_next)) * dv_g**2
 
 
-def hysteretic_energy(
-    displacement_change: FloatArray, structure_slope: FloatArray, mass: float
-) -> FloatArray:
-    """Energy dissipated dEhr_pre [N mm]: Eqs (21) and (25), the work of the friction force on dy_pre [mm].
-
-    `structure_slope` ku_i [mm/s2], `mass` [t].
-    """
-    dy, k_u = displacement_change, structure_slope
-    return mass * np.abs(k_u) * np.abs(dy)
-
-
-def input_energy(
-    change: FloatArray, slope: FloatArray, structure_slope: FloatArray, mass: float
-) -> FloatArray:
-    """Energy that the ground has put in when it reaches its peak, dE_pre [N mm]: Eq. (22).
-
-    `change` dvg_i [mm/s], `slope` kg_i and `structure_slope` ku_i [mm/s2], `mass` [t].
-    """
-    dv_g, k_g, k_u = change, slope, structure_slope
-    return 0.5 * mass * (1.0 - k_u / k_g) * dv_g**2
-
-
 def input_velocity(change: FloatArray, slope: FloatArray, structure_slope: FloatArray) -> FloatArray:
-    """Equivalent velocity V_dE_pre of the input energy [mm/s]: Eq. (23); arguments as in `input_energy`."""
+    """Equivalent velocity V_dE_pre of the input energy [mm/s]: Eq. (23); arguments as in `displacement_change`."""
     dv_g, k_g, k_u = change, slope, structure_slope
     return np.sqrt(1.0 - k_u / k_g) * np.abs(dv_g)
 
@@ -88,7 +57,7 @@ def predict_from_pulses(pulses: Pulses, constants: Constants = LI_2020) -> Pulse
     """
     sign = np.sign(pulses.mean_accelerations)
     k_g = sign * pulses.mean_accelerations
-    k_u = structure_slope(k_g, constants.friction_deceleration)
+    k_u = np.full_like(k_g, constants.friction_deceleration)  # Eq. (19), with the sign of kg
     factor = amplification(k_u / k_g, constants)
     slides = k_u <= k_g
     k_g = np.where(slides, factor * k_g, 1.0)  # any number where nothing slides
@@ -135,8 +104,8 @@ def _formulas(ground: Ground, methods: Methods) -> tuple[Formula, ...]:
         for values in (pulses.changes, pulses.mean_accelerations, pulses.next_mean_accelerations)
     )
     f = float(amplification(np.array([k_u / before]), constants)[0])
-    taken = float(hysteretic_energy(np.array([said.displacement_change]), np.array([k_u]), m)[0]) / 1e6
-    put_in = float(input_energy(np.array([f * dv]), np.array([f * before]), np.array([k_u]), m)[0]) / 1e6
+    taken = m * k_u * said.displacement_change / 1e6
+    put_in = 0.5 * m * (1.0 - k_u / (f * before)) * (f * dv) ** 2 / 1e6
     u, g, n, d = (number(value, 1) for value in (k_u, f * before, f * after, f * dv))
     amplified = "" if f == 1.0 else " of the amplified pulse"
     times = [number(float(at), 4) for at in pulses.times[i : i + 3]]
