@@ -63,7 +63,7 @@ def test_a_port_that_is_taken(capsys):
         port = other.getsockname()[1]
         assert main(["app", "--port", str(port), "--no-browser"]) == 2
     said = capsys.readouterr().err.splitlines()[-1]
-    assert "choose another with --port" in said
+    assert "choose another (--port)" in said
 
 
 @pytest.mark.parametrize("port", ["0", "70000", "many"])

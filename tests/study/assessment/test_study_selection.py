@@ -68,7 +68,7 @@ def test_factors_that_are_left_over_are_named_with_their_values(bearings):
         ida(bearings)
     sentence = str(error.value)
     assert "radius (3000 mm, 1500 mm, 4500 mm) and mu (0.02, 0.04, 0.06, 0.1, 0.15) are left over" in sentence
-    assert "--at radius=... mu=..." in sentence
+    assert "choose one value of each first (at radius=... mu=...)" in sentence
 
 
 def test_what_is_of_one_case_needs_a_value_of_each_factor(records):
