@@ -82,7 +82,7 @@ def test_the_peaks_are_those_of_the_json(book, calculation) -> None:
 
 def test_predictions_and_codes_are_those_of_the_json_with_their_verdicts(book, calculation) -> None:
     rows = table(book["Predictions and codes"], "Case")
-    objects = case_objects([one.case for one in calculation.results], calculation.setting)
+    objects = case_objects([one.case for one in calculation.results], calculation.methods)
     for case, said in zip(("NCC_0.25", "NCC_0.50", "KNA_0.25", "KNA_0.50"), objects, strict=True):
         mine = [row for row in rows if row["Case"] == case]
         assert all(row["Verdict"] for row in mine)

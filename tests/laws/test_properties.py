@@ -115,7 +115,7 @@ def motions(draw: st.DrawFn) -> GroundMotion:
         values = np.zeros(points)
     motion = GroundMotion(values, step, kind)
     if motion.peak_velocity > 0.0:
-        motion = motion.scaled_to_pgv(draw(logarithmic(1.0, 3000.0)))
+        motion = motion.scaled(draw(logarithmic(1.0, 3000.0)) / motion.peak_velocity)
     # above 10 g it would be another subject
     return motion.scaled(min(1.0, 1e5 / max(motion.peak_acceleration, 1e-30)))
 

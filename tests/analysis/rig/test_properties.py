@@ -88,7 +88,7 @@ def bearings(draw: st.DrawFn) -> Bearing:
     pendulum = pressure * math.pi * diameter**2 / 4.0 / sum(radii)
     # never so soft that a wrong unit would be suspected
     ratio = max(draw(logarithmic(3.0, 100_000.0)), sum(radii) / 290.0)
-    return Bearing(radii, diameter, pressure, pendulum * ratio)
+    return Bearing(radii, diameter, pressure, min(pendulum * ratio, 1e9))
 
 
 def friction_laws() -> st.SearchStrategy[FrictionLaw]:
