@@ -77,7 +77,11 @@ def test_methods_say_what_they_say_alone() -> None:
     motion = dcfp.load_motion("NCC")
     dataset = run_study(Study(motions=[motion], factors={"pgv": [500.0], "procedure": names})).squeeze()
     case = compare(motion.scaled(500.0 / motion.peak_velocity), codes=True)
-    said = {said_of.method: one for said_of, one in case.predicted.items() if said_of.information.name != "INFORMED"}
+    said = {
+        said_of.method: one
+        for said_of, one in case.predicted.items()
+        if said_of.information.name != "INFORMED"
+    }
     found = dict(zip(names, dataset["peak_displacement"].values.tolist(), strict=True))
     assert found["analysis"] == case.analysed.whole.displacement
     for name in names[1:]:

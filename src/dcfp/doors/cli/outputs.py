@@ -101,7 +101,7 @@ def deliver(answer: Answer | None, outputs: Outputs, said: Callable[[str], str],
     outputs
         The files that are wanted.
     said
-        Puts sentences in the words of the command line.
+        Puts the sentences of a text in the words of the command line; a document is for any reader.
     as_json
         Whether one document is printed instead of text.
     """
@@ -109,19 +109,10 @@ def deliver(answer: Answer | None, outputs: Outputs, said: Callable[[str], str],
         return 0
     outputs.write(answer)
     if as_json:
-        print(json.dumps(_spoken(answer.document(), said), indent=2, allow_nan=False))
+        print(json.dumps(answer.document(), indent=2, allow_nan=False))
     else:
         answer.page().show(said)
     return answer.status
-
-
-def _spoken(document: Any, said: Callable[[str], str]) -> Any:
-    """Return a document whose sentences are put in the words of the command line."""
-    if isinstance(document, dict):
-        return {key: _spoken(one, said) for key, one in cast("dict[str, Any]", document).items()}
-    if isinstance(document, (list, tuple)):
-        return [_spoken(one, said) for one in cast("list[Any]", document)]
-    return said(document) if isinstance(document, str) else document
 
 
 def _inputs(chosen: argparse.Namespace) -> Iterator[Path]:
