@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 import dcfp
 from dcfp.analysis.batch import GroundSet, Lanes, Peaks, respond_in_batch
 from dcfp.analysis.integration import Integration
-from dcfp.analysis.response import FAILED, NUMBERS
+from dcfp.analysis.response import FAILED, NUMBERS, Status
 from dcfp.errors import InputError
 from dcfp.system import LI_2020, System
 from dcfp.system.friction import KimConstantinou2023Third
@@ -76,6 +76,25 @@ def test_every_kind_of_model_in_one_batch_is_as_alone(motions: list[dcfp.GroundM
                 assert_same(peaks, lane, alone)
                 lane += 1
     assert lane == len(peaks.status)
+
+
+def test_what_is_at_the_capacity_is_not_beyond_it(motions: list[dcfp.GroundMotion]) -> None:
+    found = dcfp.respond(motions[0]).peak_displacement
+    for capacity in (found, np.nextafter(found, 0.0)):
+        model = System(replace(LI_2020, displacement_capacity=float(capacity)))
+        alone = dcfp.respond(motions[0], model)
+        assert (alone.status is Status.BEYOND_CAPACITY) == (capacity < found)
+        assert_same(batch(motions[:1], np.array([[1.0]]), [model]), 0, alone)
+
+
+def test_a_short_record_after_a_long_one_ends_where_it_ends() -> None:
+    long, short = dcfp.load_motion("NCC"), dcfp.load_motion("KNA")
+    if short.acceleration.size > long.acceleration.size:
+        long, short = short, long
+    short = dcfp.GroundMotion(short.acceleration[: long.acceleration.size // 3], long.time_step, "short")
+    peaks = batch([long, short], np.array([[2.0], [2.0]]), [System()])
+    for lane, motion in enumerate((long, short)):
+        assert_same(peaks, lane, dcfp.respond(motion.scaled(2.0)))
 
 
 def test_a_law_that_a_user_wrote(motions: list[dcfp.GroundMotion]) -> None:
