@@ -18,9 +18,8 @@ from dcfp.methods.li_2020 import LI_2020, predict_from_pgv
 from dcfp.methods.li_2020.constants import DESIGN, PULSE
 from dcfp.methods.method import Information, Variant
 from dcfp.present.figures import plot_comparison, plot_pulses, save_figure
-from dcfp.present.figures.forecasts import plot_pgv_prediction
-from dcfp.present.figures.li_2020 import PaperFigure, paper_figures
-from dcfp.present.figures.li_2020.marks import marks_of
+from dcfp.present.figures.li_2020 import PaperFigure, marks_of, paper_figures
+from dcfp.present.figures.predictions import plot_pgv_prediction
 
 PGVS = (250.0, 1000.0)
 
@@ -267,7 +266,7 @@ def test_the_design_method_with_and_without_intervals() -> None:
 
 def test_these_figures_know_nothing_of_kernels_when_they_are_imported() -> None:
     code = (
-        "import sys, dcfp.present.figures, dcfp.present.figures.li_2020, dcfp.present.figures.forecasts; "
+        "import sys, dcfp.present.figures, dcfp.present.figures.li_2020, dcfp.present.figures.predictions; "
         "late = ('dcfp.analysis', 'dcfp.inference', 'dcfp.methods', 'numba', 'matplotlib.pyplot'); "
         "assert not [m for m in sys.modules if m.startswith(late)]"
     )

@@ -9,8 +9,13 @@ from matplotlib.figure import Figure
 
 from dcfp.errors import InputError
 from dcfp.present.figures import save_figure
-from dcfp.present.figures.assessment import plot_bounds, plot_fragility, plot_ida, plot_sensitivity
-from dcfp.present.figures.design_chart import plot_design_chart
+from dcfp.present.figures.assessment import (
+    plot_bounds,
+    plot_design_chart,
+    plot_fragility,
+    plot_ida,
+    plot_sensitivity,
+)
 from dcfp.study.assessment import bounds, design_space, fragility, ida, select, sensitivity
 
 

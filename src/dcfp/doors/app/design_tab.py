@@ -151,9 +151,7 @@ class DesignTab(Tab):
         self.ask()
 
     def _figure(self) -> bytes | None:
-        from dcfp.present.figures.design_chart import (
-            plot_design_chart,  # late: Matplotlib takes long to import
-        )
+        from dcfp.present.figures.assessment import plot_design_chart  # late: it takes long to import
 
         space = self._space
         return None if space is None else downloads.figure_png(plot_design_chart([space], self._allowed))

@@ -209,9 +209,7 @@ def chart(chosen: argparse.Namespace) -> Answer:
     remarks = _chart_remarks(dataset, space, chosen.allow, parts)
 
     def draw() -> "Figure":
-        from dcfp.present.figures.design_chart import (
-            plot_design_chart,
-        )  # late: Matplotlib takes long to import
+        from dcfp.present.figures.assessment import plot_design_chart  # late: it takes long to import
 
         return plot_design_chart([space], chosen.allow)
 

@@ -63,7 +63,7 @@ def run(chosen: argparse.Namespace) -> Answer:
         return Page([lines, grid(table, repeated=2 if of_records else 1), *details], remarks)
 
     def figure() -> "Figure":
-        from dcfp.present.figures.spectra import plot_codes  # late: Matplotlib takes long to import
+        from dcfp.present.figures.motions import plot_codes  # late: Matplotlib takes long to import
 
         return plot_codes(comparisons)
 

@@ -136,7 +136,7 @@ def _remarks(forecasts: Sequence[Forecast]) -> list[str]:
 
 def _figure(forecasts: Sequence[Forecast], methods: Methods) -> "Figure":
     """Draw one record with its pulses and, beside them, the analysis; several records or PGVs beside each other."""
-    from dcfp.present.figures.forecasts import plot_forecasts  # late: Matplotlib takes long to import
+    from dcfp.present.figures.predictions import plot_forecasts  # late: Matplotlib takes long to import
 
     first = forecasts[0].motion
     if first is None:
@@ -147,7 +147,7 @@ def _figure(forecasts: Sequence[Forecast], methods: Methods) -> "Figure":
 
 
 def _pgv_figure(forecasts: Sequence[Forecast]) -> "Figure":
-    from dcfp.present.figures.forecasts import DRAWN, plot_pgv_prediction
+    from dcfp.present.figures.predictions import DRAWN, plot_pgv_prediction
 
     said = [next(iter(one.predicted.values())) for one in forecasts]
     known: dict[str, list[tuple[float, float, float]]] = {name: [] for name in DRAWN}
@@ -193,9 +193,7 @@ def _design(pgvs: Sequence[float], allowed: float, methods: Methods) -> Answer:
     ]
 
     def figure() -> "Figure":
-        from dcfp.present.figures.design_chart import (
-            plot_design_chart,
-        )  # late: Matplotlib takes long to import
+        from dcfp.present.figures.assessment import plot_design_chart  # late: it takes long to import
 
         return plot_design_chart(spaces, allowed)
 

@@ -50,9 +50,9 @@ def run(chosen: argparse.Namespace) -> Answer:
         return paper_figures(analyses.cases, loops)
 
     def sheet() -> "Figure":
-        from dcfp.present.figures.overviews import contact_sheet
+        from dcfp.present.figures.li_2020 import contact_sheet
 
-        return contact_sheet([(f"Figure {one.number}. {one.title}", one.figure) for one in figures()])
+        return contact_sheet(figures())
 
     def html() -> str:
         from dcfp.verify.reproduction_page import reproduction_page

@@ -49,7 +49,7 @@ def run(chosen: argparse.Namespace) -> Answer:
         return Page([lines, grid(Table(table.columns, shown), repeated=2), maxima], _LEGEND)
 
     def figure() -> "Figure":
-        from dcfp.present.figures.spectra import plot_spectra  # late: Matplotlib takes long to import
+        from dcfp.present.figures.motions import plot_spectra  # late: Matplotlib takes long to import
 
         return plot_spectra(spectra, [motion.peak_velocity for motion in motions])
 

@@ -1,10 +1,9 @@
-"""Figures of what a study says: curves of incremental dynamic analysis, fragility, envelopes of property bounds, Sobol indices."""
+"""Figures of what a study says: curves of incremental dynamic analysis, fragility, envelopes of property bounds, Sobol indices, and a chart for design."""
 
 from itertools import cycle
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
@@ -21,35 +20,27 @@ from dcfp.present.figures.style import (
     draw_marks,
     label_axes,
     legend_above,
+    legend_outside,
     new_axes,
-    style,
+    new_figure,
     styled,
 )  # fmt: skip
-from dcfp.schema.digits import millimetres
+from dcfp.schema.digits import metres_per_second, millimetres
+from dcfp.schema.nomenclature import NOMENCLATURE
+from dcfp.study.assessment.selection import described, shown_value
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     import xarray
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
     from dcfp.arrays import FloatArray
-    from dcfp.schema.quantities import Quantity
+    from dcfp.inference.design_space import DesignSpace
 
 
-def described(variable: "xarray.DataArray") -> "Quantity":
-    """Return the quantity that a variable of a study holds."""
-    from dcfp.study.assessment import selection  # late: the package imports the kernels
-
-    return selection.described(variable)
-
-
-def value_words(variable: "xarray.DataArray", value: Any) -> str:
-    """Return a value of a variable with its unit."""
-    from dcfp.study.assessment import selection
-
-    return selection.shown_value(variable, value)
-
-
-def axis_label(variable: "xarray.DataArray") -> str:
+def _axis_label(variable: "xarray.DataArray") -> str:
     """Return the label of an axis: words, symbol and unit."""
     entry = described(variable)
     symbol = "" if entry.symbol.startswith(r"\mathrm") else f", ${entry.symbol}$"
@@ -57,7 +48,7 @@ def axis_label(variable: "xarray.DataArray") -> str:
     return f"{entry.words}{symbol}{unit}"
 
 
-def shown(variable: "xarray.DataArray", values: "xarray.DataArray | None" = None) -> "FloatArray":
+def _shown(variable: "xarray.DataArray", values: "xarray.DataArray | None" = None) -> "FloatArray":
     """Return the values of a variable, or others of its unit, as they are shown."""
     numbers = (variable if values is None else values).to_numpy()
     return described(variable).display(np.asarray(numbers, dtype=np.float64))
@@ -83,17 +74,17 @@ def plot_ida(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes":
     name = next(str(one) for one in found.data_vars if f"{one}_quantile" in found.data_vars)
     result = found[name]
     intensity = str(result.dims[1])
-    heights = shown(found[intensity])
+    heights = _shown(found[intensity])
     capacity = found.attrs.get("displacement_capacity")
     if name == "peak_displacement" and capacity is not None:
         line = [float(capacity)] * 2, [0.0, heights[-1]]
         label = f"capacity, {millimetres(float(capacity))}"
         draw_line(axes, *line, RED, 0.9, linestyle=DASHED, label=label)
-    _draw_records(axes, shown(result), heights, found["beyond_capacity"].to_numpy())
+    _draw_records(axes, _shown(result), heights, found["beyond_capacity"].to_numpy())
     _draw_quantiles(axes, found, name, heights)
-    axes.set_xlim(left=0.0)
-    axes.set_ylim(0.0, 1.07 * heights[-1])  # room for the names of the quantiles
-    label_axes(axes, axis_label(result), axis_label(found[intensity]), 6, 6)
+    # room for the names of the quantiles
+    ends: dict[str, Any] = {"xlim": (0.0, None), "ylim": (0.0, 1.07 * heights[-1])}
+    label_axes(axes, _axis_label(result), _axis_label(found[intensity]), 6, 6, **ends)
     legend_above(axes)
     return axes
 
@@ -110,7 +101,7 @@ def _draw_records(axes: "Axes", curves: "FloatArray", heights: "FloatArray", bey
 
 
 def _draw_quantiles(axes: "Axes", found: "xarray.Dataset", name: str, heights: "FloatArray") -> None:
-    lines = shown(found[name], found[f"{name}_quantile"])
+    lines = _shown(found[name], found[f"{name}_quantile"])
     above: dict[str, Any] = {"xytext": (0, 3), "textcoords": "offset points", "ha": "center", "va": "bottom"}
     for part, line in zip(found["quantile"].to_numpy().tolist(), lines, strict=True):
         width, dashes, label = (1.8, "solid", "median") if part == 0.5 else (1.2, (0, (4, 2)), None)
@@ -139,12 +130,12 @@ def plot_fragility(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes
     """
     axes = axes or new_axes(0.62 * PAGE_WIDTH, 3.5)
     intensity = str(found.attrs["intensity"])
-    grid, points = shown(found[intensity]), shown(found[intensity], found[f"{intensity}_of_curve"])
-    medians = shown(found[intensity], found["median"])
+    grid, points = _shown(found[intensity]), _shown(found[intensity], found[f"{intensity}_of_curve"])
+    medians = _shown(found[intensity], found["median"])
     entry = described(found[intensity])
     for place, (colour, marker) in zip(range(found.sizes["capacity"]), cycle(_LOOKS), strict=False):
         one = found.isel(capacity=place)
-        name = value_words(found["capacity"].rename(str(found.attrs["quantity"])), one["capacity"].item())
+        name = shown_value(found["capacity"].rename(str(found.attrs["quantity"])), one["capacity"].item())
         label = f"{name}: no fit"
         if np.isfinite(medians[place]):
             beta = float(one["total_dispersion"])
@@ -156,18 +147,13 @@ def plot_fragility(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes
         draw_marks(axes, grid, one["fraction"].to_numpy(), marker, 3.2, colour, clip_on=False, zorder=3)
         draw_line(axes, [medians[place]] * 2, [0.0, 0.5], colour, 0.7, linestyle=":")
         draw_marks(axes, medians[place], 0.5, "+", 7, colour, zorder=4)
-    axes.set_xlim(0.0, float(grid[-1]))
-    axes.set_ylim(0.0, 1.0)
-    label_axes(axes, axis_label(found[intensity]), "probability that the capacity is exceeded", 6, 5)
-    axes.legend(
-        loc="lower left",
-        bbox_to_anchor=(0.0, 1.02),
-        ncols=2 if found.sizes["capacity"] > 1 else 1,
-        title=rf"$\theta$: median, $\beta$: dispersion; marks: observed in {found.attrs['records']} records;"
-        f"\nband: {100.0 * found.attrs['confidence']:g} % of draws of earthquakes",
-        title_fontsize=7.0,
-        alignment="left",
-    )
+    ends: dict[str, Any] = {"xlim": (0.0, float(grid[-1])), "ylim": (0.0, 1.0)}
+    label_axes(axes, _axis_label(found[intensity]), "probability that the capacity is exceeded", 6, 5, **ends)
+    title = rf"$\theta$: median, $\beta$: dispersion; marks: observed in {found.attrs['records']} records;"
+    title += f"\nband: {100.0 * found.attrs['confidence']:g} % of draws of earthquakes"
+    corner: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.02), "alignment": "left"}
+    columns = 2 if found.sizes["capacity"] > 1 else 1
+    axes.legend(ncols=columns, title=title, title_fontsize=7.0, **corner)
     return axes
 
 
@@ -177,7 +163,8 @@ def plot_fragility(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes
 _MARKERS = ("o", "^", "s", "D", "v", "P", "X", "p", "h", "*")
 
 
-def plot_bounds(found: "xarray.Dataset", part: float | None = None) -> Figure:
+@styled
+def plot_bounds(found: "xarray.Dataset", part: float | None = None) -> "Figure":
     """Draw the envelope and the nominal line of every result over the intensity, on a new figure.
 
     A mark on the edge of an envelope says which combination of the properties governs there, full of the largest and hollow of the least.
@@ -195,22 +182,16 @@ def plot_bounds(found: "xarray.Dataset", part: float | None = None) -> Figure:
     looks = dict(zip(_governing(one, names), cycle(_MARKERS), strict=False))
     columns = min(2, len(names))
     rows = -(-len(names) // columns)
-    with style():
-        height = 2.2 * rows + 0.7 + 0.15 * (len(looks) // 2)
-        figure = Figure(figsize=(PAGE_WIDTH, height), layout="constrained")
-        panels: Any = figure.subplots(rows, columns, squeeze=False)
-        for axes in panels.flat[len(names) :]:
-            axes.set_axis_off()
-        for axes, name in zip(panels.flat, names, strict=False):
-            _draw_bounds(axes, one, name, looks)
-        figure.legend(
-            handles=_handles(found, float(one["quantile"]), looks),
-            loc="outside upper center",
-            ncols=3,
-            borderaxespad=0.3,
-            title="marks: which properties govern, full the largest, hollow the least",
-            title_fontsize=7.0,
-        )
+    figure = new_figure(2.2 * rows + 0.7 + 0.15 * (len(looks) // 2))
+    panels: Any = figure.subplots(rows, columns, squeeze=False)
+    for axes in panels.flat[len(names) :]:
+        axes.set_axis_off()
+    for axes, name in zip(panels.flat, names, strict=False):
+        _draw_bounds(axes, one, name, looks)
+    title = "marks: which properties govern, full the largest, hollow the least"
+    handles = _handles(found, float(one["quantile"]), looks)
+    above: dict[str, Any] = {"loc": "outside upper center", "borderaxespad": 0.3, "ncols": 3}
+    figure.legend(handles=handles, title=title, title_fontsize=7.0, **above)
     return figure
 
 
@@ -222,9 +203,9 @@ def _governing(one: "xarray.Dataset", names: list[str]) -> list[str]:
 
 def _draw_bounds(axes: "Axes", one: "xarray.Dataset", name: str, looks: dict[str, str]) -> None:
     intensity = str(one.attrs["intensity"])
-    x = shown(one[intensity])
+    x = _shown(one[intensity])
     least, largest, nominal = (
-        shown(one[name], one[f"{name}_{side}"]) for side in ("least", "largest", "nominal")
+        _shown(one[name], one[f"{name}_{side}"]) for side in ("least", "largest", "nominal")
     )
     axes.fill_between(x, least, largest, color=BLUE, alpha=0.15, linewidth=0.0)
     draw_line(axes, x, nominal, INK, 1.2)
@@ -236,7 +217,7 @@ def _draw_bounds(axes: "Axes", one: "xarray.Dataset", name: str, looks: dict[str
             if combination:  # else nothing has been run there
                 draw_marks(axes, at, height, looks[combination], 4.0, BLUE, markerfacecolor=face)
     axes.set_ylim(bottom=min(0.0, float(np.nanmin(least))))
-    label_axes(axes, axis_label(one[intensity]), described(one[name]).label)
+    label_axes(axes, _axis_label(one[intensity]), described(one[name]).label)
     axes.set_title(described(one[name]).words, loc="left")
 
 
@@ -263,7 +244,8 @@ _MOST = 4
 _BARS = (("S1", "first order", OCHRE, -0.19), ("ST", "total", BLUE, 0.19))
 
 
-def plot_sensitivity(found: "xarray.Dataset") -> Figure:
+@styled
+def plot_sensitivity(found: "xarray.Dataset") -> "Figure":
     """Draw first-order and total Sobol indices by factor with their intervals, on a new figure.
 
     A panel for each value of the one factor that is left of the grid, of many for some of them.
@@ -284,24 +266,21 @@ def plot_sensitivity(found: "xarray.Dataset") -> Figure:
         raise InputError(msg)
     number = found.sizes[left[0]] if left else 1
     places = np.unique(np.linspace(0, number - 1, min(number, _MOST)).round().astype(int)).tolist()
-    with style():
-        height = 1.15 + 0.36 * found.sizes["factor"]
-        width = PAGE_WIDTH if len(places) > 1 else 0.55 * PAGE_WIDTH
-        figure = Figure(figsize=(width, height), layout="constrained")
-        panels: Any = figure.subplots(1, len(places), squeeze=False, sharex=True, sharey=True)
-        for axes, place in zip(panels.flat, places, strict=True):
-            _draw_indices(axes, found.isel({left[0]: place}) if left else found)
-            if left:
-                along = found[left[0]]
-                symbol = "PGV" if left[0] == "pgv" else described(along).title
-                axes.set_title(f"{symbol} {value_words(along, along.to_numpy()[place])}")
-        last = panels.flat[-1]  # all share its limits
-        low, high = last.get_xlim()
-        last.set_xlim(min(0.0, low), max(1.0, high))
-        last.set_xticks([0.0, 0.5, 1.0])
-        figure.supxlabel(f"part of the variance of the {_words_of_indices(found)}", fontsize=7.5, color=INK)
-        handles, labels = panels.flat[0].get_legend_handles_labels()
-        figure.legend(handles, labels, loc="outside upper center", ncols=2, borderaxespad=0.3)
+    width = PAGE_WIDTH if len(places) > 1 else 0.55 * PAGE_WIDTH
+    figure = new_figure(1.15 + 0.36 * found.sizes["factor"], width)
+    panels: Any = figure.subplots(1, len(places), squeeze=False, sharex=True, sharey=True)
+    for axes, place in zip(panels.flat, places, strict=True):
+        _draw_indices(axes, found.isel({left[0]: place}) if left else found)
+        if left:
+            along = found[left[0]]
+            symbol = "PGV" if left[0] == "pgv" else described(along).title
+            axes.set_title(f"{symbol} {shown_value(along, along.to_numpy()[place])}")
+    last = panels.flat[-1]  # all share its limits
+    low, high = last.get_xlim()
+    last.set_xlim(min(0.0, low), max(1.0, high))
+    last.set_xticks([0.0, 0.5, 1.0])
+    figure.supxlabel(f"part of the variance of the {_words_of_indices(found)}", fontsize=7.5, color=INK)
+    legend_outside(panels.flat[0], 2, borderaxespad=0.3)
     return figure
 
 
@@ -318,9 +297,89 @@ def _draw_indices(axes: "Axes", one: "xarray.Dataset") -> None:
 
 
 def _words_of_indices(found: "xarray.Dataset") -> str:
-    from dcfp.schema.nomenclature import NOMENCLATURE
-
     name = str(found.attrs["quantity"])
     entry = NOMENCLATURE.get(name)
     words = name.replace("_", " ") if entry is None else entry.words
     return f"{'logarithm of the ' if found.attrs['logarithm'] else ''}{words}"
+
+
+# Which friction and which radius hold a displacement.
+
+
+#: Probabilities of the two panels, and how to call them.
+_PARTS = ((0.5, "half of the earthquakes"), (0.95, "95 % of the earthquakes"))
+#: Displacements [mm] and forces over weight [-] at which lines are drawn.
+_DISPLACEMENTS = (25, 50, 75, 100, 150, 200, 300, 400, 500, 600, 800, 1000, 1500, 2000)
+_FORCES = (0.04, 0.06, 0.08, 0.1, 0.125, 0.15, 0.2, 0.25, 0.3, 0.4)
+#: Height at which the numbers of each stand, apart so that none covers another, and how near to the side a number still fits [-].
+_HEIGHT_OF_DISPLACEMENTS, _HEIGHT_OF_FORCES, _SIDE = 0.75, 0.3, 0.03
+
+
+@styled
+def plot_design_chart(spaces: "Sequence[DesignSpace]", allowed: float) -> "Figure":
+    """Draw lines of equal displacement and of equal force over friction and radius, on a new figure.
+
+    A row for each PGV; left the median of the records, right what 95 % of earthquakes do not exceed, where there are enough records to say so.
+    What holds `allowed` [mm] is shaded.
+    """
+    parts = [one for one in _PARTS if all(one[0] * (space.records + 1) <= space.records for space in spaces)]
+    figure = new_figure(0.7 + 2.6 * len(spaces))
+    axes = figure.subplots(len(spaces), len(parts), squeeze=False, sharex=True, sharey=True)
+    for row, space in zip(axes, spaces, strict=True):
+        for one, (part, words) in zip(row, parts, strict=True):
+            _draw_design(one, space, allowed, part)
+            one.set_title(f"PGV {metres_per_second(space.pgv)}, {words}")
+        row[0].set_ylabel("radius of each plate [m]")
+    for one in axes[-1]:
+        one.set_xlabel("reference coefficient of friction")
+    words = f"Shaded: {millimetres(allowed)} holds.  Blue: $y_{{max}}$ [mm].  Dashed: force over weight.  {spaces[0].records} records"
+    figure.suptitle(words, fontsize=8, color=INK)
+    return figure
+
+
+def _draw_design(axes: "Axes", space: "DesignSpace", allowed: float, part: float) -> None:
+    mu, radius = space.coefficients, space.radii / 1e3
+    displacement, force = space.displacement_at(part), space.force_at(part)
+    drawing: Any = axes
+    drawing.contourf(mu, radius, displacement, levels=[0.0, allowed], colors=[BLUE], alpha=0.12)
+    axes.set_xlim(float(mu[0]), float(mu[-1]))
+    axes.set_ylim(float(radius[0]), float(radius[-1]))
+    others = [level for level in _DISPLACEMENTS if level != allowed]
+    at = _HEIGHT_OF_DISPLACEMENTS
+    _draw_lines(axes, space, displacement, others, {"colors": BLUE, "linewidths": 0.8}, 6.5, at)
+    _draw_lines(axes, space, displacement, [allowed], {"colors": RED, "linewidths": 1.4}, 6.5, at)
+    look = {"colors": GREY, "linewidths": 0.7, "linestyles": "dashed"}
+    _draw_lines(axes, space, force, _FORCES, look, 6.0, _HEIGHT_OF_FORCES)
+
+
+def _draw_lines(
+    axes: "Axes",
+    space: "DesignSpace",
+    values: "FloatArray",
+    levels: "Sequence[float]",
+    look: dict[str, Any],
+    size: float,
+    height: float,
+) -> None:
+    """Draw lines of equal values with their numbers near a height of the panel [-], at those levels that are among the values."""
+    inside = [level for level in levels if values.min() < level < values.max()]
+    if inside:
+        drawing: Any = axes
+        lines = drawing.contour(space.coefficients, space.radii / 1e3, values, levels=inside, **look)
+        places = [place for parts in lines.allsegs if (place := _place(axes, parts, height)) is not None]
+        if places:
+            drawing.clabel(lines, fmt="%g", fontsize=size, manual=places)
+
+
+def _place(axes: "Axes", parts: "Sequence[FloatArray]", height: float) -> tuple[float, float] | None:
+    """Return the point of a line that is nearest to a height of the panel [-], not at its sides; None where there is none."""
+    left, right = axes.get_xlim()
+    low, high = axes.get_ylim()
+    found: list[tuple[float, float, float]] = []
+    for part in parts:
+        for (x0, y0), (x1, y1) in zip(part[:-1].tolist(), part[1:].tolist(), strict=True):
+            for share in np.linspace(0.0, 1.0, 9).tolist():
+                x, y = x0 + share * (x1 - x0), y0 + share * (y1 - y0)
+                if _SIDE < (x - left) / (right - left) < 1.0 - _SIDE:
+                    found.append((abs((y - low) / (high - low) - height), x, y))
+    return min(found)[1:] if found else None

@@ -4,15 +4,15 @@ from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib.figure import Figure
 
-from dcfp.present.figures.style import BLUE, GREY, INK, PAGE_WIDTH, RED, drawable, style
+from dcfp.present.figures.style import BLUE, GREY, INK, RED, drawable, new_figure, styled
 from dcfp.schema.digits import true_minus
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
     from dcfp.schema.check import Check
 
@@ -23,25 +23,23 @@ _HEAD = 1.7
 _LEAST, _LARGEST = 1e-6, 1e4
 
 
-def plot_checks(checks: "Sequence[Check]") -> Figure:
+@styled
+def plot_checks(checks: "Sequence[Check]") -> "Figure":
     """Draw the difference of each check over what is allowed as a bar, in groups, on a new figure."""
     groups = [(name, list(members)) for name, members in groupby(checks, key=lambda check: check.of)]
     lines = len(checks) + _HEAD * len(groups)
-    with style():
-        figure = Figure(figsize=(PAGE_WIDTH, 0.75 + _LINE_HEIGHT * lines), layout="constrained")
-        axes = figure.add_subplot()
-        first, last = _reach(checks)
-        axes.set_xscale("log")
-        axes.set_xlim(first, last)
-        line = 0.0
-        for name, members in groups:
-            line += _HEAD
-            _write(axes, drawable(name), line - 1.0, weight="bold")
-            for check in members:
-                _draw_check(axes, check, line)
-                line += 1.0
-        axes.set_ylim(line - 0.3, -0.2)
-        _finish(axes, checks)
+    figure = new_figure(0.75 + _LINE_HEIGHT * lines)
+    axes = figure.add_subplot()
+    axes.set(xscale="log", xlim=_reach(checks))
+    line = 0.0
+    for name, members in groups:
+        line += _HEAD
+        _write(axes, drawable(name), line - 1.0, weight="bold")
+        for check in members:
+            _draw_check(axes, check, line)
+            line += 1.0
+    axes.set_ylim(line - 0.3, -0.2)
+    _finish(axes, checks)
     return figure
 
 
@@ -54,13 +52,10 @@ def _reach(checks: "Sequence[Check]") -> tuple[float, float]:
 
 def _write(axes: "Axes", words: str, line: float, *, right: bool = False, **look: Any) -> None:
     """Write beside the panel, left of it or right."""
+    shift, side = (5.0, "left") if right else (-5.0, "right")
     place: dict[str, Any] = {"xycoords": axes.get_yaxis_transform(), "textcoords": "offset points"}
-    ends: dict[str, Any] = {
-        "xytext": (5.0 if right else -5.0, 0.0),
-        "ha": "left" if right else "right",
-        "va": "center",
-    }
-    axes.annotate(words, (float(right), line), **place, **ends, **look, parse_math=False)
+    place |= {"xytext": (shift, 0.0), "ha": side, "va": "center", "parse_math": False}
+    axes.annotate(words, (float(right), line), **place, **look)
 
 
 def _draw_check(axes: "Axes", check: "Check", line: float) -> None:
@@ -92,9 +87,6 @@ def _finish(axes: "Axes", checks: "Sequence[Check]") -> None:
     axes.set_xlabel("|difference| / allowed")
     verdicts = [check.passed for check in checks]
     failed = verdicts.count(False)
-    axes.set_title(
-        f"{verdicts.count(True)} passed, {failed} failed, {verdicts.count(None)} skipped",
-        loc="left",
-        color=RED if failed else INK,
-    )
+    words = f"{verdicts.count(True)} passed, {failed} failed, {verdicts.count(None)} skipped"
+    axes.set_title(words, loc="left", color=RED if failed else INK)
     axes.set_title("difference of allowed", loc="right", size=6.5)

@@ -224,9 +224,10 @@ def draw_cross(axes: "Axes") -> None:
     axes.axvline(0.0, color=GREY, linewidth=0.4, zorder=0)
 
 
-def between_equal_limits(axes: "Axes", largest: float) -> None:
-    """Put zero in the middle, and room beyond the largest value."""
+def between_equal_limits(axes: "Axes", *drawn: "FloatArray") -> None:
+    """Put zero in the middle, and room beyond the largest value that is drawn."""
     axes.axhline(0.0, color=GREY, linewidth=0.4, zorder=0)
+    largest = max(float(np.abs(values).max(initial=0.0)) for values in drawn)
     limit = 1.3 * largest if largest > 0.0 else 1.0
     axes.set_ylim(-limit, limit)
 

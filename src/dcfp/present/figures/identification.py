@@ -5,22 +5,21 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from dcfp.present.figures.style import (
     BLUE,
     GREY,
     INK,
     OCHRE,
-    PAGE_WIDTH,
     RED,
     calm_ticks,
     draw_line,
     draw_marks,
     drawable,
     label_axes,
-    style,
-)
+    new_figure,
+    styled,
+)  # fmt: skip
 from dcfp.schema.digits import typeset
 from dcfp.schema.nomenclature import quantity
 
@@ -28,6 +27,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
     from dcfp.arrays import FloatArray
     from dcfp.inference.identification import FrictionHistory, Identification
@@ -43,7 +43,8 @@ _MOST_DOTS, _GROUPS = 4000, 15
 _SPEED, _PRESSURE = "relative speed of the plates $|v|$ [mm/s]", "pressure $p$ [N/mm²]"
 
 
-def plot_identification(found: "Identification") -> Figure:
+@styled
+def plot_identification(found: "Identification") -> "Figure":
     """Draw the coefficient of each test over time, the factors of the law, and what is left, on a new figure.
 
     Points of a factor are measured coefficients over mu_0 and the two other factors, as in Figures 3 and 4 of Li et al. (2020).
@@ -52,19 +53,16 @@ def plot_identification(found: "Identification") -> Figure:
     columns = min(len(drawn), _COLUMNS)
     rows = math.ceil(len(drawn) / columns)
     heights = [0.64, 1.25 * rows + 0.1, 1.95, 1.6]
-    with style():
-        figure = Figure(figsize=(PAGE_WIDTH, sum(heights)), layout="constrained")
-        parts: Any = figure.subfigures(4, 1, height_ratios=heights, hspace=0.0)
-        head, histories, factors, residuals = parts
-        _write_head(head, found)
-        panels: Any = histories.subplots(rows, columns, squeeze=False, sharey=True)
-        _draw_histories(drawn, list(panels.flat), columns)
-        handles, labels = panels.flat[0].get_legend_handles_labels()
-        head.legend(
-            handles, labels, loc="center right", bbox_to_anchor=(0.985, 0.7), ncols=2, markerscale=5.0
-        )
-        _draw_factors(found, list(factors.subplots(1, 3)))
-        _draw_residuals(found, list(residuals.subplots(1, 2, sharey=True)))
+    figure = new_figure(sum(heights))
+    parts: Any = figure.subfigures(4, 1, height_ratios=heights, hspace=0.0)
+    head, histories, factors, residuals = parts
+    _write_head(head, found)
+    panels: Any = histories.subplots(rows, columns, squeeze=False, sharey=True)
+    _draw_histories(drawn, list(panels.flat), columns)
+    place: dict[str, Any] = {"loc": "center right", "bbox_to_anchor": (0.985, 0.7), "ncols": 2}
+    head.legend(*panels.flat[0].get_legend_handles_labels(), markerscale=5.0, **place)
+    _draw_factors(found, list(factors.subplots(1, 3)))
+    _draw_residuals(found, list(residuals.subplots(1, 2, sharey=True)))
     return figure
 
 
@@ -112,13 +110,10 @@ def _interval(found: "Identification", name: str) -> str:
 
 
 def _draw_histories(drawn: list[_Drawn], panels: "Sequence[Axes]", columns: int) -> None:
-    lows: list[float] = []
-    highs: list[float] = []
-    for i, axes in enumerate(panels):
-        if i >= len(drawn):
-            axes.set_axis_off()
-            continue
-        test = drawn[i]
+    ends: list[tuple[float, float]] = []
+    for axes in panels[len(drawn) :]:
+        axes.set_axis_off()
+    for i, (axes, test) in enumerate(zip(panels, drawn, strict=False)):
         used = test.history.used
         _dots(axes, test.history.time[used], test.history.coefficient[used], size=1.8)
         line = np.where(used, test.law, np.nan)
@@ -126,16 +121,17 @@ def _draw_histories(drawn: list[_Drawn], panels: "Sequence[Axes]", columns: int)
         draw_line(axes, test.history.time, line, colour, 0.7, label="law")
         low, high = np.quantile(test.history.coefficient[used], (0.005, 0.995))
         # the first peak is narrow, but the law must not leave the panel there
-        lows.append(min(float(low), float(test.law[used].min())))
-        highs.append(max(float(high), float(test.law[used].max())))
+        law = test.law[used]
+        ends.append((min(float(low), float(law.min())), max(float(high), float(law.max()))))
         _title_of(test, axes)
         calm_ticks(axes)
         if i % columns == 0:
             axes.set_ylabel(quantity("friction").label)
         if i + columns >= len(drawn):
             axes.set_xlabel(quantity("time").label)
-    margin = 0.1 * (max(highs) - min(lows))
-    panels[0].set_ylim(max(0.0, min(lows) - margin), max(highs) + margin)
+    low, high = min(low for low, _ in ends), max(high for _, high in ends)
+    margin = 0.1 * (high - low)
+    panels[0].set_ylim(max(0.0, low - margin), high + margin)
 
 
 def _title_of(test: _Drawn, axes: "Axes") -> None:
@@ -151,26 +147,23 @@ def _title_of(test: _Drawn, axes: "Axes") -> None:
 
 def _draw_factors(found: "Identification", panels: "Sequence[Axes]") -> None:
     law, (coefficient, *places) = found.law, _samples(found)
+    temperature = quantity("temperature").label
     described = (
         (law.pressure_factor, r"$\gamma$", _PRESSURE, {"pressure_exponent", "pressure_floor"}),
         (law.velocity_factor, r"$\alpha$", _SPEED, {"speed_drop", "speed_rate"}),
-        (
-            law.temperature_factor,
-            r"$\beta$",
-            quantity("temperature").label,
-            {"temperature_rate", "conductivity"},
-        ),
+        (law.temperature_factor, r"$\beta$", temperature, {"temperature_rate", "conductivity"}),
     )
     factors = [factor(at) for (factor, *_), at in zip(described, places, strict=True)]
     fitted = {one.name for one in found.estimates}
-    for panel, number in enumerate((1, 0, 2)):  # velocity, pressure, temperature, as in the paper
+    # velocity, pressure, temperature, as in the paper
+    for axes, number in zip(panels, (1, 0, 2), strict=True):
         factor, symbol, label, names = described[number]
         others = np.prod([one for i, one in enumerate(factors) if i != number], axis=0)
         values = coefficient / (law.reference * others)
-        _draw_factor(panels[panel], places[number], values, factor)
-        label_axes(panels[panel], label, symbol, 5)
+        _draw_factor(axes, places[number], values, factor)
+        label_axes(axes, label, symbol, 5)
         if not fitted & names:
-            panels[panel].set_title("not fitted", loc="left", size=6.5, color=RED)
+            axes.set_title("not fitted", loc="left", size=6.5, color=RED)
     panels[0].legend(loc="lower right", markerscale=1.0)
 
 
@@ -185,23 +178,20 @@ def _draw_factor(
     draw_line(axes, along, factor(along), BLUE, 1.1, label="law", zorder=3)
     _means(axes, places, values, (float(along[0]), float(along[-1])))
     low, high = np.quantile(values, (0.002, 0.998))
-    axes.set_xlim(along[0], along[-1])
-    axes.set_ylim(max(0.0, float(low) - 0.15 * float(high - low)), float(high) + 0.15 * float(high - low))
+    room = 0.15 * float(high - low)
+    axes.set(xlim=(along[0], along[-1]), ylim=(max(0.0, float(low) - room), float(high) + room))
 
 
 def _draw_residuals(found: "Identification", panels: "Sequence[Axes]") -> None:
     coefficient, pressure, speed, temperature = _samples(found)
     residual = coefficient - found.law.coefficient(pressure, speed, temperature)
     reach = 1.3 * float(np.quantile(np.abs(residual), 0.997))
-    for axes, places, label in zip(
-        panels, (speed, temperature), (_SPEED, quantity("temperature").label), strict=True
-    ):
+    known = ((speed, _SPEED), (temperature, quantity("temperature").label))
+    for axes, (places, label) in zip(panels, known, strict=True):
         axes.axhline(0.0, color=BLUE, linewidth=0.9, zorder=2)
         _dots(axes, places, residual, name=None)
         _means(axes, places, residual, (float(places.min()), float(places.max())))
-        axes.set_ylim(-reach, reach)
-        calm_ticks(axes)
-        axes.set_xlabel(label)
+        label_axes(axes, label, "", ylim=(-reach, reach))
     panels[0].set_ylabel(r"$\mu$ measured − fitted")
 
 

@@ -1,23 +1,28 @@
-"""Ground motions beside each other."""
+"""Ground motions beside each other, their spectra, and what the methods of codes say of them beside the analysis."""
 
 import textwrap
+from itertools import cycle
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from dcfp.errors import InputError
 from dcfp.motion.measures import baseline_warning
 from dcfp.present.figures.drawing import between_equal_limits, mark_peak
 from dcfp.present.figures.style import (
     BLUE,
-    PAGE_WIDTH,
+    GREY,
+    INK,
+    OCHRE,
     RED,
     draw_line,
+    draw_marks,
     drawable,
     label_axes,
-    style,
-)
+    legend_outside,
+    new_figure,
+    styled,
+)  # fmt: skip
 from dcfp.schema.digits import metres_per_second, millimetres
 from dcfp.schema.nomenclature import quantity
 
@@ -25,7 +30,10 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
+    from dcfp.methods.code_comparison import CodeComparison
+    from dcfp.methods.spectra import EnergySpectrum
     from dcfp.motion.ground_motion import GroundMotion
 
 #: Most motions beside each other, and on a page.
@@ -37,7 +45,8 @@ _HEAD_WIDTH = 108
 _COMPARABLE = 4.0
 
 
-def plot_motions(motions: "Sequence[GroundMotion]") -> Figure:
+@styled
+def plot_motions(motions: "Sequence[GroundMotion]") -> "Figure":
     """Draw acceleration, velocity and displacement of motions, a column for each, on a new figure.
 
     Four stand beside each other; those that follow stand below. The motions beside each other share their scales
@@ -51,13 +60,11 @@ def plot_motions(motions: "Sequence[GroundMotion]") -> Figure:
     check_count(len(motions))
     columns = min(len(motions), _COLUMNS)
     blocks = [motions[first : first + columns] for first in range(0, len(motions), columns)]
-    height = 3.0 * _ROW_HEIGHT + _HEAD_HEIGHT
-    with style():
-        figure = Figure(figsize=(PAGE_WIDTH, height * len(blocks)), layout="constrained")
-        panels = figure.subplots(3 * len(blocks), columns, squeeze=False)
-        for number, block in enumerate(blocks):
-            _draw_block(panels[3 * number : 3 * number + 3], block)
-        figure.align_ylabels(list(panels[:, 0]))
+    figure = new_figure((3.0 * _ROW_HEIGHT + _HEAD_HEIGHT) * len(blocks))
+    panels = figure.subplots(3 * len(blocks), columns, squeeze=False)
+    for number, block in enumerate(blocks):
+        _draw_block(panels[3 * number : 3 * number + 3], block)
+    figure.align_ylabels(list(panels[:, 0]))
     return figure
 
 
@@ -92,25 +99,20 @@ def _draw_column(panels: "np.ndarray", motion: "GroundMotion", columns: int) -> 
     for axes, name, words in zip(
         panels,
         ("acceleration", "velocity", "displacement"),
-        (_metres_per_second_squared, metres_per_second, millimetres),
+        (lambda value: f"{metres_per_second(value)}²", metres_per_second, millimetres),
         strict=True,
     ):
         entry, values = quantity(f"ground_{name}"), getattr(motion, name)
         heights = entry.display(values)
         draw_line(axes, motion.time, heights, BLUE, width)
-        label_axes(axes, "", entry.label, max(4, 10 // columns), 4)
+        label_axes(axes, "", entry.label, max(4, 10 // columns), 4, xlim=(0.0, motion.duration))
         mark_peak(axes, motion.time, heights, words(float(np.abs(values).max())))
-        axes.set_xlim(0.0, motion.duration)
-        between_equal_limits(axes, float(np.abs(heights).max()))
+        between_equal_limits(axes, heights)
         axes.tick_params(labelbottom=axes is panels[-1])
     panels[-1].set_xlabel(quantity("time").label)
     if baseline_warning(motion) is not None:
         place: Any = {"xy": (0.02, 0.03), "xycoords": "axes fraction"}
         panels[-1].annotate("baseline in doubt", color=RED, va="bottom", **place)
-
-
-def _metres_per_second_squared(value: float) -> str:
-    return metres_per_second(value).replace("m/s", "m/s²")
 
 
 def _share_limits(row: "list[Axes]") -> None:
@@ -134,3 +136,105 @@ def _write_head(axes: "Axes", motion: "GroundMotion", width: int) -> None:
     look: dict[str, Any] = {"va": "bottom", "size": 6.5, "color": "#555555", "parse_math": False}
     axes.annotate("\n".join(lines), (0.0, 1.0), **place, **look)
     axes.set_title(name, loc="left", weight="bold", pad=6.0 + 9.0 * len(lines), parse_math=False)
+
+
+# Response and input energy spectra.
+
+
+_COLOURS = (BLUE, RED, OCHRE, INK, GREY, "#6699CC", "#228833", "#AA3377")
+#: Periods that are named on the axis [s].
+_TICKS = (0.1, 1.0, 10.0)
+
+
+@styled
+def plot_spectra(spectra: "Sequence[EnergySpectrum]", velocities: "Sequence[float]") -> "Figure":
+    """Draw displacement, pseudo-acceleration and equivalent velocity of the input energy over the period, on a new figure.
+
+    `velocities` are the PGVs of the motions [mm/s], for the legend; of more motions than colours the lines are thin and grey, with their
+    geometric mean.
+    """
+    many = len(spectra) > len(_COLOURS)
+    figure = new_figure(2.9)
+    axes: Any = figure.subplots(1, 3)
+    every = [_values(one) for one in spectra]
+    for place, (one, pgv) in enumerate(zip(spectra, velocities, strict=True)):
+        label = None if many else f"{drawable(one.name)}, {metres_per_second(pgv)}"
+        colour, width = (GREY, 0.3) if many else (_COLOURS[place], 0.9)
+        for panel, values in zip(axes, every[place], strict=True):
+            draw_line(panel, one.periods, values, colour, width, label=label)
+    for place, (panel, label) in enumerate(
+        zip(axes, ("$S_d$ [mm]", "$S_a$ [m/s²]", "$V_E$ [m/s]"), strict=True)
+    ):
+        if many and all(np.array_equal(one.periods, spectra[0].periods) for one in spectra):
+            mean = np.exp(np.log(np.maximum(np.array([one[place] for one in every]), 1e-12)).mean(axis=0))
+            words = f"geometric mean of {len(spectra)}"
+            draw_line(panel, spectra[0].periods, mean, BLUE, 1.4, label=words)
+        panel.set(xscale="log", xlabel="$T$ [s]", ylabel=label, ylim=(0.0, None))
+        panel.set_xticks(_TICKS, [f"{tick:g}" for tick in _TICKS])
+    legend_outside(axes[0], min(4, max(1 if many else len(spectra), 1)))
+    return figure
+
+
+def _values(one: "EnergySpectrum") -> "tuple[np.ndarray, ...]":
+    omega = 2.0 * np.pi / one.periods
+    return one.displacement, one.displacement * omega**2 / 1e3, np.sqrt(2.0 * one.relative) / 1e3
+
+
+# What the methods of codes say beside the analysis, and the spectrum that they look at.
+
+
+#: Periods at which a spectrum is drawn [s].
+_PERIODS = np.geomspace(0.05, 10.0, 300)
+_COLOURS_OF_METHODS = (BLUE, OCHRE, RED, INK, GREY, "#6699CC")
+#: Height of a row of panels, and of the legend above [in].
+_ROW, _HEAD = 2.3, 0.5
+
+
+@styled
+def plot_codes(comparisons: "Sequence[CodeComparison]") -> "Figure":
+    """Draw for every demand the results in the displacement spectrum, and their displacements as bars, on a new figure.
+
+    Left the spectrum at a damping of 5 % with effective period and displacement of every method that has both; right the displacements beside the
+    analysis, a line. What is outside of the limits of its method is hollow, and hatched on the right.
+    """
+    figure = new_figure(_HEAD + _ROW * len(comparisons))
+    axes: Any = figure.subplots(len(comparisons), 2, squeeze=False, width_ratios=(1.0, 1.15))
+    for row, comparison in zip(axes, comparisons, strict=True):
+        _draw_spectrum(row[0], comparison)
+        _draw_bars(row[1], comparison)
+    axes[-1][0].set_xlabel("$T$ [s]")
+    axes[-1][1].set_xlabel("$D$ [mm]")
+    return figure
+
+
+def _draw_spectrum(axes: "Axes", comparison: "CodeComparison") -> None:
+    demand = comparison.inputs.spectrum.acceleration(_PERIODS) * (_PERIODS / (2.0 * np.pi)) ** 2
+    draw_line(axes, _PERIODS, demand, GREY, 1.0)
+    for colour, said in zip(cycle(_COLOURS_OF_METHODS), comparison.results.values(), strict=False):
+        if said.period is not None:
+            face = "white" if said.valid is False else colour
+            draw_marks(axes, said.period, said.displacement, "o", 4.0, colour, markerfacecolor=face)
+    axes.set(ylabel="$S_d$ [mm]", ylim=(0.0, None), xlim=(0.0, float(_PERIODS[-1])))
+    pgv = "" if comparison.pgv is None else f",  PGV {metres_per_second(comparison.pgv)}"
+    axes.set_title(f"{drawable(comparison.name)}{pgv}", loc="left", weight="bold", parse_math=False)
+
+
+def _draw_bars(axes: "Axes", comparison: "CodeComparison") -> None:
+    bar: dict[str, Any] = {"height": 0.6, "linewidth": 1.0}
+    beside: dict[str, Any] = {"textcoords": "offset points", "va": "center", "size": 6.5}
+    # where the line of the analysis passes behind the words
+    box = {"facecolor": "white", "edgecolor": "none", "pad": 0.5}
+    results, analysed = comparison.results, comparison.displacement
+    for place, (colour, said) in enumerate(zip(cycle(_COLOURS_OF_METHODS), results.values(), strict=False)):
+        face, hatch = ("white", "////") if said.valid is False else (colour, None)
+        axes.barh(place, said.displacement, color=face, edgecolor=colour, hatch=hatch, **bar)
+        words, end = millimetres(said.displacement), (said.displacement, place)
+        axes.annotate(words, end, (4.0, 0.0), **beside).set_bbox(box)
+    title = "hollow: outside of its limits"
+    if analysed is not None:
+        axes.axvline(analysed, color=INK, linewidth=1.0, linestyle=(0, (4, 2)))
+        title = f"analysis {millimetres(analysed)}; {title}"
+    axes.set_title(title, loc="left")
+    axes.set_yticks(range(len(results)), list(results))
+    axes.invert_yaxis()
+    axes.set_xlim(0.0, 1.25 * max([said.displacement for said in results.values()] + [analysed or 0.0, 1.0]))

@@ -1,6 +1,5 @@
-"""Loops of several analyses or tests beside each other, and figures of any size on one sheet."""
+"""Loops of several analyses or tests beside each other."""
 
-import io
 import math
 import textwrap
 from itertools import cycle
@@ -10,7 +9,6 @@ import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
-from matplotlib.image import imread
 from matplotlib.lines import Line2D
 
 from dcfp.present.figures.drawing import colour_shows, colours_of, draw_cross, plot_loop
@@ -26,8 +24,10 @@ from dcfp.present.figures.style import (
     calm_ticks,
     drawable,
     finish_colour_bar,
-    save_figure,
-    style,
+    label_axes,
+    new_figure,
+    styled,
+    write_title,
 )  # fmt: skip
 from dcfp.present.panels import colour_ends
 from dcfp.schema.digits import metres_per_second, millimetres, typeset
@@ -53,15 +53,16 @@ _SHORT_NAME, _LONGEST_NAME = 6, 24
 LINES: "tuple[tuple[str, Any], ...]" = ((BLUE, "-"), (OCHRE, (0, (4, 1.5))), (RED, (0, (1.2, 1.2))))
 
 
+def _shared_range(histories: "Sequence[Response | Loops]") -> tuple[str, Normalize]:
+    """Return what the colours of loops show, and the range that they share."""
+    shows = colour_shows(list(histories))
+    ends = [colour_ends(one, shows) for one in histories]
+    return shows, Normalize(min(low for low, _ in ends), max(high for _, high in ends))
+
+
 def _draw_loop(axes: "Axes", history: "Response | Loops", shows: str, norm: Normalize) -> None:
     plot_loop(history, axes, colour=shows, norm=norm, colour_bar=False, thin=0.7)
-    axes.set_xlabel("")
-    axes.set_ylabel("")
-
-
-def _shared_range(histories: "Sequence[Response | Loops]", shows: str) -> Normalize:
-    ends = [colour_ends(one, shows) for one in histories]
-    return Normalize(min(low for low, _ in ends), max(high for _, high in ends))
+    axes.set(xlabel="", ylabel="")
 
 
 def _name_axes(figure: Figure) -> None:
@@ -75,6 +76,7 @@ def _add_scale(figure: Figure, axes: Any, shows: str, norm: Normalize, aspect: f
     finish_colour_bar(bar, quantity(shows).label)
 
 
+@styled
 def plot_overview(responses: "Sequence[Response]") -> Figure:
     """Draw the loops of several analyses to the same scales, on a new figure.
 
@@ -84,23 +86,20 @@ def plot_overview(responses: "Sequence[Response]") -> Figure:
     grid = _grid(responses)
     columns = len(grid[0])
     panel = (PAGE_WIDTH - 0.9) / max(columns, 3)
-    size = (min(PAGE_WIDTH, panel * columns + 0.9), 0.62 + len(grid) * (0.85 * panel + 0.1))
-    with style():
-        figure = Figure(figsize=size, layout="constrained")
-        axes = figure.subplots(len(grid), columns, squeeze=False)
-        shows = colour_shows(list(responses))
-        norm = _shared_range(responses, shows)
-        for panels, row in zip(axes, grid, strict=True):
-            for one, response in zip(panels, row, strict=True):
-                if response is None:
-                    one.set_axis_off()
-                else:
-                    _draw_loop(one, response, shows, norm)
-                    _write_numbers(one, response)
-        _name_panels(axes, grid)
-        _share_limits(axes, responses)
-        _add_scale(figure, axes, shows, norm, 18 * len(axes))
-        _name_axes(figure)
+    figure = new_figure(0.62 + len(grid) * (0.85 * panel + 0.1), min(PAGE_WIDTH, panel * columns + 0.9))
+    axes = figure.subplots(len(grid), columns, squeeze=False)
+    shows, norm = _shared_range(responses)
+    for panels, row in zip(axes, grid, strict=True):
+        for one, response in zip(panels, row, strict=True):
+            if response is None:
+                one.set_axis_off()
+            else:
+                _draw_loop(one, response, shows, norm)
+                _write_numbers(one, response)
+    _name_panels(axes, grid)
+    _share_limits(axes, responses)
+    _add_scale(figure, axes, shows, norm, 18 * len(axes))
+    _name_axes(figure)
     return figure
 
 
@@ -109,20 +108,14 @@ def _grid(responses: "Sequence[Response]") -> "list[list[Response | None]]":
     records: dict[str, list[Response]] = {}
     for response in responses:
         records.setdefault(response.motion.name, []).append(response)
-    velocities = [[_pgv(response) for response in row] for row in records.values()]
+    velocities = [
+        [metres_per_second(response.motion.peak_velocity) for response in row] for row in records.values()
+    ]
     if all(row == velocities[0] for row in velocities) and 1 < len(velocities[0]) <= _TABLE_COLUMNS:
         return [list(row) for row in records.values()]
     columns = min(_COLUMNS, math.ceil(math.sqrt(len(responses))))
     filled: list[Response | None] = [*responses, *([None] * (-len(responses) % columns))]
     return [filled[first : first + columns] for first in range(0, len(filled), columns)]
-
-
-def _pgv(response: "Response") -> str:
-    return metres_per_second(response.motion.peak_velocity)
-
-
-def _is_table(grid: "list[list[Response | None]]") -> bool:
-    return all(len({r.motion.name if r else "" for r in row}) == 1 for row in grid) and len(grid[0]) > 1
 
 
 def _write_numbers(axes: "Axes", response: "Response") -> None:
@@ -133,7 +126,8 @@ def _write_numbers(axes: "Axes", response: "Response") -> None:
 
 
 def _name_panels(axes: "np.ndarray", grid: "list[list[Response | None]]") -> None:
-    table = _is_table(grid)
+    of_one = (len({r.motion.name if r else "" for r in row}) == 1 for row in grid)
+    table = all(of_one) and len(grid[0]) > 1
     width = _TITLE_WIDTH // max(len(grid[0]), 3)
     for row, (panels, responses) in enumerate(zip(axes, grid, strict=True)):
         for one, response in zip(panels, responses, strict=True):
@@ -150,7 +144,7 @@ def _name_panels(axes: "np.ndarray", grid: "list[list[Response | None]]") -> Non
 
 def _folded(words: str, response: "Response", width: int) -> str:
     """Return words and a PGV in lines of at most `width` characters, the number and its unit together."""
-    velocity = _pgv(response).replace(" ", "\u00a0")
+    velocity = metres_per_second(response.motion.peak_velocity).replace(" ", "\u00a0")
     return textwrap.fill(words + velocity, width).replace("\u00a0", " ")
 
 
@@ -164,8 +158,7 @@ def _share_limits(axes: "np.ndarray", responses: "Sequence[Response]") -> None:
     capacity = responses[0].bearing.displacement_capacity
     shown = np.array([[one.axison for one in row] for row in axes])
     for (row, column), one in np.ndenumerate(axes):
-        one.set_xlim(-reach, reach)
-        one.set_ylim(-height, height * (1.0 + band) / (1.0 - band))
+        one.set(xlim=(-reach, reach), ylim=(-height, height * (1.0 + band) / (1.0 - band)))
         calm_ticks(one, 4 if columns <= _COLUMNS else 2, 5)
         lowest = row + 1 == len(axes) or not shown[row + 1, column]
         one.tick_params(labelbottom=bool(lowest), labelleft=column == 0)
@@ -177,6 +170,7 @@ def _share_limits(axes: "np.ndarray", responses: "Sequence[Response]") -> None:
 # The loops of several tests, after Figures 6 and 8 of Li et al. (2020).
 
 
+@styled
 def plot_tests(
     program: "Program", runs: "Mapping[str, Sequence[Loops]]", measured: "Mapping[str, Measurement]"
 ) -> Figure:
@@ -195,37 +189,33 @@ def plot_tests(
     columns = min(_TEST_COLUMNS, math.ceil(math.sqrt(len(tests))))
     rows = math.ceil(len(tests) / columns)
     panel = (PAGE_WIDTH - 0.6) / max(columns, 2)
-    size = (min(PAGE_WIDTH, panel * columns + 0.9), 0.55 + rows * (0.8 * panel + 0.22))
     first = next(iter(runs.values()))
-    shows = colour_shows(list(first))
-    norm = _shared_range(first, shows)
-    with style():
-        figure = Figure(figsize=size, layout="constrained")
-        axes: Any = figure.subplots(rows, columns, squeeze=False)
-        for one, test in zip(axes.flat, tests, strict=False):
-            if test[0].test.name in measured:
-                draw_measured(one, measured[test[0].test.name])
-            if len(runs) > 1:
-                draw_first_cycles(one, test)
-            else:
-                _draw_loop(one, test[0], shows, norm)
-            name_panel(one, test[0])
-        for one in axes.flat[len(tests) :]:
-            one.set_axis_off()
-        _name_axes(figure)
-        title = f"{drawable(program.name)},  {drawable(first[0].bearing.name)}"
+    shows, norm = _shared_range(first)
+    figure = new_figure(0.55 + rows * (0.8 * panel + 0.22), min(PAGE_WIDTH, panel * columns + 0.9))
+    axes: Any = figure.subplots(rows, columns, squeeze=False)
+    for one, test in zip(axes.flat, tests, strict=False):
+        if test[0].test.name in measured:
+            draw_measured(one, measured[test[0].test.name])
         if len(runs) > 1:
-            title += ":  first cycles"
-            handles = model_handles(list(runs), with_measured=bool(measured))
-            figure.legend(handles=handles, loc="upper right", ncols=4, frameon=False)
+            _draw_first_cycles(one, test)
         else:
-            title += f",  {first[0].friction_law.name},  {first[0].heating.name} heating"
-            _add_scale(figure, axes, shows, norm, 40)
-        figure.suptitle(title, fontsize=8.5, x=0.01, ha="left", parse_math=False)
+            _draw_loop(one, test[0], shows, norm)
+        _name_panel(one, test[0])
+    for one in axes.flat[len(tests) :]:
+        one.set_axis_off()
+    _name_axes(figure)
+    title = f"{drawable(program.name)},  {drawable(first[0].bearing.name)}"
+    if len(runs) > 1:
+        title += ":  first cycles"
+        name_models(figure, list(runs), with_measured=bool(measured))
+    else:
+        title += f",  {first[0].friction_law.name},  {first[0].heating.name} heating"
+        _add_scale(figure, axes, shows, norm, 40)
+    write_title(figure, title)
     return figure
 
 
-def draw_first_cycles(axes: "Axes", tests: "Sequence[Loops]") -> None:
+def _draw_first_cycles(axes: "Axes", tests: "Sequence[Loops]") -> None:
     """Draw the first cycle of a test with every model."""
     for test, look in zip(tests, cycle(LINES), strict=False):
         part = test.time <= test.cycle_times[min(1, test.cycle_times.size - 1)] * (1.0 + 1e-9)
@@ -239,7 +229,7 @@ def draw_model(axes: "Axes", test: "Loops", look: "tuple[str, Any]", part: Any, 
     axes.plot(*path, color=look[0], linestyle=look[1], linewidth=width)
 
 
-def name_panel(axes: "Axes", test: "Loops") -> None:
+def _name_panel(axes: "Axes", test: "Loops") -> None:
     """Write what a panel shows above it."""
     pressure = float(np.mean(test.load)) / test.bearing.slider_area
     name = drawable(test.test.name)
@@ -247,67 +237,14 @@ def name_panel(axes: "Axes", test: "Loops") -> None:
     gap = " " if len(name) <= _SHORT_NAME else "\n"
     words = f"{name}:{gap}{pressure:.0f} N/mm², {test.test.waveform.peak_velocity:.0f} mm/s"
     axes.set_title(words, loc="left", parse_math=False, size=6.2)
-    calm_ticks(axes, 3, 5)
-    axes.set_xlabel("")
-    axes.set_ylabel("")
+    label_axes(axes, "", "", 3, 5)
 
 
-def model_handles(names: "Sequence[str]", *, with_measured: bool) -> list[Line2D]:
-    """Return the lines of a legend of models."""
+def name_models(figure: Figure, names: "Sequence[str]", *, with_measured: bool) -> None:
+    """Write a legend of models above the panels."""
     handles = [
         Line2D([], [], color=colour, linestyle=line, label=name)
         for name, (colour, line) in zip(names, cycle(LINES), strict=False)
     ]
-    return [*handles, Line2D([], [], color=GREY, label="measured")] if with_measured else handles
-
-
-# Figures of any size on one sheet.
-
-
-#: Width of the sheet, the gap between two figures, and the height of a title [in].
-_WIDTH, _GAP, _TITLE = 14.8, 0.2, 0.4
-#: Characters of a title in an inch.
-_CHARACTERS = 14
-
-
-def contact_sheet(figures: "Sequence[tuple[str, Figure]]") -> Figure:
-    """Return a new figure that shows all others as images, in rows and in their order, each at its own size below its title."""
-    rows: list[list[tuple[str, Figure]]] = [[]]
-    for title, figure in figures:
-        if rows[-1] and _length(rows[-1]) + _GAP + figure.get_figwidth() > _WIDTH:
-            rows.append([])
-        rows[-1].append((title, figure))
-    heights = [_TITLE + max((figure.get_figheight() for _, figure in row), default=1.0) for row in rows]
-    height = sum(heights) + _GAP * (len(rows) - 1)
-    with style():
-        sheet = Figure(figsize=(_WIDTH, height))
-        top = height
-        for row, tallest in zip(rows, heights, strict=True):
-            _draw_row(sheet, row, top)
-            top -= tallest + _GAP
-    return sheet
-
-
-def _draw_row(sheet: Figure, row: "Sequence[tuple[str, Figure]]", top: float) -> None:
-    height = sheet.get_figheight()
-    left = 0.0
-    for title, figure in row:
-        width, tall = figure.get_figwidth(), figure.get_figheight()
-        below = top - _TITLE
-        words = textwrap.fill(title, max(12, int(_CHARACTERS * width)))
-        sheet.text(left / _WIDTH, below / height, words, weight="bold", va="bottom", size=8.0)
-        axes = sheet.add_axes((left / _WIDTH, (below - tall) / height, width / _WIDTH, tall / height))
-        axes.imshow(_drawn(figure), aspect="auto", interpolation="none")
-        axes.set_axis_off()
-        left += width + _GAP
-
-
-def _length(row: "Sequence[tuple[str, Figure]]") -> float:
-    return math.fsum(figure.get_figwidth() for _, figure in row) + _GAP * (len(row) - 1)
-
-
-def _drawn(figure: Figure) -> Any:
-    stream = io.BytesIO()
-    save_figure(figure, stream, "png")
-    stream.seek(0)
-    return imread(stream, format="png")
+    handles += [Line2D([], [], color=GREY, label="measured")] if with_measured else []
+    figure.legend(handles=handles, loc="upper right", ncols=4, frameon=False)

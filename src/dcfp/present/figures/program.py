@@ -4,30 +4,31 @@ from itertools import cycle
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeGuard
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from dcfp.errors import InputError
 from dcfp.present.figures.drawing import draw_cross
-from dcfp.present.figures.overviews import LINES, draw_model, model_handles, plot_tests
+from dcfp.present.figures.overviews import LINES, draw_model, name_models, plot_tests
 from dcfp.present.figures.sheets import draw_measured, plot_test
 from dcfp.present.figures.style import (
     DASHED,
     GREY,
     INK,
-    PAGE_WIDTH,
     RED,
     draw_line,
     draw_marks,
     drawable,
     label_axes,
-    style,
-)
+    new_figure,
+    styled,
+    write_title,
+)  # fmt: skip
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
     from dcfp.analysis.rig import Loops, Measurement, Program
 
@@ -68,9 +69,10 @@ def dependency_tests(program: "Program") -> DependencyTests | None:
     return DependencyTests(velocity[0], tuple(pressures)) if velocity and len(pressures) > 1 else None
 
 
+@styled
 def plot_dependency(
     program: "Program", runs: "Mapping[str, Sequence[Loops]]", measured: "Mapping[str, Measurement]"
-) -> Figure:
+) -> "Figure":
     """Draw the factors of pressure and velocity, the friction at zero displacement over time, and the loops of the fast test.
 
     Parameters
@@ -87,31 +89,21 @@ def plot_dependency(
         msg = f"{program.name} has no tests for both 'velocity dependency' and 'pressure dependency'."
         raise InputError(msg)
     drawn = _Dependency(places, runs, measured)
-    with style():
-        figure = Figure(figsize=(PAGE_WIDTH, 5.4), layout="constrained")
-        axes: Any = figure.subplots(2, 2)
-        drawn.pressure(axes[0, 0])
-        drawn.velocity(axes[0, 1])
-        drawn.friction(axes[1, 0])
-        drawn.loops(axes[1, 1])
-        first = drawn.first[0]
-        title = f"{drawable(program.name)},  {drawable(first.bearing.name)},  {first.friction_law.name}"
-        figure.suptitle(title, fontsize=8.5, x=0.01, ha="left", parse_math=False)
-        handles = model_handles(list(runs), with_measured=bool(measured))
-        figure.legend(handles=handles, loc="upper right", ncols=4, frameon=False)
+    figure = new_figure(5.4)
+    axes: Any = figure.subplots(2, 2)
+    drawn.pressure(axes[0, 0])
+    drawn.velocity(axes[0, 1])
+    drawn.friction(axes[1, 0])
+    drawn.loops(axes[1, 1])
+    first = drawn.first[0]
+    title = f"{drawable(program.name)},  {drawable(first.bearing.name)},  {first.friction_law.name}"
+    write_title(figure, title)
+    name_models(figure, list(runs), with_measured=bool(measured))
     return figure
 
 
 class _Dependency:
-    """What the panels of the dependencies have in common.
-
-    Parameters
-    ----------
-    places
-        Of the tests in the program.
-    runs, measured
-        As for `plot_dependency`.
-    """
+    """What the panels of the dependencies have in common; `places` are those of the tests in the program."""
 
     def __init__(
         self,
@@ -138,11 +130,10 @@ class _Dependency:
         curve = self.law.pressure_factor(sigma) / self.law.pressure_factor(pressures[middle])
         draw_line(axes, sigma, curve, INK, 1.0, label=r"$\gamma$ of the law")
         self._points(axes, pressures, slow, middle, 2)
-        label_axes(
-            axes, "pressure on the slider [N/mm²]", rf"$\mu\,/\,\mu$ at {pressures[middle]:.0f} N/mm²", 6, 5
-        )
-        axes.set_title("(a) pressure: slow tests, reduced by their heat", loc="left")
         axes.set_ylim(0.0, 1.15 * float(curve.max()))
+        label = rf"$\mu\,/\,\mu$ at {pressures[middle]:.0f} N/mm²"
+        label_axes(axes, "pressure on the slider [N/mm²]", label, 6, 5)
+        axes.set_title("(a) pressure: slow tests, reduced by their heat", loc="left")
         axes.legend(loc="lower left")
 
     def velocity(self, axes: "Axes") -> None:
@@ -156,9 +147,9 @@ class _Dependency:
         pressure = float(self.first[fast].load[0])
         same = [i for i in self.places.pressures if abs(float(self.first[i].load[0]) / pressure - 1.0) < 0.01]
         self._points(axes, speeds, (fast, *same), fast, 1)
-        label_axes(axes, "relative velocity [mm/s]", rf"$\mu\,/\,\mu$ at {speeds[fast]:.0f} mm/s", 6, 5)
+        label = rf"$\mu\,/\,\mu$ at {speeds[fast]:.0f} mm/s"
+        label_axes(axes, "relative velocity [mm/s]", label, 6, 5, ylim=(0.0, 1.3))
         axes.set_title("(b) velocity: first cycle, reduced by its heat", loc="left")
-        axes.set_ylim(0.0, 1.3)
         axes.legend(loc="lower right")
 
     def _points(
@@ -186,16 +177,11 @@ class _Dependency:
         from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
 
         axes.axhline(NOMINAL_COEFFICIENT, color=RED, linewidth=0.7, linestyle=DASHED)
-        look: dict[str, Any] = {
-            "color": RED,
-            "ha": "right",
-            "va": "bottom",
-            "transform": axes.get_yaxis_transform(),
-        }
-        axes.text(0.985, 1.08 * NOMINAL_COEFFICIENT, r"$\mu_n = 0.043$, tests of Li et al.", **look)
-        axes.set_xlim(left=0.0)
-        axes.set_ylim(0.0, 1.25 * self.law.reference)
-        label_axes(axes, quantity("time").label, r"$\mu$ at zero displacement", 6, 5)
+        look: dict[str, Any] = {"color": RED, "ha": "right", "va": "bottom"}
+        words = r"$\mu_n = 0.043$, tests of Li et al."
+        axes.text(0.985, 1.08 * NOMINAL_COEFFICIENT, words, transform=axes.get_yaxis_transform(), **look)
+        ends: dict[str, Any] = {"xlim": (0.0, None), "ylim": (0.0, 1.25 * self.law.reference)}
+        label_axes(axes, quantity("time").label, r"$\mu$ at zero displacement", 6, 5, **ends)
         name = self.first[self.places.velocity].test.name
         axes.set_title(f"(c) {name}: friction at zero displacement", loc="left")
 

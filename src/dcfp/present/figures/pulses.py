@@ -4,7 +4,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from dcfp.errors import InputError
@@ -14,23 +13,25 @@ from dcfp.present.figures.style import (
     GREY,
     INK,
     OCHRE,
-    PAGE_WIDTH,
     RED,
     calm_ticks,
     draw_line,
     draw_marks,
     drawable,
     legend_above,
-    style,
+    new_figure,
+    styled,
+    write_title,
 )  # fmt: skip
 from dcfp.present.panels import shown, values_of
 from dcfp.schema.digits import metres_per_second, millimetres
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
     from dcfp.analysis import Response
     from dcfp.analysis.swings import Swing
@@ -46,13 +47,14 @@ _WEAK = 0.02
 _SHADES = {BLUE: 0.16, OCHRE: 0.3}
 
 
+@styled
 def plot_pulses(
     case: "Case",
     march: "PulseMarch | None" = None,
     *,
     response: "Response | None" = None,
     constants: "Constants | None" = None,
-) -> Figure:
+) -> "Figure":
     """Draw the pulses of one record at one PGV, the velocities and the displacement on a new figure.
 
     Parameters
@@ -72,38 +74,30 @@ def plot_pulses(
         If there is no analysis to draw.
     """
     part = StrongPart.of(case, response)
-    with style():
-        figure = Figure(figsize=(PAGE_WIDTH, 5.6), layout="constrained")
-        panels: Any = figure.subplots(3, 1, sharex=True, height_ratios=[1.25, 1.0, 1.0])
-        part.draw_pulses(panels[0], case.pulses)
-        _name_pulses(panels[0], case, *_predicted(case, constants))
-        part.draw_velocities(panels[1])
-        part.draw_displacement(panels[2])
-        part.shade(panels[2])
-        if march is not None:
-            label = rf"pulse march, $\Delta y$ {millimetres(march.prediction.displacement_change)}"
-            draw_line(panels[2], march.time, march.displacement, RED, 0.8, linestyle=(0, (4, 2)), label=label)
-            paths = (part.response.displacement, march.displacement)
-            between_equal_limits(panels[2], max(float(np.abs(path).max(initial=0.0)) for path in paths))
-        legend_above(panels[1])
-        if march is not None:
-            legend_above(panels[2])
-        part.limit_time(list(panels))
-        title = f"{drawable(case.record)},  PGV {metres_per_second(case.pgv)}"
-        figure.suptitle(title, fontsize=8.5, x=0.01, ha="left", weight="bold", parse_math=False)
+    figure = new_figure(5.6)
+    panels: Any = figure.subplots(3, 1, sharex=True, height_ratios=[1.25, 1.0, 1.0])
+    part.draw_pulses(panels[0], case.pulses)
+    _name_pulses(panels[0], case, constants)
+    part.draw_velocities(panels[1])
+    part.draw_displacement(panels[2])
+    part.shade(panels[2])
+    legend_above(panels[1])
+    if march is not None:
+        label = rf"pulse march, $\Delta y$ {millimetres(march.prediction.displacement_change)}"
+        draw_line(panels[2], march.time, march.displacement, RED, 0.8, linestyle=(0, (4, 2)), label=label)
+        between_equal_limits(panels[2], part.response.displacement, march.displacement)
+        legend_above(panels[2])
+    part.limit_time(list(panels))
+    write_title(figure, f"{drawable(case.record)},  PGV {metres_per_second(case.pgv)}", weight="bold")
     return figure
 
 
-def _predicted(case: "Case", constants: "Constants | None") -> "tuple[PulsePrediction, float]":
-    """Return what the method says of each pulse, and |ku| [mm/s2]."""
+def _name_pulses(axes: "Axes", case: "Case", constants: "Constants | None") -> None:
+    """Shade the pulse that governs by the method, and the one that the analysis found, and say what they are."""
     from dcfp.methods import li_2020  # late: the package of predictions imports the kernels
 
     used = li_2020.LI_2020 if constants is None else constants
-    return li_2020.predict_from_pulses(case.pulses, used), used.friction_deceleration
-
-
-def _name_pulses(axes: "Axes", case: "Case", predicted: "PulsePrediction", friction: float) -> None:
-    """Shade the pulse that governs by the method, and the one that the analysis found, and say what they are."""
+    predicted = li_2020.predict_from_pulses(case.pulses, used)
     governs, found = predicted.governing, case.analysed.pulse
     if governs is not None and governs == found:
         marked = [(governs, BLUE, "governs by the pulse method and in the analysis")]
@@ -118,7 +112,8 @@ def _name_pulses(axes: "Axes", case: "Case", predicted: "PulsePrediction", frict
             handles.append(Patch(color="none", label=f"{what}: none"))
             continue
         mark_pulse(axes, predicted.pulses, number, colour)
-        handles.append(Patch(color=colour, label=f"{what}:  {_words(predicted, number, friction)}"))
+        words = _words(predicted, number, used.friction_deceleration)
+        handles.append(Patch(color=colour, label=f"{what}:  {words}"))
     axes.legend(handles=handles, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=1)
 
 
@@ -141,10 +136,13 @@ def mark_pulse(axes: "Axes", pulses: "Pulses", number: int, colour: str) -> None
     """Shade the time of a pulse, and draw its lines thick; pulses are counted from zero."""
     places = slice(number, number + 3)
     times = pulses.times[places]
-    look: dict[str, Any] = {"color": colour, "alpha": _SHADES[colour], "linewidth": 0.0, "zorder": 0}
-    axes.axvspan(float(times[0]), float(times[-1]), **look)
+    _shade(axes, float(times[0]), float(times[-1]), colour)
     velocities = quantity("ground_velocity").display(pulses.velocities[places])
     draw_line(axes, times, velocities, colour, 1.2, marker="o", markersize=3.0, zorder=4)
+
+
+def _shade(axes: "Axes", start: float, end: float, colour: str) -> None:
+    axes.axvspan(start, end, color=colour, alpha=_SHADES[colour], linewidth=0.0, zorder=0)
 
 
 # What several figures show over the same time.
@@ -194,64 +192,57 @@ class StrongPart:
         margin = 0.06 * (last - first)
         return cls(response, swing, (max(0.0, first - margin), min(float(time[-1]), last + margin)))
 
-    def draw(self, axes: "Axes", name: str, colour: str, label: str | None = None) -> "FloatArray":
-        """Draw a history by its name in a width at which its waves stay apart; return its values as they are shown."""
-        values = quantity(name).display(values_of(self.response, name))
+    def draw(
+        self, axes: "Axes", label: str, colours: "Mapping[str, str]", words: str = "", *, middle: bool = True
+    ) -> "list[FloatArray]":
+        """Draw histories by their names in a width at which their waves stay apart, with zero in the middle; return their values as they are shown."""
         span = self.limits[1] - self.limits[0]
         width = 0.9 if span < 15.0 else 0.7 if span < 40.0 else 0.5
-        draw_line(
-            axes, self.response.time, values, colour, width, label=label or f"${quantity(name).symbol}$"
-        )
-        return values
+        drawn: list[FloatArray] = []
+        for name, colour in colours.items():
+            drawn.append(quantity(name).display(values_of(self.response, name)))
+            symbol = f"${quantity(name).symbol}$"
+            draw_line(axes, self.response.time, drawn[-1], colour, width, label=words or symbol)
+        axes.set_ylabel(quantity(label).label)
+        if middle:
+            between_equal_limits(axes, *drawn)
+        return drawn
 
     def draw_pulses(self, axes: "Axes", pulses: "Pulses") -> None:
         """Draw the ground velocity and its peaks, joined by straight lines."""
-        entry = quantity("ground_velocity")
-        velocity = self.draw(axes, "ground_velocity", GREY)
-        peaks = entry.display(pulses.velocities)
+        self.draw(axes, "ground_velocity", {"ground_velocity": GREY})
+        peaks = quantity("ground_velocity").display(pulses.velocities)
         draw_line(axes, pulses.times, peaks, BLUE, 0.6, marker="o", markersize=2.4, zorder=3)
-        axes.set_ylabel(entry.label)
-        between_equal_limits(axes, float(np.abs(velocity).max()))
 
     def draw_velocities(self, axes: "Axes") -> None:
         """Draw the velocities of ground and structure; the area between them is the displacement, that of the swing filled."""
-        ground, structure = (
-            self.draw(axes, "ground_velocity", GREY),
-            self.draw(axes, "structure_velocity", BLUE),
-        )
-        self._fill(axes, ground, structure)
-        axes.set_ylabel(quantity("velocity").label)
-        between_equal_limits(axes, float(max(np.abs(ground).max(), np.abs(structure).max())))
+        drawn = self.draw(axes, "velocity", {"ground_velocity": GREY, "structure_velocity": BLUE})
+        self._fill(axes, *drawn)
 
     def draw_relative_velocity(self, axes: "Axes") -> None:
         """Draw the relative velocity; the area below it is the displacement, that of the swing filled."""
-        velocity = self.draw(axes, "velocity", BLUE)
+        (velocity,) = self.draw(axes, "velocity", {"velocity": BLUE})
         self._fill(axes, np.zeros_like(velocity), velocity)
-        axes.set_ylabel(quantity("velocity").label)
-        between_equal_limits(axes, float(np.abs(velocity).max()))
 
     def draw_displacement(self, axes: "Axes") -> None:
         """Draw the displacement, with the change of the swing from peak to peak."""
-        displacement = self.draw(axes, "displacement", BLUE, "analysis")
+        (displacement,) = self.draw(axes, "displacement", {"displacement": BLUE}, "analysis")
         if self.swing is not None:
             swing = self.swing
             ends = np.interp((swing.start, swing.end), self.response.time, displacement)
             mark_change(axes, (swing.start, swing.end), (float(ends[0]), float(ends[1])))
             self.name_swing(axes, rf"$\Delta y$ {millimetres(abs(swing.change))}")
-        axes.set_ylabel(quantity("displacement").label)
-        between_equal_limits(axes, float(np.abs(displacement).max()))
 
     def draw_energy(self, axes: "Axes") -> None:
         """Draw hysteretic and input energy, with what is put in from the start of the swing to its largest."""
-        self.draw(axes, "hysteretic_energy", GREY)
-        energy = self.draw(axes, "input_energy", INK)
+        names = {"hysteretic_energy": GREY, "input_energy": INK}
+        _, energy = self.draw(axes, "input_energy", names, middle=False)
         if self.swing is not None:
             time, inside = self.during(energy)
             place = int(inside.argmax())
             mark_change(axes, (float(time[0]), float(time[place])), (float(inside[0]), float(inside[place])))
             symbol = quantity("swing_input_velocity").symbol
             self.name_swing(axes, rf"$\Delta E$:  ${symbol}$ {metres_per_second(self.swing.input_velocity)}")
-        axes.set_ylabel(quantity("input_energy").label)
         lowest = min(0.0, float(energy.min()))
         axes.set_ylim(lowest, max(1.25 * float(energy.max()), lowest + 1e-3))
         axes.legend(loc="upper left", borderaxespad=0.7)
@@ -273,8 +264,7 @@ class StrongPart:
     def shade(self, axes: "Axes") -> None:
         """Shade the time of the swing."""
         if self.swing is not None:
-            look: dict[str, Any] = {"color": OCHRE, "alpha": _SHADES[OCHRE], "linewidth": 0.0, "zorder": 0}
-            axes.axvspan(self.swing.start, self.swing.end, **look)
+            _shade(axes, self.swing.start, self.swing.end, OCHRE)
 
     def name_swing(self, axes: "Axes", words: str) -> None:
         """Write words at the top of the panel, above the swing."""

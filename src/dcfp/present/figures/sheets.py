@@ -1,16 +1,15 @@
-"""One analysis, or one virtual test, on one sheet."""
+"""One result on one sheet: an analysis, a virtual test, or the histories of any other."""
 
 import re
 import textwrap
 from typing import TYPE_CHECKING, Any
 
-from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.transforms import blended_transform_factory
 
 from dcfp.present import panels
 from dcfp.present.figures.drawing import draw, plot_loop
-from dcfp.present.figures.style import GREY, INK, PAGE_WIDTH, RED, drawable, style
+from dcfp.present.figures.style import BLUE, GREY, INK, RED, draw_line, drawable, new_figure, styled
 from dcfp.schema.digits import metres_per_second, millimetres, typeset
 from dcfp.schema.nomenclature import quantity
 
@@ -18,9 +17,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from matplotlib.axes import Axes
-    from matplotlib.figure import SubFigure
+    from matplotlib.figure import Figure, SubFigure
 
     from dcfp.analysis import Response
+    from dcfp.analysis.result import Result
     from dcfp.analysis.rig import Loops, Measurement
     from dcfp.present.panels import Panel
 
@@ -28,14 +28,38 @@ if TYPE_CHECKING:
 _NOTE_WIDTH, _NOTE_LINES = 56, 5
 
 
-def plot_response(response: "Response") -> Figure:
+#: Histories that are drawn of a result that has no sheet of its own.
+_DRAWN = ("displacement", "force", "friction", "temperature")
+
+
+def figure_of(result: "Result", **options: Any) -> "Figure":
+    """Draw a result on a new figure: the sheet of an analysis or a test, or else its histories one above the other."""
+    from dcfp.analysis.response import Response  # late: the analyses import the kernels
+    from dcfp.analysis.rig import Loops
+
+    if isinstance(result, Response):
+        return plot_response(result, **options)
+    return plot_test(result, **options) if isinstance(result, Loops) else _plot_histories(result)
+
+
+@styled
+def _plot_histories(result: "Result") -> "Figure":
+    shown = {name: entry for name, entry in result.histories.items() if name in _DRAWN}
+    figure = new_figure(1.4 * len(shown) + 0.5)
+    axes: Any = figure.subplots(len(shown), 1, sharex=True, squeeze=False)[:, 0]
+    for one, name in zip(axes, filter(shown.get, _DRAWN), strict=True):
+        draw_line(one, result.time, shown[name].display(shown[name].of(result)), BLUE, 0.6)
+        one.set_ylabel(shown[name].label)
+    axes[-1].set_xlabel(quantity("time").label)
+    figure.suptitle(result.title)
+    return figure
+
+
+@styled
+def plot_response(response: "Response") -> "Figure":
     """Compose the loop and the histories of one analysis, with its key numbers, on a new figure."""
-    drawn = [
-        panels.velocities(response),
-        panels.displacement(response),
-        panels.temperature(response),
-        panels.friction(response),
-    ]
+    described = (panels.velocities, panels.displacement, panels.temperature, panels.friction)
+    drawn = [describe(response) for describe in described]
     drawn += [panels.profile(response)] if response.profiles is not None else []
 
     def left(side: "SubFigure") -> None:
@@ -43,11 +67,11 @@ def plot_response(response: "Response") -> Figure:
         plot_loop(response, axes[0])
         _write_notes(side, axes[1], response)
 
-    with style():
-        return _sheet(_response_head(response), left, [*drawn, panels.energies(response)], (0.92, 0.75, 1.15))
+    return _sheet(_response_head(response), left, [*drawn, panels.energies(response)], (0.92, 0.75, 1.15))
 
 
-def plot_test(loops: "Loops", measured: "Measurement | None" = None) -> Figure:
+@styled
+def plot_test(loops: "Loops", measured: "Measurement | None" = None) -> "Figure":
     """Compose the loops and the histories of one test, with the measures of its first and last cycle, on a new figure.
 
     Parameters
@@ -69,8 +93,7 @@ def plot_test(loops: "Loops", measured: "Measurement | None" = None) -> Figure:
             _make_room(axes, measured)
             axes.legend(handles=[Line2D([], [], color=GREY, label="measured")], loc="upper left")
 
-    with style():
-        return _sheet(_test_head(loops), left, drawn, (1.05, 0.6, 1.1))
+    return _sheet(_test_head(loops), left, drawn, (1.05, 0.6, 1.1))
 
 
 def _sheet(
@@ -78,21 +101,17 @@ def _sheet(
     left: "Callable[[SubFigure], None]",
     drawn: "Sequence[Panel]",
     shape: tuple[float, float, float],
-) -> Figure:
+) -> "Figure":
     """Compose a head of two lines, what is left below it, and panels over the same time; `shape` is the height of a panel and of the rest, and the width of the panels over that of the rest."""
     row, rest, ratio = shape
     height = row * max(len(drawn), 3)
-    figure = Figure(figsize=(PAGE_WIDTH, height + rest), layout="constrained")
+    figure = new_figure(height + rest)
     halves: Any = figure.subfigures(2, 1, height_ratios=[0.5, height], hspace=0.0)
     sides: Any = halves[1].subfigures(1, 2, width_ratios=[1.0, ratio], wspace=0.02)
-    for place, words, look in zip(
-        ((0.012, 0.68), (0.988, 0.68)),
-        head,
-        ({"size": 10, "weight": "bold"}, {"ha": "right", "color": "#555555"}),
-        strict=False,
-    ):
-        halves[0].text(*place, words, va="center", **look).set_parse_math(False)
-    halves[0].text(0.012, 0.18, head[2], va="center")
+    title, origin, numbers = head
+    halves[0].text(0.012, 0.68, title, va="center", size=10, weight="bold", parse_math=False)
+    halves[0].text(0.988, 0.68, origin, va="center", ha="right", color="#555555", parse_math=False)
+    halves[0].text(0.012, 0.18, numbers, va="center")
     left(sides[0])
     axes: Any = sides[1].subplots(len(drawn), 1, sharex=True)
     for panel, one in zip(drawn, axes, strict=True):
@@ -141,26 +160,17 @@ def _write_notes(left: "SubFigure", notes: "Axes", response: "Response") -> None
     depth = 0.0
     for text, colour in [(values, INK), *((drawable(remark), RED) for remark in response.remarks)]:
         lines = textwrap.wrap(text, _NOTE_WIDTH)[:_NOTE_LINES]
-        drawn = notes.annotate(
-            "\n".join(lines),
-            (0.03, 1.0),
-            xycoords=corner,
-            xytext=(0.0, -depth),
-            textcoords="offset points",
-            va="top",
-            size=7,
-            color=colour,
-            annotation_clip=False,
-            parse_math=False,
-        )
+        place: dict[str, Any] = {"xycoords": corner, "xytext": (0.0, -depth), "textcoords": "offset points"}
+        look: dict[str, Any] = {"va": "top", "size": 7, "annotation_clip": False, "parse_math": False}
+        drawn = notes.annotate("\n".join(lines), (0.03, 1.0), **place, **look, color=colour)
         drawn.set_in_layout(False)
         depth += 9.0 * len(lines) + 3.0
 
 
 def draw_measured(axes: "Axes", measured: "Measurement") -> None:
     """Draw measured loops in grey."""
-    path = (quantity(name).display(getattr(measured, name)) for name in ("displacement", "force"))
-    axes.plot(*path, color=GREY, linewidth=0.7, zorder=1, label="measured")
+    x, y = (quantity(name).display(getattr(measured, name)) for name in ("displacement", "force"))
+    draw_line(axes, x, y, GREY, zorder=1, label="measured")
 
 
 def _make_room(axes: "Axes", measured: "Measurement") -> None:
@@ -176,6 +186,7 @@ def _make_room(axes: "Axes", measured: "Measurement") -> None:
 def _test_head(loops: "Loops") -> tuple[str, str, str]:
     law, first, last = loops.friction_law, loops.cycles[0], loops.cycles[-1]
     model = f"{drawable(loops.bearing.name)};  friction {law.name}, reference {law.reference:.3g};  heating {loops.heating.name}"
+    ends = (first, last) if last.number > 1 else (first,)
     numbers: list[str] = []
     for symbol, name, size, decimals, unit in (
         (r"$k_{\mathrm{eff}}$", "effective_stiffness", 1e3, 2, "kN/mm"),
@@ -183,10 +194,7 @@ def _test_head(loops: "Loops") -> tuple[str, str, str]:
         (r"$E$", "energy", 1e6, 0, "kN m"),
         (r"$T_{\mathrm{max}}$", "peak_temperature", 1.0, 0, "°C"),
     ):
-        values = [
-            typeset(getattr(one, name) / size, decimals)
-            for one in ((first, last) if last.number > 1 else (first,))
-        ]
+        values = [typeset(getattr(one, name) / size, decimals) for one in ends]
         numbers.append(f"{symbol} {' → '.join(values)} {unit}".rstrip())
     cycles = f"cycle 1 → {last.number}:   " if last.number > 1 else "cycle 1:   "
     title = f"{drawable(loops.test.name)},  {loops.test.waveform.kind}"

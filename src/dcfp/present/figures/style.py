@@ -1,23 +1,23 @@
 """What every figure has in common: sizes, colours, fonts, numbers and names as they are written, and how it is saved."""
 
 from collections.abc import Callable, Generator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import replace
 from functools import cache, wraps
 from io import BytesIO
 from itertools import cycle
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ParamSpec
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
 import matplotlib as mpl
 import numpy as np
 from matplotlib import font_manager
+from matplotlib.axes import Axes
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 from matplotlib.ticker import FormatStrFormatter, LogLocator, MaxNLocator, NullFormatter
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Colormap
 
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 
 P = ParamSpec("P")
+T = TypeVar("T")
 
 #: Width of the text on an A4 page, in inches as Matplotlib wants it.
 PAGE_WIDTH = 7.2
@@ -38,7 +39,7 @@ RED = "#BB5566"
 GREY = "#8A8A8A"
 PALE = "#EAEFF4"
 INK = "#222222"
-#: Shades of the colours of panels.
+#: Shades of the colours of panels, and of those that a method may ask for.
 COLOURS = {
     "blue": BLUE,
     "ochre": OCHRE,
@@ -62,59 +63,28 @@ _FAMILIES = (
     "Microsoft JhengHei",
 )
 
-_STYLE: dict[str, Any] = {
-    "font.size": 7.5,
-    "mathtext.fontset": "dejavusans",
-    "axes.titlesize": 8.0,
-    "axes.labelsize": 7.5,
-    "axes.linewidth": 0.6,
-    "axes.edgecolor": INK,
-    "axes.labelcolor": INK,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.formatter.useoffset": False,
-    "axes.unicode_minus": True,
-    "text.color": INK,
-    "xtick.color": INK,
-    "ytick.color": INK,
-    "xtick.labelsize": 7.0,
-    "ytick.labelsize": 7.0,
-    "xtick.major.width": 0.6,
-    "ytick.major.width": 0.6,
-    "xtick.major.size": 2.5,
-    "ytick.major.size": 2.5,
-    "legend.fontsize": 7.0,
-    "legend.frameon": False,
-    "legend.handlelength": 1.4,
-    "legend.borderaxespad": 0.0,
-    "legend.borderpad": 0.1,
-    "legend.columnspacing": 1.2,
-    "legend.handletextpad": 0.5,
-    "lines.solid_joinstyle": "round",
-    "figure.constrained_layout.h_pad": 0.03,
-    "figure.constrained_layout.w_pad": 0.03,
-    "pdf.fonttype": 42,
-    "svg.hashsalt": "dcfp",
-}
+
+@cache
+def _settings() -> "dict[str, Any]":
+    found: Any = mpl.rc_params_from_file(Path(__file__).parent / "dcfp.mplstyle", use_default_template=False)
+    return {**found, "font.family": _families()}
 
 
 @contextmanager
 def style() -> Generator[None]:
     """Draw in the style of this package; whatever was set before comes back afterwards."""
-    settings: Any = {**_STYLE, "font.family": _families()}
+    settings: Any = _settings()
     with mpl.rc_context(settings):
         yield
 
 
-def styled(draw: Callable[P, "Axes"]) -> Callable[P, "Axes"]:
-    """Let a function ``draw(response, axes=None)`` use the style of this package where it makes its own axes."""
+def styled(draw: Callable[P, T]) -> Callable[P, T]:
+    """Let a function draw in the style of this package, unless it draws on axes that it is given."""
 
     @wraps(draw)
-    def in_style(*args: P.args, **kwargs: P.kwargs) -> "Axes":
-        given = args[1] if len(args) > 1 else kwargs.get("axes")
-        if given is not None:
-            return draw(*args, **kwargs)
-        with style():
+    def in_style(*args: P.args, **kwargs: P.kwargs) -> T:
+        given = any(isinstance(one, Axes) for one in (*args, *kwargs.values()))
+        with nullcontext() if given else style():
             return draw(*args, **kwargs)
 
     return in_style
@@ -137,9 +107,14 @@ def drawable(text: str) -> str:
     return " ".join("".join(c for c in text if c.isspace() or _covers(c)).split())
 
 
-def new_axes(width: float = PAGE_WIDTH / 2, height: float = 2.6) -> "Axes":
+def new_figure(height: float, width: float = PAGE_WIDTH) -> Figure:
+    """Return an empty figure [in]."""
+    return Figure(figsize=(width, height), layout="constrained")
+
+
+def new_axes(width: float = PAGE_WIDTH / 2, height: float = 2.6) -> Axes:
     """Return axes alone on a new figure [in]; their ``figure`` is what to save."""
-    return Figure(figsize=(width, height), layout="constrained").add_subplot()
+    return new_figure(height, width).add_subplot()
 
 
 def save_figure(figure: Figure, path: Path | BytesIO, form: str | None = None) -> None:
@@ -153,14 +128,14 @@ def save_figure(figure: Figure, path: Path | BytesIO, form: str | None = None) -
         figure.savefig(path, format=chosen, dpi=RESOLUTION, metadata=dates.get(chosen))
 
 
-def calm_ticks(axes: "Axes", along_x: int = 6, along_y: int = 4) -> None:
+def calm_ticks(axes: Axes, along_x: int = 6, along_y: int = 4) -> None:
     """Give axes few ticks at round numbers."""
     axes.xaxis.set_major_locator(MaxNLocator(along_x, steps=[1, 2, 2.5, 5, 10]))
     axes.yaxis.set_major_locator(MaxNLocator(along_y, steps=[1, 2, 2.5, 5, 10]))
     _keep_ticks(axes)
 
 
-def _keep_ticks(axes: "Axes") -> None:
+def _keep_ticks(axes: Axes) -> None:
     """Fix the look of ticks that are yet to be made: they are made when a figure is drawn, in the style of then."""
     now: Any = mpl.rcParams
     for name in ("x", "y"):
@@ -173,30 +148,40 @@ def _keep_ticks(axes: "Axes") -> None:
         )
 
 
-def draw_line(axes: "Axes", x: Any, y: Any, colour: str, width: float = 0.7, **look: Any) -> None:
+def draw_line(axes: Axes, x: Any, y: Any, colour: str, width: float = 0.7, **look: Any) -> None:
     """Draw a line of a colour and a width [pt]."""
     axes.plot(x, y, color=colour, linewidth=width, **look)
 
 
-def draw_marks(axes: "Axes", x: Any, y: Any, marker: str, size: float, colour: str, **look: Any) -> None:
+def draw_marks(axes: Axes, x: Any, y: Any, marker: str, size: float, colour: str, **look: Any) -> None:
     """Draw points as marks of a form, a size [pt] and a colour, and no line."""
     axes.plot(x, y, marker=marker, markersize=size, color=colour, linestyle="none", **look)
 
 
-def label_axes(axes: "Axes", x: str, y: str, along_x: int = 6, along_y: int = 4) -> None:
-    """Name both axes, and give them few ticks at round numbers."""
-    axes.set_xlabel(x)
-    axes.set_ylabel(y)
+def label_axes(axes: Axes, x: str, y: str, along_x: int = 6, along_y: int = 4, **more: Any) -> None:
+    """Name both axes, set what else is given, such as limits, and give them few ticks at round numbers."""
+    axes.set(xlabel=x, ylabel=y, **more)
     calm_ticks(axes, along_x, along_y)
 
 
-def legend_above(axes: "Axes") -> None:
+def legend_above(axes: Axes) -> None:
     """Put the legend in one row above the axes, at the right, where it can hide nothing."""
     handles, labels = axes.get_legend_handles_labels()
     axes.legend(handles, labels, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=len(labels))
 
 
-def colour_bar_beside(axes: "Axes", drawn: "ScalarMappable", label: str) -> None:
+def legend_outside(axes: Axes, columns: int, place: str = "upper center", **look: Any) -> None:
+    """Put the legend of axes above the panels of their figure."""
+    figure: Any = axes.get_figure()
+    figure.legend(*axes.get_legend_handles_labels(), loc=f"outside {place}", ncols=columns, **look)
+
+
+def write_title(figure: Figure, words: str, **look: Any) -> None:
+    """Write what a figure shows above it, at the left."""
+    figure.suptitle(words, fontsize=8.5, x=0.01, ha="left", parse_math=False, **look)
+
+
+def colour_bar_beside(axes: Axes, drawn: "ScalarMappable", label: str) -> None:
     """Draw the scale of what is drawn in colours, as high as the axes and right of them."""
     place = axes.inset_axes((1.03, 0.0, 0.035, 1.0))
     figure: Any = axes.get_figure(root=False)
@@ -228,7 +213,7 @@ def _middle(name: str, first: float, last: float) -> "Colormap":
     return LinearSegmentedColormap.from_list(f"{name}_middle", parts)
 
 
-def plain_numbers(axes: "Axes") -> None:
+def plain_numbers(axes: Axes) -> None:
     """Write the numbers of axes that are logarithmic both ways in full: at 1, 2 and 5, in a short range also between, in a long one at 1."""
     low, high = axes.get_xlim()
     decades = float(np.log10(high / low))
@@ -239,8 +224,7 @@ def plain_numbers(axes: "Axes") -> None:
         axis.set_minor_formatter(NullFormatter())
 
 
-#: Colours that a method may ask for by name, and what those get that ask for none.
-NAMED_COLOURS = {"blue": BLUE, "ochre": OCHRE, "red": RED, "grey": GREY, "ink": INK}
+#: Colours and markers of methods that ask for none.
 _FREE_COLOURS = ("#6699CC", "#228833", "#AA3377", INK)
 _FREE_MARKERS = ("<", ">", "d", "H", "8", "p")
 
@@ -253,15 +237,6 @@ def looks() -> "dict[str, Look]":
     found: dict[str, Look] = {}
     for method in METHODS.values():
         look = method.look
-        colour = NAMED_COLOURS.get(look.colour, look.colour) or next(colours)
+        colour = COLOURS.get(look.colour, look.colour) or next(colours)
         found[method.name] = replace(look, colour=colour, marker=look.marker or next(markers))
     return found
-
-
-#: Names in the nomenclature, by those in tables, which are those of `dcfp.methods.pulses`.
-ENTRIES = {
-    "dy": "displacement_change",
-    "y": "peak_displacement",
-    "V_dE": "swing_input_velocity",
-    "V_dEhr": "swing_hysteretic_velocity",
-}
