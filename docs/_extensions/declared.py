@@ -9,6 +9,7 @@ from sphinx.util.docutils import SphinxDirective
 
 from dcfp.analysis.rig import Loops as Loops  # every kind of result adds its quantities when it is imported
 from dcfp.inference import Case as Case
+from dcfp.motion.formats.registry import FORMATS
 from dcfp.schema.nomenclature import NOMENCLATURE
 from dcfp.schema.parameters import Parameter, parameters
 from dcfp.study.factors import catalogue
@@ -44,6 +45,11 @@ def parameter_table(listed: Mapping[str, Parameter], inner: bool = False) -> str
         for name, one in listed.items()
     ]
     return _table(["name", "symbol", "meaning", "must be", "unit in results" if inner else "default"], rows)
+
+
+def format_table() -> str:
+    """Return the formats of record files as a table in Markdown."""
+    return _table(["format", "files of"], [[name, one.words] for name, one in FORMATS.items()])
 
 
 def quantity_table() -> str:
@@ -90,8 +96,17 @@ class Quantities(SphinxDirective):
         return self.parse_text_to_nodes(quantity_table())
 
 
+class Formats(SphinxDirective):
+    """The formats of record files."""
+
+    def run(self) -> list[nodes.Node]:
+        """List them."""
+        return self.parse_text_to_nodes(format_table())
+
+
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register with Sphinx."""
     app.add_directive("dcfp-parameters", Parameters)
     app.add_directive("dcfp-quantities", Quantities)
+    app.add_directive("dcfp-formats", Formats)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -121,7 +121,7 @@ def refits(cases: Sequence[Case], splits: int = 200) -> dict[str, HeldOut]:
 def classes(records: Sequence[StoredRecord]) -> dict[str, Array]:
     """Return classes of the records, tiled over the PGVs."""
     magnitude = np.array([one.magnitude for one in records])
-    distance = np.array([one.closest_distance_km for one in records])
+    distance = np.array([one.closest_distance for one in records])
     near = np.array(["-NF-" in one.motion.name for one in records])
     pulse = np.array(["nearfield_pulse" in one.motion.origin.source for one in records])
     kinds = {

@@ -49,10 +49,10 @@ def test_rows():
     row = by_name["P695-FF-7-a"]
     assert (row.alias, row.event, row.year, row.station) == ("KNA", "Kobe, Japan", 1995, "Nishi-Akashi")
     assert (row.magnitude, row.record_sequence_number, row.component) == (6.9, 1111, "KOBE/NIS000")
-    assert (row.time_step, row.points) == (0.01, 4096)
+    assert (row.motion.time_step, row.motion.acceleration.size) == (0.01, 4096)
     assert row.peak_velocity == load_motion("KNA").peak_velocity
     assert by_name["P695-NF-15-b"].event == "Gazli, USSR"
-    assert [row.name for row in rows if not row.available] == list(MISSING)
+    assert [row.name for row in rows if row.motion is None] == list(MISSING)
 
 
 def test_near_field_set_is_rotated_and_far_field_is_not():

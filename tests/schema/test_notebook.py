@@ -13,7 +13,7 @@ from dcfp.inference import Methods
 from dcfp.methods import li_2020
 from dcfp.methods.code_comparison import codes_under_record
 from dcfp.methods.spectra import TabulatedSpectrum, input_energy_spectrum, response_spectrum
-from dcfp.motion import measure, named_records
+from dcfp.motion import named_records
 from dcfp.schema.check import Check, Verdict
 from dcfp.schema.notebook import MOST_ROWS, card, fields_card, shown, units_of, with_units
 from dcfp.study import Study
@@ -72,7 +72,6 @@ def results() -> dict[str, tuple[object, tuple[str, ...]]]:
     return {
         "motion": (motion, ("PGV [mm/s]", "500", motion.digest, "scaled by")),
         "origin": (motion.origin, ("Canyon Country",)),
-        "measures": (measure(motion), ("arias_intensity [mm/s]",)),
         "record": (named_records()[-1], ("P695-NF-28-b",)),
         "bearing": (bearing, ("radii [mm]", "4500, 4500", "vertical_force [N]")),
         "law": (dcfp.Kumar2015(), ("reference_pressure [N/mm2]", "60")),

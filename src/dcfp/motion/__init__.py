@@ -5,7 +5,6 @@ from dcfp.motion.ground_motion import Origin as Origin
 from dcfp.motion.load import load_motion as load_motion
 from dcfp.motion.load import read_motion as read_motion
 from dcfp.motion.load import read_motions as read_motions
-from dcfp.motion.measures import Measures as Measures
 from dcfp.motion.measures import baseline_warning as baseline_warning
 from dcfp.motion.measures import measure as measure
 from dcfp.motion.named import NamedRecord as NamedRecord

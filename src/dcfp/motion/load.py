@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TypeAlias
 
 from dcfp.errors import InputError
-from dcfp.motion.formats.component import Component, select_component
+from dcfp.motion.formats.component import select_component
 from dcfp.motion.formats.registry import read_components
 from dcfp.motion.formats.source import read_source, source_of
 from dcfp.motion.ground_motion import GroundMotion
@@ -122,7 +122,7 @@ def read_motions(
     Parameters
     ----------
     path
-        The file: PEER AT2, K-NET, KiK-net, JMA CSV, CSMIP V2, COSMOS V1 or V2, ESM, CWB, or plain columns.
+        The file, in one of the formats of `dcfp.motion.formats`.
     units
         Unit of a plain file: one of mm/s2, cm/s2, gal, m/s2, g. Formats that state their own need none.
     time_step
@@ -133,7 +133,8 @@ def read_motions(
     InputError
         If the file cannot be read as a record; the sentence says where it fails and what would be right.
     """
-    return [component.motion for component in _components(path, units, time_step)]
+    source = read_source(Path(path), units=units, time_step=time_step)
+    return [component.motion for component in read_components(source)]
 
 
 def motions_of(
@@ -148,15 +149,10 @@ def motions_of(
     name
         Of the file, for the names of the motions and for sentences.
     units, time_step
-        As for `read_motions`.
-
-    Raises
-    ------
-    InputError
-        As for `read_motions`.
+        As for `read_motions`, whose errors it has too.
     """
-    source = source_of(content, Path(name))
-    return [component.motion for component in read_components(source, units=units, time_step=time_step)]
+    source = source_of(content, Path(name), units=units, time_step=time_step)
+    return [component.motion for component in read_components(source)]
 
 
 def read_motion(
@@ -170,23 +166,15 @@ def read_motion(
 
     Parameters
     ----------
-    path
+    path, units, time_step
         The file; see `read_motions`.
     component
         Its name in the file, a channel number or a direction (NS, EW, UD); needed when there are several.
-    units
-        Unit of a plain file: one of mm/s2, cm/s2, gal, m/s2, g.
-    time_step
-        Time step of a plain file with one column [s].
 
     Raises
     ------
     InputError
         If the file cannot be read as a record, or the component is not in it or not given.
     """
-    components = _components(path, units, time_step)
-    return select_component(components, component, Path(path)).motion
-
-
-def _components(path: str | PathLike[str], units: str | None, time_step: float | None) -> list[Component]:
-    return read_components(read_source(Path(path)), units=units, time_step=time_step)
+    source = read_source(Path(path), units=units, time_step=time_step)
+    return select_component(read_components(source), component, source.path).motion

@@ -1,7 +1,7 @@
 """Measures of a ground motion's strength, exact for acceleration that is linear between its values; and what a reader of them must know."""
 
 import math
-from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -9,8 +9,8 @@ from dcfp.arrays import FloatArray
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.schema.notebook import fields_card
 from dcfp.schema.quantities import Quantity
+from dcfp.schema.table import Table
 from dcfp.schema.units import GRAVITY, M_PER_S, M_PER_S2, MM, NONE, PERCENT, SECOND
 
 #: Velocity at the end, relative to PGV, from which on the baseline is in doubt [-]. In the hundred records of
@@ -18,53 +18,6 @@ from dcfp.schema.units import GRAVITY, M_PER_S, M_PER_S2, MM, NONE, PERCENT, SEC
 DRIFT_THRESHOLD = 0.05
 #: The same above which the PGV is that of the baseline [-].
 _LARGEST_DRIFT = 0.5
-
-
-@dataclass(frozen=True)
-class Measures:
-    """Measures of one ground motion.
-
-    Attributes
-    ----------
-    peak_acceleration
-        PGA [mm/s2].
-    peak_velocity
-        PGV [mm/s].
-    peak_displacement
-        PGD [mm].
-    arias_intensity
-        Arias intensity [mm/s].
-    significant_duration
-        Time between 5 and 95 % of the Arias intensity [s].
-    cumulative_absolute_velocity
-        CAV [mm/s].
-    baseline_drift
-        Velocity at the end relative to PGV [-].
-    """
-
-    peak_acceleration: float
-    peak_velocity: float
-    peak_displacement: float
-    arias_intensity: float
-    significant_duration: float
-    cumulative_absolute_velocity: float
-    baseline_drift: float
-
-    def _repr_html_(self) -> str:
-        return fields_card(self, "Measures of a ground motion")
-
-
-def measure(motion: GroundMotion) -> Measures:
-    """Return all measures of a ground motion."""
-    return Measures(
-        peak_acceleration=motion.peak_acceleration,
-        peak_velocity=motion.peak_velocity,
-        peak_displacement=motion.peak_displacement,
-        arias_intensity=arias_intensity(motion),
-        significant_duration=significant_duration(motion),
-        cumulative_absolute_velocity=cumulative_absolute_velocity(motion),
-        baseline_drift=baseline_drift(motion),
-    )
 
 
 def arias_intensity(motion: GroundMotion) -> float:
@@ -208,3 +161,8 @@ MEASURES = [
     Quantity("treatment", "what was done to the values", get="treatment", printed=False),
     Quantity("remarks", "what a reader must know", get=motion_remarks, printed=False),
 ]  # fmt: skip
+
+
+def measure(motion: GroundMotion) -> dict[str, Any]:
+    """Return all measures of a ground motion, and what is known of it, by keys that end with their units."""
+    return Table(tuple(MEASURES), [motion]).objects()[0]

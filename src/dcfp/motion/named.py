@@ -1,13 +1,16 @@
 """Named records: the sets of FEMA P-695, and the eight records of Table 3 of the paper."""
 
 import re
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import replace
 from difflib import get_close_matches
+from operator import attrgetter
+from typing import Any
 
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.p695 import RecordKey, StoredRecord, all_keys, read_stored
-from dcfp.schema.notebook import fields_card
+from dcfp.motion.p695 import NamedRecord as NamedRecord
+from dcfp.motion.p695 import RecordKey, all_keys, read_stored
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import GRAVITY, M_PER_S, MM_PER_S, MM_PER_S2, NONE, SECOND
 
@@ -26,48 +29,10 @@ VELOCITIES = (250.0, 500.0, 750.0, 1000.0)
 SETS = {"P695": "P695-", "P695-FF": "P695-FF-", "P695-NF": "P695-NF-"}
 
 
-@dataclass(frozen=True)
-class NamedRecord:
-    """One row of the list of named records.
-
-    Attributes
-    ----------
-    name, alias
-        Names that `named_motion` accepts; the alias is the paper's abbreviation, or empty.
-    event, year, magnitude, station, component
-        As the package or the paper gives them; None where it does not.
-    record_sequence_number
-        Number of the record in the PEER NGA database [-].
-    time_step, duration
-        [s].
-    points
-        Number of values [-].
-    peak_acceleration, peak_velocity
-        PGA [mm/s2] and PGV [mm/s] of the record as it is.
-    available
-        Whether the values come with the package; if not, `note` says which file to supply.
-    note
-        One sentence, or empty.
-    """
-
-    name: str
-    alias: str
-    event: str
-    year: int
-    station: str
-    component: str = ""
-    magnitude: float | None = None
-    record_sequence_number: int | None = None
-    time_step: float | None = None
-    duration: float | None = None
-    points: int | None = None
-    peak_acceleration: float | None = None
-    peak_velocity: float | None = None
-    available: bool = True
-    note: str = ""
-
-    def _repr_html_(self) -> str:
-        return fields_card(self, f"Record {self.name}")
+def _of_motion(name: str) -> Callable[[NamedRecord], Any]:
+    """Return how an attribute of a record's motion is got, where there is one."""
+    get = attrgetter(name)
+    return lambda one: None if one.motion is None else get(one.motion)
 
 
 #: What is told of a named record, in the units of the package.
@@ -83,52 +48,35 @@ NAMED = [
     Quantity("component", "component", get="component", printed=False),
     Quantity("magnitude", "magnitude", NONE, decimals=1, head="M", get="magnitude"),
     Quantity("record_sequence_number", "number of the record in the PEER NGA database", NONE, get="record_sequence_number", printed=False),
-    Quantity("time_step", "time step", SECOND, head="dt", get="time_step"),
+    Quantity("time_step", "time step", SECOND, head="dt", get=_of_motion("time_step")),
     Quantity("duration", "time from the first to the last value", SECOND, decimals=1, head="length", get="duration"),
-    Quantity("points", "number of values", NONE, get="points", printed=False),
-    Quantity("peak_acceleration", "peak ground acceleration", MM_PER_S2, GRAVITY, 3, name="pga", head="PGA", get="peak_acceleration"),
+    Quantity("points", "number of values", NONE, get=_of_motion("acceleration.size"), printed=False),
+    Quantity("peak_acceleration", "peak ground acceleration", MM_PER_S2, GRAVITY, 3, name="pga", head="PGA", get=_of_motion("peak_acceleration")),
     Quantity("peak_velocity", "peak ground velocity", MM_PER_S, M_PER_S, 3, name="pgv", head="PGV", get="peak_velocity"),
-    Quantity("available", "whether the values come with the package", get="available", printed=False),
+    Quantity("available", "whether the values come with the package", get=lambda one: one.motion is not None, printed=False),
     Quantity("note", "which file to supply", get="note", printed=False),
 ]  # fmt: skip
 
 
-def _missing(
-    name: str, event: str, year: int, station: str, duration: float, velocity: float, file: str
-) -> NamedRecord:
-    """Return the row of a record of the paper whose values have to be supplied; PGV [mm/s] as printed."""
-    return NamedRecord(
-        name=name,
-        alias="",
-        event=event,
-        year=year,
-        station=station,
-        duration=duration,
-        peak_velocity=velocity,
-        available=False,
-        note=f"supply {file} as a file",
-    )
-
-
-#: Records of the paper that are not in the package.
+#: Records of the paper that are not in the package, with the length and the PGV that it prints.
 MISSING = {
     row.name: row
     for row in (
-        _missing(
-            "JKB", "Kobe, Japan", 1995, "JMA Kobe", 30.0, 893.0,
-            "the NS component of JMA Kobe, 17 January 1995 (JMA, or 'KJM000' of PEER)",
+        NamedRecord(
+            name="JKB", event="Kobe, Japan", year=1995, station="JMA Kobe", duration=30.0, peak_velocity=893.0,
+            note="supply the NS component of JMA Kobe, 17 January 1995 (JMA, or 'KJM000' of PEER) as a file",
         ),
-        _missing(
-            "TC1", "Chi-Chi, Taiwan", 1999, "TCU129", 90.0, 554.0,
-            "the record of TCU129, Chi-Chi, 20 September 1999 (CWB, or 'TCU129' of PEER)",
+        NamedRecord(
+            name="TC1", event="Chi-Chi, Taiwan", year=1999, station="TCU129", duration=90.0, peak_velocity=554.0,
+            note="supply the record of TCU129, Chi-Chi, 20 September 1999 (CWB, or 'TCU129' of PEER) as a file",
         ),
-        _missing(
-            "TSD", "Tohoku, Japan", 2011, "JMA Sendai", 180.0, 545.0,
-            "the record of JMA Sendai, 11 March 2011 (JMA strong-motion CSV)",
+        NamedRecord(
+            name="TSD", event="Tohoku, Japan", year=2011, station="JMA Sendai", duration=180.0, peak_velocity=545.0,
+            note="supply the record of JMA Sendai, 11 March 2011 (JMA strong-motion CSV) as a file",
         ),
-        _missing(
-            "TIM", "Tohoku, Japan", 2011, "JMA Ishinomaki", 300.0, 376.0,
-            "the record of JMA Ishinomaki, 11 March 2011 (JMA strong-motion CSV)",
+        NamedRecord(
+            name="TIM", event="Tohoku, Japan", year=2011, station="JMA Ishinomaki", duration=300.0, peak_velocity=376.0,
+            note="supply the record of JMA Ishinomaki, 11 March 2011 (JMA strong-motion CSV) as a file",
         ),
     )
 }  # fmt: skip
@@ -170,9 +118,8 @@ def record_set(name: str) -> list[GroundMotion] | None:
     beginning = SETS.get(name.strip().upper())
     if beginning is None:
         return None
-    return [
-        stored.motion for stored in read_stored([key for key in all_keys() if key.name.startswith(beginning)])
-    ]
+    keys = [key for key in all_keys() if key.name.startswith(beginning)]
+    return [stored.motion for stored in read_stored(keys)]
 
 
 def named_records() -> list[NamedRecord]:
@@ -186,28 +133,10 @@ def named_records() -> list[NamedRecord]:
     keys = all_keys()
     aliases = {key: alias for alias, key in ALIASES.items()}
     rows = [
-        _row(key, aliases.get(key, ""), record) for key, record in zip(keys, read_stored(keys), strict=True)
+        replace(record, alias=aliases.get(key, ""))
+        for key, record in zip(keys, read_stored(keys), strict=True)
     ]
     return [*MISSING.values(), *rows]
-
-
-def _row(key: RecordKey, alias: str, record: StoredRecord) -> NamedRecord:
-    motion = record.motion
-    return NamedRecord(
-        name=key.name,
-        alias=alias,
-        event=record.event,
-        year=record.year,
-        station=record.station,
-        component=record.component,
-        magnitude=record.magnitude,
-        record_sequence_number=record.record_sequence_number,
-        time_step=motion.time_step,
-        duration=motion.duration,
-        points=motion.acceleration.size,
-        peak_acceleration=motion.peak_acceleration,
-        peak_velocity=motion.peak_velocity,
-    )
 
 
 def _parse(word: str) -> RecordKey | None:

@@ -19,6 +19,7 @@ from dcfp.arrays import FloatArray
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion, Origin
+from dcfp.schema.notebook import fields_card
 
 FAR_FIELD_RECORDS = 22
 NEAR_FIELD_RECORDS = 28
@@ -70,20 +71,51 @@ def all_keys() -> list[RecordKey]:
     ]
 
 
-@dataclass(frozen=True)
-class StoredRecord:
-    """What the package says of one record, and its motion."""
+@dataclass(frozen=True, eq=False, kw_only=True)
+class NamedRecord:
+    """A record that is known by a name.
 
-    motion: GroundMotion
+    Attributes
+    ----------
+    name, alias
+        Names that `named_motion` accepts; the alias is the paper's abbreviation, or empty.
+    event, year, magnitude, station, component
+        As the package or the paper gives them; None where it does not.
+    record_sequence_number
+        Number of the record in the PEER NGA database [-].
+    closest_distance
+        From the station to the plane of the fault [km].
+    duration, peak_velocity
+        Length [s] and PGV [mm/s] of the record as it is, or as the paper prints them.
+    motion
+        The record itself; None where it does not come with the package, and `note` says which file to supply.
+    note
+        One sentence, or empty.
+    """
+
+    name: str
+    alias: str = ""
     event: str
     year: int
-    magnitude: float
     station: str
-    component: str
-    record_sequence_number: int
-    site_class: str
-    closest_distance_km: float
-    lowest_usable_frequency: float
+    component: str = ""
+    magnitude: float | None = None
+    record_sequence_number: int | None = None
+    closest_distance: float | None = None
+    duration: float
+    peak_velocity: float
+    motion: GroundMotion | None = None
+    note: str = ""
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, f"Record {self.name}")
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class StoredRecord(NamedRecord):
+    """A record that comes with the package."""
+
+    motion: GroundMotion
 
 
 def read_stored(keys: list[RecordKey]) -> list[StoredRecord]:
@@ -177,17 +209,19 @@ def _read_one(
     )
     time_step = _time_step(key, float(component["DT"]), series["Time"][()])
     acceleration = series["RecordedAcceleration"][()] * STANDARD_GRAVITY
+    motion = GroundMotion(acceleration, time_step, key.name, origin)
     return StoredRecord(
-        motion=GroundMotion(acceleration, time_step, key.name, origin),
+        name=key.name,
         event=event,
         year=year,
         magnitude=float(record["EarthquakeMagnitude"]),
         station=station,
         component=label,
         record_sequence_number=int(record["RecordSequenceNumber"]),
-        site_class=record["SiteNEHRPClass"].decode(),
-        closest_distance_km=float(record["SiteDistanceClosestToPlane"]),
-        lowest_usable_frequency=float(record["LowestUsableFrequency"]),
+        closest_distance=float(record["SiteDistanceClosestToPlane"]),
+        duration=motion.duration,
+        peak_velocity=motion.peak_velocity,
+        motion=motion,
     )
 
 

@@ -7,6 +7,8 @@ import numpy as np
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion, Origin
+from dcfp.schema.parameters import Parameter
+from dcfp.schema.units import NONE
 
 #: Steps in a period where no time step is given; PGV is then within 0.03 % of the formula's.
 STEPS_PER_PERIOD = 200
@@ -14,7 +16,9 @@ STEPS_PER_PERIOD = 200
 #: Largest number of values that is made.
 MAXIMUM_POINTS = 10_000_000
 
-_PULSE = "Mavroeidis-Papageorgiou pulse"
+_POSITIVE = Parameter("positive", NONE, 0.0, above=True)
+_FINITE = Parameter("any", NONE)
+_OSCILLATION = Parameter("oscillation", NONE, 1.0, 1000.0, above=True)
 
 
 def harmonic(
@@ -54,8 +58,8 @@ def harmonic(
     :math:`AT/2\pi\,(1-\cos 2\pi t/T)`, of one sign and with a peak of :math:`AT/\pi`; with phase
     :math:`\pi/2` the mean velocity is zero.
     """
-    _check_positive("harmonic", amplitude=amplitude, period=period, cycles=cycles)
-    _check_finite("harmonic", phase=phase, ramp=ramp)
+    _check("harmonic", _POSITIVE, amplitude=amplitude, period=period, cycles=cycles)
+    _check("harmonic", _FINITE, phase=phase, ramp=ramp)
     if not 0.0 <= ramp <= 0.5 * cycles:
         msg = f"harmonic: the ramp must last 0 to {0.5 * cycles:g} periods, half of the motion, not {ramp!r}."
         raise InputError(msg)
@@ -103,7 +107,7 @@ def ricker(
 
     Reference: Ricker, N. (1953), The form and laws of propagation of seismic wavelets, Geophysics 18, 10-40.
     """
-    _check_positive("Ricker wavelet", peak=peak, frequency=frequency)
+    _check("Ricker wavelet", _POSITIVE, peak=peak, frequency=frequency)
     if quantity not in {"velocity", "acceleration"}:
         msg = f"Ricker wavelet: the quantity must be 'velocity' or 'acceleration', not {quantity!r}."
         raise InputError(msg)
@@ -163,13 +167,15 @@ def mavroeidis_papageorgiou(
 
     .. math:: d = \frac{A \cos\nu \sin\pi\gamma}{2\pi f_p\,(1-\gamma^2)}
 
-    which is zero only for a whole :math:`\gamma` or :math:`\nu = \pm\pi/2`. `residual_displacement` gives it.
+    which is zero only for a whole :math:`\gamma` or :math:`\nu = \pm\pi/2`.
 
     Reference: Mavroeidis, G. P., and Papageorgiou, A. S. (2003), A mathematical representation of near-fault
     ground motions, Bulletin of the Seismological Society of America 93, 1099-1131.
     """
-    _check_pulse(amplitude, frequency, oscillation, phase)
-    name = _PULSE
+    name = "Mavroeidis-Papageorgiou pulse"
+    _check(name, _POSITIVE, amplitude=amplitude, frequency=frequency)
+    _check(name, _FINITE, phase=phase)
+    _check(name, _OSCILLATION, oscillation=oscillation)
     half = 0.5 * oscillation / frequency
     centre = half if peak_time is None else peak_time
     length = centre + half if duration is None else duration
@@ -182,23 +188,6 @@ def mavroeidis_papageorgiou(
     return _motion(name, values, step, f"{text}, t_0 = {centre:g} s")
 
 
-def residual_displacement(
-    amplitude: float, frequency: float, oscillation: float, *, phase: float = 0.0
-) -> float:
-    """Return the displacement that the pulse of Mavroeidis and Papageorgiou leaves behind [mm].
-
-    Parameters and bounds are those of `mavroeidis_papageorgiou`.
-
-    Raises
-    ------
-    InputError
-        If a parameter is out of its bounds.
-    """
-    _check_pulse(amplitude, frequency, oscillation, phase)
-    shape = math.sin(math.pi * oscillation) / (1.0 - oscillation**2)
-    return amplitude * math.cos(phase) * shape / (2.0 * math.pi * frequency)
-
-
 def _pulse_acceleration(
     time: FloatArray, amplitude: float, frequency: float, oscillation: float, phase: float
 ) -> FloatArray:
@@ -209,14 +198,6 @@ def _pulse_acceleration(
     return np.where(inside, -amplitude * math.pi * frequency / oscillation * shape, 0.0)
 
 
-def _check_pulse(amplitude: float, frequency: float, oscillation: float, phase: float) -> None:
-    _check_positive(_PULSE, amplitude=amplitude, frequency=frequency)
-    _check_finite(_PULSE, oscillation=oscillation, phase=phase)
-    if not 1.0 < oscillation <= 1000.0:
-        msg = f"{_PULSE}: the oscillation must be greater than 1 and at most 1000, not {oscillation!r}."
-        raise InputError(msg)
-
-
 def _ramps(time: FloatArray, end: float, ramp: float) -> FloatArray:
     share = np.clip(np.minimum(time, end - time) / ramp, 0.0, 1.0)
     return 0.5 * (1.0 - np.cos(math.pi * share))
@@ -224,7 +205,7 @@ def _ramps(time: FloatArray, end: float, ramp: float) -> FloatArray:
 
 def _times(name: str, length: float, period: float, time_step: float | None) -> tuple[FloatArray, float]:
     step = period / STEPS_PER_PERIOD if time_step is None else time_step
-    _check_positive(name, time_step=step, duration=length)
+    _check(name, _POSITIVE, time_step=step, duration=length)
     intervals = length / step
     if not intervals < MAXIMUM_POINTS:
         msg = f"{name}: {length:g} s at a time step of {step:g} s are too many values; take a longer step."
@@ -239,15 +220,7 @@ def _motion(name: str, values: FloatArray, time_step: float, parameters: str) ->
     return GroundMotion(values, time_step, name, origin)
 
 
-def _check_positive(motion: str, **parameters: float) -> None:
-    for name, value in parameters.items():
-        if not (math.isfinite(value) and value > 0.0):
-            msg = f"{motion}: {name.replace('_', ' ')} must be a positive number, not {value!r}."
-            raise InputError(msg)
-
-
-def _check_finite(motion: str, **parameters: float) -> None:
-    for name, value in parameters.items():
-        if not math.isfinite(value):
-            msg = f"{motion}: {name.replace('_', ' ')} must be a finite number, not {value!r}."
-            raise InputError(msg)
+def _check(motion: str, rule: Parameter, **values: float) -> None:
+    """Refuse values that a rule does not allow."""
+    for name, value in values.items():
+        rule.checked(value, f"{motion}: the {name.replace('_', ' ')}")

@@ -7,7 +7,7 @@ from typing import Any
 from dcfp.errors import InputError
 
 
-def read_bytes(path: str | Path, what: str) -> bytes:
+def read_bytes(path: str | Path, what: str, *, most: int = -1) -> bytes:
     """Return the content of a file.
 
     Parameters
@@ -16,6 +16,8 @@ def read_bytes(path: str | Path, what: str) -> bytes:
         Its name.
     what
         What it should be, as the end of a sentence on a file that is not there.
+    most
+        How many bytes are read; by default all.
 
     Raises
     ------
@@ -23,9 +25,13 @@ def read_bytes(path: str | Path, what: str) -> bytes:
         If it cannot be read.
     """
     try:
-        return Path(path).read_bytes()
+        with Path(path).open("rb") as file:
+            return file.read(most)
     except FileNotFoundError as error:
         msg = f"{path}: there is no such file; {what}."
+        raise InputError(msg) from error
+    except IsADirectoryError as error:
+        msg = f"{path}: this is a folder; give the path of one file in it."
         raise InputError(msg) from error
     except (OSError, ValueError) as error:  # ValueError: a name that no file can have
         msg = f"{str(path)[:200]!r}: the file cannot be read ({getattr(error, 'strerror', None) or error})."

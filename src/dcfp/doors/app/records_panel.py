@@ -11,6 +11,7 @@ from dcfp.doors.app.elements import FileDrop, Slider, Text
 from dcfp.doors.app.fields import Alert, card, choice_field, more, parameter_field, switch_field
 from dcfp.doors.app.session import LARGEST_FILE, MOST_FILES, Session, read_upload, too_large
 from dcfp.errors import InputError
+from dcfp.motion.formats.registry import FORMATS
 from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import HERTZ, SECOND
 
@@ -20,6 +21,11 @@ _PGVS = (0.05, 1.5)
 _CORNER = Parameter("high-pass filter, corner", HERTZ, step=0.01, absent="none", optional=True)
 _TIME_STEP = Parameter("time step of one column", SECOND, step=0.005, absent="in the file", optional=True)
 _UNITS = {"": "as the file says", **{unit: unit for unit in ("mm/s2", "cm/s2", "gal", "m/s2", "g")}}
+
+
+def upload_words() -> str:
+    """Return what is said of the files that may be sent."""
+    return f"or drop them here: {', '.join(FORMATS)}; up to {MOST_FILES} of {LARGEST_FILE / 1e6:.0f} MB"
 
 
 class RecordsPanel:
@@ -42,7 +48,7 @@ class RecordsPanel:
                 "Records", session.choices(), session.chosen, self._choose, several=True, search=True
             )
             self._drop = FileDrop(
-                f"or drop them here: AT2, K-NET, KiK-net, JMA, V2, COSMOS, ESM, CWB, columns; up to {MOST_FILES} of {LARGEST_FILE / 1e6:.0f} MB",
+                upload_words(),
                 LARGEST_FILE,
                 on_upload=self._take,
             )

@@ -106,7 +106,7 @@ _SENT = "sent-"
 @cache
 def named_choices() -> dict[str, str]:
     """Return the named records that come with the package, in words: the paper's first."""
-    rows = [row for row in named_records() if row.available]
+    rows = [row for row in named_records() if row.motion is not None]
     rows.sort(key=lambda row: not row.alias)
     return {
         row.alias or row.name: f"{row.alias or row.name} · {row.event} {row.year}, {row.station}"

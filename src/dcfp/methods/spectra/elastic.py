@@ -11,8 +11,7 @@ from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
-from dcfp.motion.formats.component import canonical_unit, unit_size
-from dcfp.motion.formats.numbers import to_number
+from dcfp.motion.formats.numbers import canonical_unit, to_number, unit_size
 from dcfp.schema.notebook import fields_card
 from dcfp.schema.parameters import Declared
 from dcfp.schema.reading import read_bytes

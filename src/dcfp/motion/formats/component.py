@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 
 from dcfp.arrays import FloatArray
-from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
+from dcfp.motion.formats.numbers import unit_size
 from dcfp.motion.formats.source import SourceText
 from dcfp.motion.ground_motion import GroundMotion, Origin
 
@@ -22,113 +22,82 @@ LARGEST_ACCELERATION = 1e9
 
 
 @dataclass(frozen=True, eq=False)
-class Component:
-    """A ground motion, the unit its file is written in, and the names by which it can be asked for."""
+class Series:
+    """One component of a record, as its file has it.
 
-    motion: GroundMotion
-    unit: str
-    names: tuple[str, ...] = ()
-
-
-def build_component(
-    source: SourceText,
-    values: FloatArray,
-    *,
-    unit: str,
-    time_step: float,
-    origin: Origin,
-    scale: float = 1.0,
-    names: tuple[str, ...] = (),
-    several: bool = False,
-) -> Component:
-    """Make a component from the values in the file.
-
-    Parameters
+    Attributes
     ----------
-    source
-        The file, for messages and for the motion's name.
     values
         Acceleration in the file's unit.
     unit
         That unit, as `canonical_unit` spells it.
     time_step
         Interval between two values [s].
-    origin
-        Where the values came from.
+    component
+        Its name in the file; empty where it has none.
+    names
+        Further names by which it can be asked for.
+    event, station, processing, citation
+        Of the `Origin` of its motion, as far as the file says.
     scale
         How many units one value stands for [-].
-    names
-        Further names of the component, beside ``origin.component``.
-    several
-        Whether there are other components in the file, or in files of the same stem, so that the name of the
-        motion must say which it is.
+    """
+
+    values: FloatArray
+    unit: str
+    time_step: float
+    component: str = ""
+    names: tuple[str, ...] = ()
+    event: str = ""
+    station: str = ""
+    processing: str = ""
+    citation: str = ""
+    scale: float = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class Component:
+    """A ground motion, and the names by which it can be asked for."""
+
+    motion: GroundMotion
+    names: tuple[str, ...]
+
+
+def component_of(
+    source: SourceText, series: Series, file_format: str, citation: str, *, several: bool
+) -> Component:
+    """Return a component of a file; `several` says that the name of its motion must tell it from others.
 
     Raises
     ------
     InputError
         If the time step or a value cannot be true of a ground motion, or there is only one value.
     """
-    check_time_step(source, time_step)
-    if values.size < 2:
+    if not SHORTEST_STEP <= series.time_step <= LONGEST_STEP:
+        source.fail(
+            f"the time step is {series.time_step:g} s; a record has one between {SHORTEST_STEP:g} and "
+            f"{LONGEST_STEP:g} s."
+        )
+    if series.values.size < 2:
         source.fail("the file holds fewer than two acceleration values.")
     with np.errstate(over="ignore", under="ignore"):
-        acceleration = values * (scale * unit_size(unit))
+        acceleration = series.values * (series.scale * unit_size(series.unit))
     wrong = np.flatnonzero(~(np.abs(acceleration) <= LARGEST_ACCELERATION))
     if wrong.size:
         source.fail(f"acceleration value {wrong[0] + 1} is beyond 100 000 g; the value or the unit is wrong.")
+    origin = Origin(
+        event=series.event,
+        station=series.station,
+        component=series.component,
+        source=source.path.name,
+        file_format=file_format,
+        processing=series.processing,
+        citation=citation,
+    )
     stem = source.path.stem or source.path.name
-    name = f"{stem} {origin.component}" if several and origin.component else stem
-    motion = GroundMotion(acceleration, time_step, name, origin)
-    return Component(motion, unit, (origin.component, *names))
-
-
-def check_time_step(source: SourceText, time_step: float) -> None:
-    """Check that a time step [s] can be that of a record.
-
-    Raises
-    ------
-    InputError
-        If it is not between `SHORTEST_STEP` and `LONGEST_STEP`.
-    """
-    if not SHORTEST_STEP <= time_step <= LONGEST_STEP:
-        source.fail(
-            f"the time step is {time_step:g} s; a record has one between {SHORTEST_STEP:g} and "
-            f"{LONGEST_STEP:g} s."
-        )
-
-
-# Units of acceleration in which records are written.
-
-
-#: Size of each unit [mm/s2], under the spelling that `canonical_unit` makes of it.
-_SIZES = {"mm/s2": 1.0, "cm/s2": 10.0, "gal": 10.0, "m/s2": 1000.0, "g": STANDARD_GRAVITY}
-
-_SPELLINGS = {"gals": "gal", "gal(cm/s/s)": "gal", "g's": "g", "gs": "g"}
-
-
-def canonical_unit(text: str) -> str | None:
-    """Return one of mm/s2, cm/s2, gal, m/s2, g for any usual spelling of it, or None."""
-    word = re.sub(r"[\s^*.]+", "", text.lower())
-    word = _SPELLINGS.get(word, word)
-    word = re.sub(r"/(?:sec|s)/(?:sec|s)$", "/s2", word)
-    word = re.sub(r"/sec2$", "/s2", word)
-    word = word.replace("²", "2")
-    return word if word in _SIZES else None
-
-
-def unit_size(text: str) -> float:
-    """Return the size of a unit of acceleration [mm/s2].
-
-    Raises
-    ------
-    InputError
-        If the unit is not known.
-    """
-    unit = canonical_unit(text)
-    if unit is None:
-        msg = f"the unit {text!r} is not known; use one of {', '.join(_SIZES)}."
-        raise InputError(msg)
-    return _SIZES[unit]
+    name = f"{stem} {series.component}" if several and series.component else stem
+    motion = GroundMotion(acceleration, series.time_step, name, origin)
+    return Component(motion, (series.component, *series.names))
 
 
 # Times in a column: whether they are equally spaced, as far as the printed digits can tell.

@@ -12,12 +12,17 @@ import re
 from collections.abc import Sequence
 
 from dcfp.arrays import FloatArray
-from dcfp.motion.formats.component import Component, build_component, canonical_unit
-from dcfp.motion.formats.numbers import NUMBER, fixed_numbers, parse_layout, to_number
+from dcfp.motion.formats.component import Series
+from dcfp.motion.formats.numbers import (
+    NUMBER,
+    announced_numbers,
+    canonical_unit,
+    fixed_numbers,
+    parse_layout,
+    to_number,
+)
+from dcfp.motion.formats.registry import FORMATS, RecordFormat
 from dcfp.motion.formats.source import SourceText
-from dcfp.motion.ground_motion import Origin
-
-NAME = "COSMOS"
 
 _REAL_HEADER = re.compile(r"^\s*(\d{1,4})\s+Real-header values follow on.*?Format\s*=\s*(.*)$", re.IGNORECASE)
 _SERIES = re.compile(
@@ -37,77 +42,50 @@ _LEFT_OUT = frozenset({"velocity", "displacement"})
 _UNIT_CODES = {2: "g", 4: "cm/s2"}
 
 
-def recognises(source: SourceText) -> bool:
+def _recognises(source: SourceText) -> bool:
     """Whether the first line names the format, or a line announces the real headers in its words."""
     return "(Format v" in source.lines[0] or any(
         "real-header values follow" in line.lower() for line in source.lines
     )
 
 
-def read(source: SourceText) -> list[Component]:
-    """Return the acceleration of every channel; velocity and displacement are checked and left out.
-
-    Raises
-    ------
-    InputError
-        If a header is incomplete, or does not agree with its values, or no series is acceleration.
-    """
-    series = [(index, found) for index, line in enumerate(source.lines) if (found := _SERIES.match(line))]
-    accelerations = sum(found[2].lower() == "acceleration" for _, found in series)
-    components: list[Component] = []
+def _read(source: SourceText) -> list[Series]:
+    """Return the acceleration of every channel; velocity and displacement are checked and left out."""
+    announced = [(index, found) for index, line in enumerate(source.lines) if (found := _SERIES.match(line))]
+    series: list[Series] = []
     after = 0
-    for start, found in series:
-        header_start = after
-        values, after = _values(source, found, start)
+    for start, found in announced:
+        first = after
+        values, after = announced_numbers(source, start, int(found[1]), found[6])
+        if after < len(source.lines) and _END.match(source.lines[after]):
+            after += 1
         if found[2].lower() not in _LEFT_OUT:
-            component = _component(
-                source, (header_start, start), found, values, len(components) + 1, several=accelerations > 1
-            )
-            components.append(component)
+            series.append(_series(source, first, start, found, values, len(series) + 1))
     if after < len(source.lines):
         source.fail(
             "the channel that begins here has no series ('acceleration pts, approx'); the file is truncated.",
             line=after + 1,
         )
-    if not components:
+    if not series:
         source.fail("the file holds no acceleration; give the file of corrected acceleration.")
-    return components
+    return series
 
 
-def _values(source: SourceText, found: re.Match[str], start: int) -> tuple[FloatArray, int]:
-    """Return the values of a series and the line after its end."""
-    layout = parse_layout(found[6])
-    if layout is None:
-        source.fail("the series needs a format such as '(8F10.5)'.", line=start + 1)
-    values, after = fixed_numbers(source, start + 1, int(found[1]), layout)
-    return values, _end(source, after)
-
-
-def _component(
-    source: SourceText,
-    lines: tuple[int, int],
-    found: re.Match[str],
-    values: FloatArray,
-    number: int,
-    *,
-    several: bool,
-) -> Component:
-    first, start = lines
+def _series(
+    source: SourceText, first: int, start: int, found: re.Match[str], values: FloatArray, number: int
+) -> Series:
     header = source.lines[first:start]
-    unit = _unit(source, found, start)
-    time_step = _time_step(source, _real_header(source, first, start), found, start)
-    label, *names = channel_names(header, number)
-    origin = Origin(
-        event=event(header),
-        station=station(header),
+    label, *names = _channel_names(header, number)
+    station = next(filter(None, map(_STATION.match, header)), None)
+    return Series(
+        values,
+        _unit(source, found, start),
+        _time_step(source, _real_header(source, first, start), found, start),
         component=label,
-        source=source.path.name,
-        file_format=NAME,
-        processing=processing(header),
-        citation="COSMOS; Center for Engineering Strong Motion Data.",
-    )
-    return build_component(
-        source, values, unit=unit, time_step=time_step, origin=origin, names=tuple(names), several=several
+        names=tuple(names),
+        event=" ".join(header[1].split()).removeprefix("Record of ") if len(header) > 1 else "",
+        station=" ".join(f"{station[1]} {station[2]}".split()) if station else "",
+        processing=_processing(header),
     )
 
 
@@ -156,17 +134,6 @@ def _time_step(source: SourceText, real: FloatArray, found: re.Match[str], line:
     return step
 
 
-def _end(source: SourceText, line: int) -> int:
-    """Return the line after the end of a channel, which may have a line of its own."""
-    if line >= len(source.lines):
-        return line
-    if _END.match(source.lines[line]):
-        return line + 1
-    if re.fullmatch(r"[\s0-9.+\-EeDd]*", source.lines[line]):
-        source.fail("more values stand here than the header promises.", line=line + 1)
-    return line
-
-
 # What the lines of text at the head of a COSMOS channel say, in words.
 
 
@@ -176,7 +143,7 @@ _STATION = re.compile(r"^Statn No:.*?Code:\s*(\S*)\s*(.*?)\s*$", re.IGNORECASE)
 _FILTER = re.compile(r"^Record filtered below\s*([\d.]+)\s*Hz.*?above\s*([\d.]+)\s*Hz", re.IGNORECASE)
 
 
-def channel_names(header: Sequence[str], index: int) -> tuple[str, ...]:
+def _channel_names(header: Sequence[str], index: int) -> tuple[str, ...]:
     """Return the names of a channel, the plainest first: direction, SEED code, number."""
     number, direction, code = "", "", ""
     for line in header:
@@ -191,18 +158,7 @@ def channel_names(header: Sequence[str], index: int) -> tuple[str, ...]:
     return tuple(name for name in names if name)
 
 
-def station(header: Sequence[str]) -> str:
-    """Return the station's code and name."""
-    found = next((found for line in header if (found := _STATION.match(line))), None)
-    return " ".join(f"{found[1]} {found[2]}".split()) if found else ""
-
-
-def event(header: Sequence[str]) -> str:
-    """Return the line that names the event, the second of the header."""
-    return " ".join(header[1].split()).removeprefix("Record of ") if len(header) > 1 else ""
-
-
-def processing(header: Sequence[str]) -> str:
+def _processing(header: Sequence[str]) -> str:
     """Return what filter and correction the header states."""
     found = next((found for line in header if (found := _FILTER.match(line))), None)
     band = f"band-pass {found[1]}-{found[2]} Hz" if found else "no filter stated"
@@ -210,3 +166,14 @@ def processing(header: Sequence[str]) -> str:
     if "uncorrected" in title:
         return f"{band}, uncorrected (header)"
     return f"{band}, {'corrected' if 'corrected' in title else 'correction not stated'} (header)"
+
+
+FORMATS.add(
+    "COSMOS",
+    RecordFormat(
+        "Consortium of Organizations for Strong-Motion Observation Systems, volumes 1 and 2: acceleration, channel after channel",
+        _recognises,
+        _read,
+        "COSMOS; Center for Engineering Strong Motion Data.",
+    ),
+)

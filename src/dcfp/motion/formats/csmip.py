@@ -7,15 +7,12 @@ are counted, so that a truncated file is noticed.
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from dcfp.arrays import FloatArray
-from dcfp.motion.formats.component import Component, build_component, canonical_unit
-from dcfp.motion.formats.numbers import NUMBER, fixed_numbers, parse_layout, to_number
+from dcfp.motion.formats.component import Series
+from dcfp.motion.formats.numbers import NUMBER, announced_numbers, canonical_unit, to_number
+from dcfp.motion.formats.registry import FORMATS, RecordFormat
 from dcfp.motion.formats.source import SourceText
-from dcfp.motion.ground_motion import Origin
-
-NAME = "CSMIP V2"
 
 _BLOCK = re.compile(
     rf"^\s*(\d{{1,15}})\s+points of\s+(\w+) data equally spaced at\s*({NUMBER})\s*sec(.*)$", re.IGNORECASE
@@ -24,30 +21,13 @@ _CHANNEL = re.compile(r"^Chan\s+(\d+):\s*(.*?)\s*$", re.IGNORECASE)
 _EVENT = re.compile(r"^(?:Record|Rcrd) of\s+(.*?)(?:\s{2,}|\(|$)", re.IGNORECASE)
 
 
-@dataclass(frozen=True)
-class _Block:
-    quantity: str
-    header: tuple[str, ...]
-    line: int
-    time_step: float
-    values: FloatArray
-
-
-def recognises(source: SourceText) -> bool:
+def _recognises(source: SourceText) -> bool:
     """Whether a line announces a block of acceleration in CSMIP's words."""
     return any("points of accel data" in line.lower() for line in source.lines)
 
 
-def read(source: SourceText) -> list[Component]:
-    """Return the acceleration of every channel.
-
-    Raises
-    ------
-    InputError
-        If a header is incomplete, or does not agree with its values.
-    """
-    blocks = [_acceleration(source, first, last) for first, last in _channels(source)]
-    return [_component(source, block, several=len(blocks) > 1) for block in blocks]
+def _read(source: SourceText) -> list[Series]:
+    return [_acceleration(source, first, last) for first, last in _channels(source)]
 
 
 def _channels(source: SourceText) -> Iterator[tuple[int, int]]:
@@ -61,67 +41,49 @@ def _channels(source: SourceText) -> Iterator[tuple[int, int]]:
         source.fail("the channel that begins here has no end ('/&'); the file is truncated.", line=first + 1)
 
 
-def _acceleration(source: SourceText, first: int, last: int) -> _Block:
+def _acceleration(source: SourceText, first: int, last: int) -> Series:
     """Read all blocks of a channel, and return the one of acceleration."""
-    found: list[_Block] = []
+    found: list[Series] = []
     line = first
     while line < last:
         announced = _BLOCK.match(source.lines[line])
-        if announced:
-            block, line = _block(source, announced, line, source.lines[first:line])
-            found.append(block)
-        else:
+        if announced is None:
             line += 1
-    accelerations = [block for block in found if block.quantity == "accel"]
-    if len(accelerations) != 1:
+            continue
+        values, after = announced_numbers(source, line, int(announced[1]), announced[4])
+        if announced[2].lower() == "accel":
+            found.append(_series(source, source.lines[first:line], announced, line, values))
+        line = after
+    if len(found) != 1:
         source.fail(
-            f"the channel that begins here has {len(accelerations)} blocks of acceleration instead of one.",
+            f"the channel that begins here has {len(found)} blocks of acceleration instead of one.",
             line=first + 1,
         )
-    return accelerations[0]
+    return found[0]
 
 
-def _block(
-    source: SourceText, found: re.Match[str], line: int, header: tuple[str, ...]
-) -> tuple[_Block, int]:
-    layout = parse_layout(found[4])
-    time_step = to_number(found[3])
-    if layout is None or time_step is None:
-        source.fail("the block needs a time step and a format such as '(8f10.6)'.", line=line + 1)
-    values, after = fixed_numbers(source, line + 1, int(found[1]), layout)
-    if after < len(source.lines) and not re.search("[A-Za-z]{2}|/&", source.lines[after]):
-        source.fail(f"more values stand here than the {found[1]} that were promised.", line=after + 1)
-    return _Block(found[2].lower(), header, line, time_step, values), after
-
-
-def _component(source: SourceText, block: _Block, *, several: bool) -> Component:
-    text = source.lines[block.line]
-    named = re.search(r"(?:\bin\b|units?\s*:)\s*([a-z/0-9^]+)", text, re.IGNORECASE)
+def _series(
+    source: SourceText, header: tuple[str, ...], announced: re.Match[str], line: int, values: FloatArray
+) -> Series:
+    named = re.search(r"(?:\bin\b|units?\s*:)\s*([a-z/0-9^]+)", announced.string, re.IGNORECASE)
     unit = canonical_unit(named[1]) if named else None
-    if unit is None:
-        source.fail("the block names no known unit; 'in cm/sec2' was expected.", line=block.line + 1)
-    channel, number, station = _channel(block.header)
+    time_step = to_number(announced[3])
+    if unit is None or time_step is None:
+        source.fail(
+            "the block names no time step or no known unit; 'in cm/sec2' was expected.", line=line + 1
+        )
+    channel, number, station = _channel(header)
     label = channel or f"channel {number}"
-    origin = Origin(
-        event=_first(_EVENT, block.header),
-        station=station,
-        component=label,
-        source=source.path.name,
-        file_format=NAME,
-        processing=_processing(block.header),
-        citation="California Strong Motion Instrumentation Program (CSMIP), Center for Engineering Strong "
-        "Motion Data (CESMD).",
-    )
     azimuth = re.sub(r"\s*deg$", "", label, flags=re.IGNORECASE)
-    names = (number, f"chan {number}", f"channel {number}", azimuth)
-    return build_component(
-        source,
-        block.values,
-        unit=unit,
-        time_step=block.time_step,
-        origin=origin,
-        names=names,
-        several=several,
+    return Series(
+        values,
+        unit,
+        time_step,
+        component=label,
+        names=(number, f"chan {number}", f"channel {number}", azimuth),
+        event=next((found[1].strip() for one in header if (found := _EVENT.match(one))), ""),
+        station=station,
+        processing=_processing("\n".join(header)),
     )
 
 
@@ -135,13 +97,19 @@ def _channel(header: tuple[str, ...]) -> tuple[str, str, str]:
     return "", "?", ""
 
 
-def _first(pattern: re.Pattern[str], lines: tuple[str, ...]) -> str:
-    return next((found[1].strip() for line in lines if (found := pattern.match(line))), "")
-
-
-def _processing(header: tuple[str, ...]) -> str:
-    text = "\n".join(header)
+def _processing(text: str) -> str:
     corners = re.search(r"3 dB pts at\s*([\d.]+)\s*and\s*([\d.]+)", text)
     band = f"band-pass {corners[1]}-{corners[2]} Hz" if corners else "filter corners not stated"
     corrected = "instrument- and baseline-corrected" in text
     return f"{band}, {'instrument and baseline corrected' if corrected else 'correction not stated'} (header)"
+
+
+FORMATS.add(
+    "CSMIP V2",
+    RecordFormat(
+        "California Strong Motion Instrumentation Program and CESMD: corrected acceleration, channel after channel",
+        _recognises,
+        _read,
+        "California Strong Motion Instrumentation Program (CSMIP), Center for Engineering Strong Motion Data (CESMD).",
+    ),
+)

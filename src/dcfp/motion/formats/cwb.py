@@ -2,45 +2,27 @@
 
 import re
 
-from dcfp.motion.formats.component import Component, build_component, canonical_unit, check_times
-from dcfp.motion.formats.numbers import (
-    Layout,
-    check_count,
-    fixed_numbers,
-    parse_layout,
-    promised_count,
-    required_number,
-    required_text,
-)
+from dcfp.motion.formats.component import Series, check_times
+from dcfp.motion.formats.numbers import Header, Layout, check_count, fixed_numbers, parse_layout
+from dcfp.motion.formats.registry import FORMATS, RecordFormat
 from dcfp.motion.formats.source import SourceText
-from dcfp.motion.ground_motion import Origin
-
-NAME = "CWB"
 
 _LAYOUT = Layout(per_line=4, width=10)
 
 
-def recognises(source: SourceText) -> bool:
+def _recognises(source: SourceText) -> bool:
     """Whether a comment line gives the sequence of the columns in CWB's words."""
     return any(line.lstrip().startswith("#DataSequence") for line in source.lines[:40])
 
 
-def read(source: SourceText) -> list[Component]:
-    """Return the components of the file, one for each column after the time.
-
-    Raises
-    ------
-    InputError
-        If the header is incomplete, or does not agree with the values.
-    """
+def _read(source: SourceText) -> list[Series]:
     first = _first_row(source)
-    header = _header(source.lines[:first])
-    directions = _directions(source, required_text(source, header, "DataSequence"))
-    unit = canonical_unit(re.split(r"\.?\s", required_text(source, header, "AmplitudeUnit"))[0])
-    if unit is None:
-        source.fail(f"the unit is {header['AmplitudeUnit'][:30]!r}; 'gal' was expected.")
-    rate = required_number(source, header, "SampleRate(Hz)")
-    rows = promised_count(source, rate, required_number(source, header, "RecordLength(sec)"))
+    lines = [re.sub(r"\(GMT.*?\)", "", line, count=1) for line in source.lines[:first]]
+    header = Header.of_lines(source, lines, ":")
+    directions = _directions(source, header.text("DataSequence"))
+    unit = header.unit("AmplitudeUnit", "gal")
+    rate = header.number("SampleRate(Hz)")
+    rows = header.count("SampleRate(Hz)", "RecordLength(sec)")
     layout = parse_layout(header.get("Data", "")) or _LAYOUT
     if layout.per_line != len(directions) + 1:
         source.fail(f"the header names {len(directions) + 1} columns but its format has {layout.per_line}.")
@@ -48,14 +30,18 @@ def read(source: SourceText) -> list[Component]:
     values, _ = fixed_numbers(source, first, rows * layout.per_line, layout)
     table = values.reshape(rows, layout.per_line)
     check_times(source, table[:, 0], 1.0 / rate, resolution=0.001)
+    magnitude = header.get("Magnitude(Ml)", "")
+    event = header.get("Origin Time") or header.get("StartTime", "")
+    note = "offset corrected (header)" if "(corr)" in header["AmplitudeUnit"] else "offset not removed"
     return [
-        build_component(
-            source,
+        Series(
             table[:, column],
-            unit=unit,
-            time_step=1.0 / rate,
-            origin=_origin(source, header, direction),
-            several=True,
+            unit,
+            1.0 / rate,
+            component=direction,
+            event=f"{event}, ML {magnitude}" if magnitude else event,
+            station=header.get("StationCode", ""),
+            processing=f"{note}; no filter stated",
         )
         for column, direction in enumerate(directions, 1)
     ]
@@ -68,11 +54,6 @@ def _first_row(source: SourceText) -> int:
     return len(source.lines)
 
 
-def _header(lines: tuple[str, ...]) -> dict[str, str]:
-    parts = (line.strip().lstrip("#").split(":", 1) for line in lines if ":" in line)
-    return {re.sub(r"\(GMT.*\)", "", name).strip(): text.strip() for name, text in parts}
-
-
 def _directions(source: SourceText, text: str) -> list[str]:
     words = re.sub(r"\([+-]\)", "", text).replace(";", " ").split()
     directions = words[1:]
@@ -82,16 +63,13 @@ def _directions(source: SourceText, text: str) -> list[str]:
     return directions
 
 
-def _origin(source: SourceText, header: dict[str, str], direction: str) -> Origin:
-    magnitude = header.get("Magnitude(Ml)", "")
-    event = header.get("Origin Time") or header.get("StartTime", "")
-    note = "offset corrected (header)" if "(corr)" in header["AmplitudeUnit"] else "offset not removed"
-    return Origin(
-        event=f"{event}, ML {magnitude}" if magnitude else event,
-        station=header.get("StationCode", ""),
-        component=direction,
-        source=source.path.name,
-        file_format=NAME,
-        processing=f"{note}; no filter stated",
-        citation="Central Weather Bureau, Taiwan.",
-    )
+FORMATS.add(
+    "CWB",
+    RecordFormat(
+        "Central Weather Bureau, Taiwan: time, up, north and east",
+        _recognises,
+        _read,
+        "Central Weather Bureau, Taiwan.",
+        one_of_several=True,
+    ),
+)

@@ -5,56 +5,36 @@ The text is Shift-JIS. The header gives the sampling rate and the unit but no nu
 
 import re
 
-from dcfp.motion.formats.component import Component, build_component, canonical_unit
-from dcfp.motion.formats.numbers import required_number, required_text, table_numbers
+from dcfp.motion.formats.component import Series
+from dcfp.motion.formats.numbers import Header, table_numbers
+from dcfp.motion.formats.registry import FORMATS, RecordFormat
 from dcfp.motion.formats.source import SourceText
-from dcfp.motion.ground_motion import Origin
-
-NAME = "JMA CSV"
 
 _HEADER_LINES = 12
 
 
-def recognises(source: SourceText) -> bool:
+def _recognises(source: SourceText) -> bool:
     """Whether the first lines give the site code and the sampling rate in JMA's words."""
     text = "\n".join(source.lines[:_HEADER_LINES])
     return "SITE CODE" in text and "SAMPLING RATE" in text
 
 
-def read(source: SourceText) -> list[Component]:
-    """Return the components of the file, one for each column.
-
-    Raises
-    ------
-    InputError
-        If the header is incomplete, or a row is.
-    """
+def _read(source: SourceText) -> list[Series]:
     titles_line, titles = _titles(source)
-    header = _header(source.lines[:titles_line])
-    unit = canonical_unit(required_text(source, header, "UNIT"))
-    if unit is None:
-        source.fail(f"the unit is {header['UNIT'][:30]!r}; 'gal(cm/s/s)' was expected.")
-    rate = required_number(source, header, "SAMPLING RATE")
+    header = Header.of_lines(source, source.lines[:titles_line], "=")
+    unit = header.unit("UNIT", "gal(cm/s/s)")
+    rate = header.number("SAMPLING RATE")
     table = table_numbers(source, titles_line + 1, len(titles), ",")
     begun = header.get("INITIAL TIME", "")
-    event = f"record of {begun}" if begun else ""
-    station = re.split(r",|\s{2,}", header.get("SITE CODE", ""))[0].strip()
     return [
-        build_component(
-            source,
+        Series(
             table[:, column],
-            unit=unit,
-            time_step=1.0 / rate,
-            origin=Origin(
-                event=event,
-                station=station,
-                component=title,
-                source=source.path.name,
-                file_format=NAME,
-                processing="as recorded; offset not removed",
-                citation="Japan Meteorological Agency.",
-            ),
-            several=len(titles) > 1,
+            unit,
+            1.0 / rate,
+            component=title,
+            event=f"record of {begun}" if begun else "",
+            station=re.split(r",|\s{2,}", header.get("SITE CODE", ""))[0].strip(),
+            processing="as recorded; offset not removed",
         )
         for column, title in enumerate(titles)
     ]
@@ -70,6 +50,12 @@ def _titles(source: SourceText) -> tuple[int, list[str]]:
     return source.fail("no line names the columns; 'NS,EW,UD' was expected.")
 
 
-def _header(lines: tuple[str, ...]) -> dict[str, str]:
-    parts = (line.split("=", 1) for line in lines if "=" in line)
-    return {name.strip(): text.strip() for name, text in parts}
+FORMATS.add(
+    "JMA CSV",
+    RecordFormat(
+        "Japan Meteorological Agency: strong-motion CSV, NS, EW and UD as recorded",
+        _recognises,
+        _read,
+        "Japan Meteorological Agency.",
+    ),
+)

@@ -1,13 +1,15 @@
-"""Numbers from the lines and from the header of a record file, each error with its line and value."""
+"""Numbers from the lines of a record file, each error with its line and value; what stands in its header; and units of acceleration."""
 
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from dcfp.arrays import FloatArray
+from dcfp.constants import STANDARD_GRAVITY
+from dcfp.errors import InputError
 from dcfp.motion.formats.source import SourceText
 
 #: One number as Fortran and C write it; no ``nan``, ``inf`` or ``1_000``, which Python would accept.
@@ -51,14 +53,14 @@ def to_number(text: str) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def free_numbers(source: SourceText, first: int) -> FloatArray:
-    """Return the numbers, separated by blanks, from ``lines[first]`` of the file on.
+def free_numbers(source: SourceText, first: int, count: int) -> FloatArray:
+    """Return the `count` numbers, separated by blanks, that must stand from ``lines[first]`` of the file on."""
+    values = _free_numbers(source, first)
+    check_count(source, values.size, count)
+    return values
 
-    Raises
-    ------
-    InputError
-        If anything there is not a finite number.
-    """
+
+def _free_numbers(source: SourceText, first: int) -> FloatArray:
     lines = source.lines[first:]
     text = "\n".join(lines)
     if _PLAIN_CHARACTERS.issuperset(text):
@@ -78,13 +80,7 @@ def _located_numbers(source: SourceText, first: int, lines: Sequence[str]) -> It
 
 
 def check_count(source: SourceText, found: int, promised: int) -> None:
-    """Compare the number of values found with the number that the header promises.
-
-    Raises
-    ------
-    InputError
-        If they differ.
-    """
+    """Refuse a file in which other than the promised number of values is found."""
     if found < promised:
         source.fail(
             f"the header promises {promised} values but only {found} are there; the file is truncated."
@@ -94,13 +90,7 @@ def check_count(source: SourceText, found: int, promised: int) -> None:
 
 
 def table_numbers(source: SourceText, first: int, columns: int, separator: str | None = None) -> FloatArray:
-    """Return the lines from ``lines[first]`` on as a table of numbers, shape (rows, columns).
-
-    Raises
-    ------
-    InputError
-        If a row has more or fewer values, or one that is not a finite number.
-    """
+    """Return the lines from ``lines[first]`` on, which must be a table of numbers, shape (rows, columns)."""
     rows: list[list[float]] = []
     for number, line in enumerate(source.lines[first:], first + 1):
         words = line.split(separator)
@@ -111,13 +101,7 @@ def table_numbers(source: SourceText, first: int, columns: int, separator: str |
 
 
 def fixed_numbers(source: SourceText, first: int, count: int, layout: Layout) -> tuple[FloatArray, int]:
-    """Return `count` numbers in fields of fixed width from ``lines[first]`` on, and the line after them.
-
-    Raises
-    ------
-    InputError
-        If a field is not a finite number, or there are fewer or more values than `count`.
-    """
+    """Return the `count` numbers that must stand in fields of fixed width from ``lines[first]`` on, and the line after them."""
     rows = -(-count // layout.per_line)
     values: list[float] = []
     for number, line in enumerate(source.lines[first : first + rows], first + 1):
@@ -132,6 +116,23 @@ def fixed_numbers(source: SourceText, first: int, count: int, layout: Layout) ->
     return np.array(values, dtype=np.float64), first + rows
 
 
+def announced_numbers(source: SourceText, line: int, count: int, text: str) -> tuple[FloatArray, int]:
+    """Return the `count` numbers below a line whose `text` gives their format, and the line after them.
+
+    Raises
+    ------
+    InputError
+        If there is no such format, or the numbers are not in it, or more of them follow.
+    """
+    layout = parse_layout(text)
+    if layout is None:
+        source.fail("the values need a format such as '(8F10.5)'.", line=line + 1)
+    values, after = fixed_numbers(source, line + 1, count, layout)
+    if after < len(source.lines) and not re.search("[A-Za-z]{2}|/&", source.lines[after]):
+        source.fail(f"more values stand here than the {count} that were promised.", line=after + 1)
+    return values, after
+
+
 def _value_at(source: SourceText, word: str, line: int, place: int) -> float:
     value = to_number(word)
     if value is None:
@@ -144,48 +145,90 @@ def _shown(word: str) -> str:
     return repr(word if len(word) <= 30 else f"{word[:30]}...")
 
 
-# What the headers of record files have in common: lines of a name and its text.
+# What the headers of record files have in common: lines of a name and its text, units, and how long the record is.
 
 
-def required_text(source: SourceText, header: Mapping[str, str], name: str) -> str:
-    """Return an entry of the header.
+class Header(dict[str, str]):
+    """Texts of the header of a record file by their names.
+
+    Parameters
+    ----------
+    source
+        The file, for sentences.
+    entries
+        Names and texts.
+    """
+
+    def __init__(self, source: SourceText, entries: Iterable[tuple[str, str]]) -> None:
+        super().__init__((name, text.strip()) for name, text in entries)
+        self._source = source
+
+    @classmethod
+    def of_lines(cls, source: SourceText, lines: Iterable[str], mark: str) -> "Header":
+        """Return what stands in lines of a name and a text with a mark in between, such as ``=``."""
+        parts = (line.strip().lstrip("#").partition(mark) for line in lines if mark in line)
+        return cls(source, ((name.strip(), text) for name, _, text in parts))
+
+    def text(self, name: str) -> str:
+        """Return an entry, which must be there."""
+        text = self.get(name, "")
+        if not text:
+            self._source.fail(f"the header has no entry {name!r}; the file is damaged.")
+        return text
+
+    def number(self, name: str) -> float:
+        """Return the positive number that an entry must begin with (``"100Hz"`` gives 100)."""
+        text = self.text(name)
+        found = re.match(NUMBER, text)
+        value = to_number(found[0]) if found else None
+        if value is None or not 0.0 < value < math.inf:
+            self._source.fail(f"the header entry {name!r} is {text[:30]!r}; a positive number was expected.")
+        return value
+
+    def unit(self, name: str, usual: str) -> str:
+        """Return the unit of acceleration that an entry must begin with."""
+        text = self.text(name)
+        unit = canonical_unit(re.split(r"\.?\s", text)[0])
+        if unit is None:
+            self._source.fail(f"the unit is {text[:30]!r}; {usual!r} was expected.")
+        return unit
+
+    def count(self, rate: str, duration: str) -> int:
+        """Return the number of values at a rate [Hz] over a duration [s], as two entries give them."""
+        count = self.number(rate) * self.number(duration)
+        if not 2 <= count <= 1e9:
+            self._source.fail(
+                f"the header promises {count:.3g} values ({self.number(duration):g} s at {self.number(rate):g} Hz)."
+            )
+        return round(count)
+
+
+#: Size of each unit [mm/s2], under the spelling that `canonical_unit` makes of it.
+_SIZES = {"mm/s2": 1.0, "cm/s2": 10.0, "gal": 10.0, "m/s2": 1000.0, "g": STANDARD_GRAVITY}
+
+_SPELLINGS = {"gals": "gal", "gal(cm/s/s)": "gal", "g's": "g", "gs": "g"}
+
+
+def canonical_unit(text: str) -> str | None:
+    """Return one of mm/s2, cm/s2, gal, m/s2, g for any usual spelling of it, or None."""
+    word = re.sub(r"[\s^*.]+", "", text.lower())
+    word = _SPELLINGS.get(word, word)
+    word = re.sub(r"/(?:sec|s)/(?:sec|s)$", "/s2", word)
+    word = re.sub(r"/sec2$", "/s2", word)
+    word = word.replace("²", "2")
+    return word if word in _SIZES else None
+
+
+def unit_size(text: str) -> float:
+    """Return the size of a unit of acceleration [mm/s2].
 
     Raises
     ------
     InputError
-        If it is missing or empty.
+        If the unit is not known.
     """
-    text = header.get(name, "").strip()
-    if not text:
-        source.fail(f"the header has no entry {name!r}; the file is damaged.")
-    return text
-
-
-def required_number(source: SourceText, header: Mapping[str, str], name: str) -> float:
-    """Return the number that an entry of the header begins with (``"100Hz"`` gives 100).
-
-    Raises
-    ------
-    InputError
-        If the entry is missing, or no positive number.
-    """
-    text = required_text(source, header, name)
-    found = re.match(NUMBER, text)
-    value = to_number(found[0]) if found else None
-    if value is None or not 0.0 < value < math.inf:
-        source.fail(f"the header entry {name!r} is {text[:30]!r}; a positive number was expected.")
-    return value
-
-
-def promised_count(source: SourceText, rate: float, duration: float) -> int:
-    """Return the number of values in a record of `duration` [s] at `rate` [Hz].
-
-    Raises
-    ------
-    InputError
-        If that is not a number of values that a record can have.
-    """
-    count = rate * duration
-    if not 2 <= count <= 1e9:
-        source.fail(f"the header promises {count:.3g} values ({duration:g} s at {rate:g} Hz).")
-    return round(count)
+    unit = canonical_unit(text)
+    if unit is None:
+        msg = f"the unit {text!r} is not known; use one of {', '.join(_SIZES)}."
+        raise InputError(msg)
+    return _SIZES[unit]

@@ -6,12 +6,10 @@ Three or four lines of text, of which one says ``NPTS= 5372, DT= .0100 SEC`` or,
 
 import re
 
-from dcfp.motion.formats.component import Component, build_component, canonical_unit
-from dcfp.motion.formats.numbers import NUMBER, check_count, free_numbers
+from dcfp.motion.formats.component import Series
+from dcfp.motion.formats.numbers import NUMBER, canonical_unit, free_numbers
+from dcfp.motion.formats.registry import FORMATS, RecordFormat
 from dcfp.motion.formats.source import SourceText
-from dcfp.motion.ground_motion import Origin
-
-NAME = "PEER AT2"
 
 _HEADER_LINES = 8
 _NAMED = re.compile(rf"NPTS\s*=\s*(\d{{1,15}})\s*[,;]?\s*DT\s*=\s*({NUMBER})", re.IGNORECASE)
@@ -19,30 +17,33 @@ _OLDEST = re.compile(rf"^\s*(\d{{1,15}})\s*,?\s*({NUMBER})\s*,?\s*NPTS\s*,?\s*DT
 _UNIT = re.compile(r"IN UNITS? OF\s+([A-Z/0-9^*]+)", re.IGNORECASE)
 
 
-def recognises(source: SourceText) -> bool:
+def _recognises(source: SourceText) -> bool:
     """Whether one of the first lines holds both NPTS and DT."""
     return _size_line(source) is not None
 
 
-def read(source: SourceText) -> list[Component]:
-    """Return the one component of the file.
-
-    Raises
-    ------
-    InputError
-        If the header is incomplete, or does not agree with the values.
-    """
+def _read(source: SourceText) -> list[Series]:
     line = _size_line(source) or 0
     size = _NAMED.search(source.lines[line]) or _OLDEST.search(source.lines[line])
     if size is None:
         source.fail("NPTS and DT must be given as 'NPTS= 5372, DT= .0100 SEC'.", line=line + 1)
-    header = source.lines[: line + 1]
-    unit = _unit(source, " ".join(header))
-    values = free_numbers(source, line + 1)
-    check_count(source, values.size, int(size[1]))
-    time_step = float(size[2].upper().replace("D", "E"))
-    origin = _origin(source, header)
-    return [build_component(source, values, unit=unit, time_step=time_step, origin=origin)]
+    header = " ".join(source.lines[: line + 1])
+    # The line of names stands before the line of units, whatever comes ahead of it.
+    titles = [line.strip() for line in source.lines[:line] if not _UNIT.search(line)]
+    parts = [part.strip() for part in titles[-1].split(",")] if titles else []
+    component = parts.pop() if len(parts) > 2 else ""
+    station = parts.pop() if len(parts) > 1 else ""
+    return [
+        Series(
+            unit=_unit(source, header),
+            values=free_numbers(source, line + 1, int(size[1])),
+            time_step=float(size[2].upper().replace("D", "E")),
+            component=component,
+            event=", ".join(parts),
+            station=station,
+            processing=_processing(header),
+        )
+    ]
 
 
 def _size_line(source: SourceText) -> int | None:
@@ -63,25 +64,19 @@ def _unit(source: SourceText, header: str) -> str:
     return unit
 
 
-def _origin(source: SourceText, header: tuple[str, ...]) -> Origin:
-    # The line of names stands before the line of units, whatever comes ahead of it.
-    titles = [line.strip() for line in header[:-1] if not _UNIT.search(line)]
-    parts = [part.strip() for part in titles[-1].split(",")] if titles else []
-    component = parts.pop() if len(parts) > 2 else ""
-    station = parts.pop() if len(parts) > 1 else ""
-    return Origin(
-        event=", ".join(parts),
-        station=station,
-        component=component,
-        source=source.path.name,
-        file_format=NAME,
-        processing=_processing(" ".join(header)),
-        citation="PEER Ground Motion Database, Pacific Earthquake Engineering Research Center.",
-    )
-
-
 def _processing(header: str) -> str:
     corners = re.search(r"HP\s*=\s*([\d.]+)\s*Hz\s*,?\s*LP\s*=\s*([\d.]+)\s*Hz", header, re.IGNORECASE)
     if corners:
         return f"PEER processed: band-pass {corners[1]}-{corners[2]} Hz (header), baseline corrected"
     return "PEER processed: filtered and baseline corrected; the corners are not in the header"
+
+
+FORMATS.add(
+    "PEER AT2",
+    RecordFormat(
+        "Pacific Earthquake Engineering Research Center, old and NGA headers: one component of acceleration",
+        _recognises,
+        _read,
+        "PEER Ground Motion Database, Pacific Earthquake Engineering Research Center.",
+    ),
+)

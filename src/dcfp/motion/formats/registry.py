@@ -1,50 +1,69 @@
-"""Which format a file is in, and its components."""
+"""The formats of record files, each registered by its module; and which of them a file is in."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
-from dcfp.motion.formats import cosmos, csmip, cwb, esm, jma, kyoshin, peer, plain
-from dcfp.motion.formats.component import Component, unit_size
+from dcfp.motion.formats.component import Component, Series, component_of
+from dcfp.motion.formats.numbers import unit_size
 from dcfp.motion.formats.source import SourceText
-
-Recogniser = Callable[[SourceText], bool]
-Reader = Callable[[SourceText], list[Component]]
-
-#: The formats that state their own unit and time step, the most distinctive headers first.
-FORMATS: tuple[tuple[str, Recogniser, Reader], ...] = (
-    (cosmos.NAME, cosmos.recognises, cosmos.read),
-    (csmip.NAME, csmip.recognises, csmip.read),
-    (esm.NAME, esm.recognises, esm.read),
-    (jma.NAME, jma.recognises, jma.read),
-    (cwb.NAME, cwb.recognises, cwb.read),
-    (kyoshin.NAME, kyoshin.recognises, kyoshin.read),
-    (peer.NAME, peer.recognises, peer.read),
-)
+from dcfp.schema.registry import Registry
 
 
-def read_components(
-    source: SourceText, *, units: str | None = None, time_step: float | None = None
-) -> list[Component]:
+@dataclass(frozen=True)
+class RecordFormat:
+    """A format of record files.
+
+    Attributes
+    ----------
+    words
+        Whose files are in it, and what is in them.
+    recognises
+        Whether a file is in it, from its content.
+    read
+        Returns every component of such a file. It raises an `InputError` where the file is damaged: where its header is incomplete, or
+        does not agree with the values.
+    citation
+        How its data ask to be cited; empty when nothing is asked.
+    one_of_several
+        Whether the components of a record may be in files of the same stem, so that the name of a motion says which it is.
+    """
+
+    words: str
+    recognises: Callable[[SourceText], bool]
+    read: Callable[[SourceText], list[Series]]
+    citation: str = ""
+    one_of_several: bool = False
+
+
+#: The formats by their names.
+FORMATS: Registry[RecordFormat] = Registry("record format")
+#: What a file is in that no format recognises.
+PLAIN = "plain columns"
+
+
+def read_components(source: SourceText) -> list[Component]:
     """Return every component of a record file.
 
     Raises
     ------
     InputError
-        If the file is in no known format or damaged, or `units` or `time_step` contradict it.
+        If the file is in no known format or damaged, or contradicts what the user says of it.
     """
-    for name, recognises, read in FORMATS:
-        if recognises(source):
-            components = read(source)
-            for component in components:
-                _check_agreement(source, name, component, units, time_step)
-            return components
-    return plain.read(source, units, time_step)
+    name = next((name for name, one in FORMATS.items() if one.recognises(source)), PLAIN)
+    form = FORMATS[name]
+    found = form.read(source)
+    for series in found:
+        _check_agreement(source, name, series)
+    several = form.one_of_several or len(found) > 1
+    return [
+        component_of(source, series, name, series.citation or form.citation, several=several)
+        for series in found
+    ]
 
 
-def _check_agreement(
-    source: SourceText, name: str, component: Component, units: str | None, time_step: float | None
-) -> None:
-    if units is not None and unit_size(units) != unit_size(component.unit):
-        source.fail(f"the {name} file states its own unit, {component.unit}; leave out units={units!r}.")
-    stated = component.motion.time_step
-    if time_step is not None and abs(time_step - stated) > 1e-6 * stated:
-        source.fail(f"the {name} file states its own time step, {stated:g} s; leave out {time_step!r}.")
+def _check_agreement(source: SourceText, name: str, series: Series) -> None:
+    if source.units is not None and unit_size(source.units) != unit_size(series.unit):
+        source.fail(f"the {name} file states its own unit, {series.unit}; leave out units={source.units!r}.")
+    stated, given = series.time_step, source.time_step
+    if given is not None and abs(given - stated) > 1e-6 * stated:
+        source.fail(f"the {name} file states its own time step, {stated:g} s; leave out {given!r}.")

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import NoReturn
 
 from dcfp.errors import InputError
+from dcfp.schema.reading import read_bytes
 
 #: Largest file that is read [bytes]; the longest public records stay far below it.
 MAXIMUM_SIZE = 200_000_000
@@ -20,10 +21,14 @@ class SourceText:
         Where the file is, as the user wrote it.
     lines
         Its lines, without the ends of line.
+    units, time_step
+        What the user says of its unit and its time step [s]; None where it is left to the file.
     """
 
     path: Path
     lines: tuple[str, ...]
+    units: str | None = None
+    time_step: float | None = None
 
     def fail(self, reason: str, *, line: int | None = None) -> NoReturn:
         """Raise an `InputError` that names the file and, counted from 1, the line."""
@@ -32,18 +37,24 @@ class SourceText:
         raise InputError(msg)
 
 
-def read_source(path: Path) -> SourceText:
-    """Return the file as text.
+def read_source(path: Path, *, units: str | None = None, time_step: float | None = None) -> SourceText:
+    """Return a file as text.
 
     Raises
     ------
     InputError
         If there is no such file, or it is empty, too large, not readable or not text.
     """
-    return source_of(_read_bytes(path), path)
+    content = read_bytes(path, "check the path", most=MAXIMUM_SIZE + 1)
+    if len(content) > MAXIMUM_SIZE:
+        msg = f"{path}: the file is larger than {MAXIMUM_SIZE / 1e6:.0f} MB, so it is not one record."
+        raise InputError(msg)
+    return source_of(content, path, units=units, time_step=time_step)
 
 
-def source_of(content: bytes, path: Path) -> SourceText:
+def source_of(
+    content: bytes, path: Path, *, units: str | None = None, time_step: float | None = None
+) -> SourceText:
     """Return the content of a file as text; `path` is only its name, nothing is read from there.
 
     Raises
@@ -58,32 +69,7 @@ def source_of(content: bytes, path: Path) -> SourceText:
         msg = f"{path}: this is a binary file; a text file in one of the known record formats was expected."
         raise InputError(msg)
     text = _decode(content).replace("\r\n", "\n").replace("\r", "\n")
-    return SourceText(path, tuple(text.rstrip(" \t\n\x1a").split("\n")))
-
-
-def _read_bytes(path: Path) -> bytes:
-    try:
-        is_folder = path.is_dir()
-        content = b"" if is_folder else _read_limited(path)
-    except FileNotFoundError:
-        msg = f"{path}: there is no such file; check the path."
-        raise InputError(msg) from None
-    except (OSError, ValueError) as error:
-        # ValueError: a path with a NUL character in it.
-        msg = f"{path}: the file cannot be read ({error}); check the path and its permissions."
-        raise InputError(msg) from None
-    if is_folder:
-        msg = f"{path}: this is a folder; give the path of one record file in it."
-        raise InputError(msg)
-    if len(content) > MAXIMUM_SIZE:
-        msg = f"{path}: the file is larger than {MAXIMUM_SIZE / 1e6:.0f} MB, so it is not one record."
-        raise InputError(msg)
-    return content
-
-
-def _read_limited(path: Path) -> bytes:
-    with path.open("rb") as file:
-        return file.read(MAXIMUM_SIZE + 1)
+    return SourceText(path, tuple(text.rstrip(" \t\n\x1a").split("\n")), units, time_step)
 
 
 def _decode(content: bytes) -> str:
