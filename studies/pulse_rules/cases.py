@@ -21,7 +21,7 @@ from dcfp.methods.method import Information, Variant
 from dcfp.methods.prediction import Ground
 from dcfp.methods.pulses import CHANGE, HYSTERETIC, INPUT
 from dcfp.motion.named import VELOCITIES as PGVS
-from dcfp.motion.p695 import StoredRecord, all_keys, read_stored
+from dcfp.motion.named import StoredRecord, all_keys, read_stored
 
 Array = NDArray[np.float64]
 #: The records of the paper that are at hand.

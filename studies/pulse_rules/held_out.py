@@ -16,7 +16,7 @@ from dcfp.methods.li_2020.constants import PULSE, SIMPLIFIED
 from dcfp.methods.method import Information, Variant
 from dcfp.methods.pulse_march import NAME as MARCH
 from dcfp.methods.pulses import CHANGE, DISPLACEMENT, INPUT, TOTAL
-from dcfp.motion.p695 import StoredRecord
+from dcfp.motion.named import StoredRecord
 from dcfp.schema.quantities import Quantity
 
 Array = NDArray[np.float64]

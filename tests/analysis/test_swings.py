@@ -12,7 +12,7 @@ from dcfp.analysis.swings import Swings, _zero_of_parabola, swings_of
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import load_motion
-from dcfp.motion.p695 import all_keys, read_stored
+from dcfp.motion.named import all_keys, read_stored
 from dcfp.system import LI_2020, ConstantFriction, NoHeating
 
 NAMES = ["KNA", "NCC", "LPG", "IVD"]

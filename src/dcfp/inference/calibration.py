@@ -13,7 +13,7 @@ from dcfp.methods.method import Information, Variant, variants
 from dcfp.methods.prediction import Methods
 from dcfp.methods.pulses import PREDICTION_QUANTITIES, value_of
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.p695 import all_keys, read_stored
+from dcfp.motion.named import all_keys, read_stored
 from dcfp.schema.quantities import Quantity
 
 #: Words for the set.

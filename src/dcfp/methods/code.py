@@ -15,7 +15,7 @@ from dcfp.methods.spectra.of_record import PERIODS, input_energy_spectrum, respo
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.check import COLUMNS, Check, Verdict, at_least
 from dcfp.schema.formulas import Formula, number
-from dcfp.schema.notebook import card, with_units
+from dcfp.schema.notebook import card, told
 from dcfp.schema.parameters import Declared, Parameter, declared
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
@@ -83,10 +83,8 @@ class CodeResult:
         return f"within its limits, {unknown} not known" if unknown else "within its limits"
 
     def _repr_html_(self) -> str:
-        whole = code_objects([self])[0]
-        facts = {key: value for key, value in whole.items() if not isinstance(value, list)}
-        rows: list[dict[str, object]] = whole["conditions"]
-        return card(self.method, with_units(facts), rows=rows, remarks=self.remarks)
+        rows = Table(tuple(COLUMNS), self.conditions).objects()
+        return card(self.method, told(CODE_RESULTS, self), rows=rows, remarks=self.remarks)
 
 
 @declared

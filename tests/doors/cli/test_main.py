@@ -138,7 +138,7 @@ def test_a_terminal_without_the_signs_gets_question_marks() -> None:
 
 
 def test_a_progress_bar_appears_on_a_terminal_only(monkeypatch, capsys) -> None:
-    from dcfp.doors.cli import progress
+    from dcfp.doors.cli import console as progress
 
     monkeypatch.setattr(progress, "PATIENCE", 0.0)
     with progress.progress("analyses", 2) as advance:
@@ -146,7 +146,7 @@ def test_a_progress_bar_appears_on_a_terminal_only(monkeypatch, capsys) -> None:
     assert capsys.readouterr() == ("", "")
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
     started = []
-    monkeypatch.setattr("dcfp.doors.cli.progress.Timer", lambda wait, act: fake_timer(started, act))
+    monkeypatch.setattr("dcfp.doors.cli.console.Timer", lambda wait, act: fake_timer(started, act))
     with progress.progress("analyses", 2) as advance:
         advance()
     assert started == ["started", "cancelled"]

@@ -29,7 +29,7 @@ from dcfp.present.figures import (
 )
 from dcfp.present.figures.style import drawable
 from dcfp.present.panels import shown
-from dcfp.schema.digits import metres_per_second, millimetres, typeset
+from dcfp.schema.formulas import metres_per_second, millimetres, typeset
 
 LABELS = {
     plot_loop: ("$y$ [mm]", "$F$ [kN]"),

@@ -228,7 +228,7 @@ def test_an_unfinished_study(run, records, spoil, tmp_path):
         (("ida", "records", "--at", "radius"), "--at: write FACTOR=VALUE, for example radius=4500, not 'radius'"),
         (("ida", "records", "--at", "radius=4501"), "no radius of 4501 mm in this study; there is 4500 mm"),
         (("ida", "records", "--at", "radius=wide"), "radius is chosen by a number, not by 'wide'"),
-        (("ida", "records", "--at", "pgv=1", "pgv=2"), "pgv is chosen twice"),
+        (("ida", "records", "--at", "pgv=1", "pgv=2"), "--at: pgv is given twice"),
         (("ida", "records", "--at", "law=li2020"), "'law' is no factor of this study"),
         (("ida", "bearings"), "--at radius=... mu=..."),
         (("ida", "records", "--quantiles", "50"), "--quantiles: parts of the records that do not exceed must be a number above 0 and up to 0.9999, not '50' (were % meant?)."),

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TypeAlias
 
@@ -12,6 +12,7 @@ from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
 from dcfp.schema.checks import positive
 from dcfp.schema.notebook import fields_card
+from dcfp.schema.units import N_PER_MM, TONNE
 
 
 @dataclass(frozen=True)
@@ -109,8 +110,8 @@ class ShearBuilding:
     be given as fractions too.
     """
 
-    masses: tuple[float, ...]
-    stiffnesses: tuple[float, ...]
+    masses: tuple[float, ...] = field(metadata={"unit": TONNE})
+    stiffnesses: tuple[float, ...] = field(metadata={"unit": N_PER_MM})
     damping: Damping | None = TWO_PERCENT
 
     def __post_init__(self) -> None:

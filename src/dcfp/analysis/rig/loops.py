@@ -14,7 +14,7 @@ from dcfp.analysis.rig.program import RigTest
 from dcfp.arrays import FloatArray
 from dcfp.kernels import integrate as k
 from dcfp.schema.nomenclature import Quantities
-from dcfp.schema.notebook import card, with_units
+from dcfp.schema.notebook import card, told
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import DEGC, KN, KN_M, KN_PER_MM, MM, MM_PER_S, N_PER_MM2, NONE, SECOND
@@ -195,7 +195,7 @@ class Loops(Result):
         }
 
     def _repr_html_(self) -> str:
-        rows = [with_units(row) for row in cycle_objects(cycles_of_tests([self]))]
+        rows = [told(CYCLES, one) for one in cycles_of_tests([self])]
         return card(self.title, rows=rows, remarks=self.remarks)
 
 

@@ -5,7 +5,7 @@ import hashlib
 import io
 import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
@@ -17,6 +17,7 @@ from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
 from dcfp.schema.notebook import fields_card
 from dcfp.schema.reading import read_bytes
+from dcfp.schema.units import DEGC, NEWTON
 
 #: Units of each column: what the value is multiplied by to be in N, mm, s, degC.
 _LENGTHS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
@@ -67,9 +68,9 @@ class Measurement:
     name: str
     time: FloatArray
     displacement: FloatArray
-    optional_force: FloatArray | None
-    optional_load: FloatArray | None
-    optional_temperature: FloatArray | None
+    optional_force: FloatArray | None = field(metadata={"unit": NEWTON})
+    optional_load: FloatArray | None = field(metadata={"unit": NEWTON})
+    optional_temperature: FloatArray | None = field(metadata={"unit": DEGC})
     digest: str
 
     @property

@@ -2,13 +2,14 @@
 
 import itertools
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Protocol
 
 import numpy as np
 
 from dcfp.arrays import FloatArray, IntArray
 from dcfp.schema.notebook import fields_card
+from dcfp.schema.units import MM, N_MM, N_PER_MM, NEWTON
 
 #: Displacement, relative to the amplitude, up to which a branch of a loop is fitted by a line [-].
 _BRANCH = 0.5
@@ -100,15 +101,15 @@ class Cycle:
     """
 
     number: int
-    largest: float
-    least: float
-    force_at_largest: float
-    force_at_least: float
+    largest: float = field(metadata={"unit": MM})
+    least: float = field(metadata={"unit": MM})
+    force_at_largest: float = field(metadata={"unit": NEWTON})
+    force_at_least: float = field(metadata={"unit": NEWTON})
     load: float
-    energy: float
+    energy: float = field(metadata={"unit": N_MM})
     crossings: tuple[float, ...]
-    strength: float
-    post_yield_stiffness: float
+    strength: float = field(metadata={"unit": NEWTON})
+    post_yield_stiffness: float = field(metadata={"unit": N_PER_MM})
     peak_temperature: float
     steady_load: bool = True
 

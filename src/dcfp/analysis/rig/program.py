@@ -1,7 +1,7 @@
 """Test programs: what is done to a bearing, one test after another, and under which vertical load."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.schema.checks import finite
 from dcfp.schema.notebook import card, fields_card
+from dcfp.schema.units import SECOND
 from dcfp.system import Bearing
 
 # The vertical load of a test.
@@ -120,7 +121,7 @@ class RigTest:
     name: str
     waveform: Waveform
     load: VerticalLoad | None = None
-    pause: float | None = None
+    pause: float | None = field(default=None, metadata={"unit": SECOND})
     purpose: str = ""
     role: str = ""
 

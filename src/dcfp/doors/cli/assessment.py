@@ -2,14 +2,15 @@
 
 import argparse
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dcfp.doors.cli.console import Block, Page, grid
-from dcfp.doors.cli.outputs import Answer
-from dcfp.doors.cli.study import values_of_pairs
+from dcfp.doors.cli.console import Page, grid
+from dcfp.doors.cli.outputs import Answer, drawn
+from dcfp.doors.cli.study import values_in
 from dcfp.errors import InputError
 from dcfp.inference.design_space import PARTS, DesignSpace, held_table
 from dcfp.schema.table import Table
@@ -42,25 +43,28 @@ _MOST_PRINTED = 4
 def _opened(chosen: argparse.Namespace) -> "xarray.Dataset":
     """Return what is chosen of a study."""
     dataset = open_store(Path(chosen.store))
-    return select(dataset, values_of_pairs(dataset, chosen.at), keep=("record", "sample", *INTENSITIES))
+    return select(dataset, values_in(dataset, chosen.at), keep=("record", "sample", *INTENSITIES))
 
 
 def _answer(
     found: "xarray.Dataset",
     question: Sequence[tuple[str, str]],
-    tables: Sequence[Block],
-    rows: Sequence[dict[str, Any]],
-    csv: Table,
+    table: Table,
     draw: "Callable[[], Figure]",
+    *,
+    repeated: int = 0,
+    below: Table | None = None,
+    csv: Table | None = None,
     remarks: Sequence[str] = (),
     **more: Any,
 ) -> Answer:
-    """Return an answer about a study: the lines above its tables, the tables, the rows of JSON and of CSV, and the figure."""
+    """Return an answer about a study: the lines above its table, the table with `repeated` first columns, what is below it or in its place as CSV."""
     lines = [*lines_of(found), *question]
+    tables = [grid(table, repeated=repeated), *([] if below is None else [grid(below)])]
     return Answer(
-        lambda: document(found, rows, **more),
+        lambda: document(found, nested(table.objects()), **more),
         lambda: Page([lines, *tables], [*remarks_of(found), *remarks]),
-        lambda part, kind: csv.csv(),
+        lambda part, kind: (csv or table).csv(),
         draw,
     )
 
@@ -73,15 +77,8 @@ def ida(chosen: argparse.Namespace) -> Answer:
     values: xarray.DataArray = found[str(chosen.quantity)]
     words = described(values).words
     question = [("Question", f"{words}: what parts of {found.sizes['record']} records do not exceed")]
-
-    def draw() -> "Figure":
-        from dcfp.present.figures.assessment import plot_ida  # late: Matplotlib takes long to import
-
-        figure: Any = plot_ida(found).figure
-        return figure
-
-    rows = nested(table.objects())
-    return _answer(found, question, [grid(table)], rows, table, draw, quantity=chosen.quantity)
+    draw = drawn("assessment.plot_ida", found)
+    return _answer(found, question, table, draw, quantity=chosen.quantity)
 
 
 def fragility(chosen: argparse.Namespace) -> Answer:
@@ -97,28 +94,20 @@ def fragility(chosen: argparse.Namespace) -> Answer:
         unfinished=chosen.unfinished,
     )
     about = found.attrs
-    table = fragility_table(found)
     question = [
         ("Question", f"at which intensity {about['quantity'].replace('_', ' ')} exceeds the capacity"),
         ("From", f"{about['records']} records of {about['earthquakes']} earthquakes"),
     ]
     few = found.sizes["capacity"] <= _MOST_PRINTED
     bounds = f"Bounds hold {100.0 * about['confidence']:g} % of {about['draws']} draws of whole earthquakes with replacement."
-
-    def draw() -> "Figure":
-        from dcfp.present.figures.assessment import plot_fragility  # late: Matplotlib takes long to import
-
-        figure: Any = plot_fragility(found).figure
-        return figure
-
     return _answer(
         found,
         question,
-        [grid(table), *([grid(fragility_observed(found))] if few else [])],
-        table.objects(),
-        fragility_curves(found),
-        draw,
-        [bounds],
+        fragility_table(found),
+        drawn("assessment.plot_fragility", found),
+        below=fragility_observed(found) if few else None,
+        csv=fragility_curves(found),
+        remarks=[bounds],
         quantity=chosen.quantity,
         confidence=chosen.confidence,
         draws=about["draws"],
@@ -134,27 +123,18 @@ def bounds(chosen: argparse.Namespace) -> Answer:
     found = assessment.bounds(
         dataset,
         chosen.over,
-        {**NOMINAL, **values_of_pairs(dataset, chosen.nominal)},
+        {**NOMINAL, **values_in(dataset, chosen.nominal)},
         chosen.quantities or QUANTITIES,
         chosen.quantiles or (0.5, 0.84),
         unfinished=chosen.unfinished,
     )
-    table = bounds_table(found)
     over, nominal = str(found.attrs["over"]), str(found.attrs["nominal"])
     question = [
         ("Question", f"between which bounds the results are over {over.replace(', ', ' and ')}"),
         ("Nominal", nominal),
     ]
-
-    def draw() -> "Figure":
-        from dcfp.present.figures.assessment import plot_bounds  # late: Matplotlib takes long to import
-
-        return plot_bounds(found)
-
-    shown = grid(table, repeated=2)
-    return _answer(
-        found, question, [shown], table.objects(), table, draw, over=over.split(", "), nominal=nominal
-    )
+    draw, told = drawn("assessment.plot_bounds", found), {"over": over.split(", "), "nominal": nominal}
+    return _answer(found, question, bounds_table(found), draw, repeated=2, **told)
 
 
 def sensitivity(chosen: argparse.Namespace) -> Answer:
@@ -167,27 +147,18 @@ def sensitivity(chosen: argparse.Namespace) -> Answer:
         confidence=chosen.confidence,
         seed=chosen.seed,
     )
-    table = sensitivity_table(found)
     of = "the logarithm of " if found.attrs["logarithm"] else ""
     words = str(found.attrs["quantity"]).replace("_", " ")
     question = [
         ("Question", f"from which factor the variance of {of}{words} comes"),
         ("Records", str(found.attrs["over_records"])),
     ]
-
-    def draw() -> "Figure":
-        from dcfp.present.figures.assessment import plot_sensitivity  # late: Matplotlib takes long to import
-
-        return plot_sensitivity(found)
-
-    left = found["S1"].ndim - 1
     return _answer(
         found,
         question,
-        [grid(table, repeated=left)],
-        table.objects(),
-        table,
-        draw,
+        sensitivity_table(found),
+        drawn("assessment.plot_sensitivity", found),
+        repeated=found["S1"].ndim - 1,
         quantity=chosen.quantity,
         over_records=found.attrs["over_records"],
         logarithm=chosen.logarithm,
@@ -207,16 +178,11 @@ def chart(chosen: argparse.Namespace) -> Answer:
         ("From", f"{space.records} records of {len(set(space.events))} earthquakes"),
     ]
     remarks = _chart_remarks(dataset, space, chosen.allow, parts)
-
-    def draw() -> "Figure":
-        from dcfp.present.figures.assessment import plot_design_chart  # late: it takes long to import
-
-        return plot_design_chart([space], chosen.allow)
-
+    draw = drawn("assessment.plot_design_chart", [space], chosen.allow)
     told = {"allowed_mm": chosen.allow, "records": space.records}
-    answer = _answer(dataset, question, [grid(table)], table.objects(), table, draw, remarks, **told)
+    answer = _answer(dataset, question, table, draw, remarks=remarks, **told)
     every = [*remarks_of(dataset), *remarks]
-    return Answer(lambda: {**answer.document(), "remarks": every}, answer.page, answer.data, answer.figure)
+    return replace(answer, document=lambda: {**answer.document(), "remarks": every})
 
 
 def _chart_remarks(

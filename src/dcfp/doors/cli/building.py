@@ -6,9 +6,8 @@ from dcfp.analysis import respond
 from dcfp.analysis.building import StiffnessProportional, respond_building, uniform_building
 from dcfp.analysis.building.response import BESIDE_RIGID, BesideRigid
 from dcfp.doors.cli import inputs
-from dcfp.doors.cli.console import Page, grid
+from dcfp.doors.cli.console import each
 from dcfp.doors.cli.outputs import Answer
-from dcfp.doors.cli.progress import progress
 from dcfp.schema.table import Table
 
 _LEGEND = (
@@ -22,13 +21,11 @@ def run(chosen: argparse.Namespace) -> Answer:
     system = inputs.system(chosen)
     damping = StiffnessProportional(chosen.damping) if chosen.damping else None
     building = uniform_building(chosen.storeys, chosen.fixed_base_period, damping=damping)
-    motions = inputs.scaled(inputs.load_motions(chosen), chosen.pgv)
-    found: list[BesideRigid] = []
-    with progress("analyses", len(motions)) as advance:
-        for motion in motions:
-            found.append(BesideRigid(respond_building(motion, building, system), respond(motion, system)))
-            advance()
-    table = Table(tuple(BESIDE_RIGID), found)
+    found = each(
+        "analyses",
+        inputs.motions(chosen),
+        lambda motion: BesideRigid(respond_building(motion, building, system), respond(motion, system)),
+    )
     periods = ", ".join(f"{period:.2f}" for period in building.fixed_base_periods[:3])
     lines = [
         ("Bearing", str(system.bearing)),
@@ -36,4 +33,4 @@ def run(chosen: argparse.Namespace) -> Answer:
         ("Building", f"{building.storeys} equal storeys; first periods on a fixed base {periods} s"),
     ]
     remarks = [*(remark for one in found for remark in one.remarks), _LEGEND]
-    return Answer(table.objects, lambda: Page([lines, grid(table)], remarks), lambda part, kind: table.csv())
+    return Answer.of_table(Table(tuple(BESIDE_RIGID), found), lines, remarks)

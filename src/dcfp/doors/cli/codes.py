@@ -2,14 +2,11 @@
 
 import argparse
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from dcfp.doors.cli import inputs
-from dcfp.doors.cli.console import Block, Page, grid
-from dcfp.doors.cli.outputs import Answer
+from dcfp.doors.cli.console import Block, Page, each, grid
+from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.doors.cli.predict import nominal
-from dcfp.doors.cli.progress import progress
-from dcfp.methods.asce_2016 import Asce2016Spectrum
 from dcfp.methods.code import ROUNDS, Bounds, CodeResult, Structure
 from dcfp.methods.code_comparison import (
     CODE_COMPARISONS,
@@ -21,17 +18,13 @@ from dcfp.methods.code_comparison import (
     lines_of,
 )
 from dcfp.methods.equivalent_linear import PendulumWithFriction
-from dcfp.methods.eurocode_8 import Eurocode8Spectrum
-from dcfp.methods.spectra import Notification2000Spectrum
-from dcfp.methods.spectra.elastic import ElasticSpectrum, read_spectrum
+from dcfp.methods.spectra.elastic import DESIGN_SPECTRA, ElasticSpectrum, read_spectrum
 from dcfp.schema.check import COLUMNS, Verdict
+from dcfp.schema.parameters import parameters
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import NONE
 from dcfp.system import System
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 #: Most records whose broken conditions are named one by one.
 _FEW = 8
@@ -62,48 +55,39 @@ def run(chosen: argparse.Namespace) -> Answer:
         remarks = _remarks(comparisons, system, details=chosen.details)
         return Page([lines, grid(table, repeated=2 if of_records else 1), *details], remarks)
 
-    def figure() -> "Figure":
-        from dcfp.present.figures.motions import plot_codes  # late: Matplotlib takes long to import
-
-        return plot_codes(comparisons)
-
     return Answer(
         lambda: Table(tuple(CODE_COMPARISONS), comparisons).objects(),
         page,
         lambda part, kind: Table(
             line_quantities(), [one for comparison in comparisons for one in lines_of(comparison)]
         ).csv(),
-        figure,
+        drawn("motions.plot_codes", comparisons),
     )
 
 
 def _compared(chosen: argparse.Namespace, system: System, friction: float) -> list[CodeComparison]:
-    site = None if chosen.site_class is None else chosen.site_class.strip().upper()
-    known = inputs.given(chosen, "fixed_base_period", "height", "plan", "fault_distance", "weight_above")
-    structure = Structure(**known, site_class=site)
+    structure = Structure(**inputs.given(chosen, Structure))
     bounds = None if chosen.bounds is None else Bounds(*chosen.bounds, source="as given")
     spectrum = _spectrum(chosen)
     if spectrum is not None:
         pendulum = PendulumWithFriction(system.bearing.effective_radius, friction)
         return [codes_under_spectrum(spectrum, pendulum, structure, bounds)]
-    motions = inputs.scaled(inputs.load_motions(chosen), chosen.pgv)
-    comparisons: list[CodeComparison] = []
-    with progress("records", len(motions)) as advance:
-        for motion in motions:
-            comparisons.append(codes_under_record(motion, system, friction, structure, bounds))
-            advance()
+    comparisons = each(
+        "records",
+        inputs.motions(chosen),
+        lambda motion: codes_under_record(motion, system, friction, structure, bounds),
+    )
     if chosen.of_set is not None:
         return [codes_under_set(comparisons, chosen.of_set or None, bounds)]
     return comparisons
 
 
 def _spectrum(chosen: argparse.Namespace) -> ElasticSpectrum | None:
-    if chosen.asce is not None:
-        return Asce2016Spectrum(*chosen.asce)
-    if chosen.eurocode is not None:
-        return Eurocode8Spectrum(chosen.eurocode, (chosen.ground or "B").upper(), chosen.type or 1)
-    if chosen.japan is not None:
-        return Notification2000Spectrum(chosen.japan)
+    for name, kind in DESIGN_SPECTRA.items():
+        if (values := getattr(chosen, name)) is not None:
+            keys = {one.key: one.name for one in parameters(kind).values()}
+            own = {keys[key]: getattr(chosen, key) for key in kind.own_options()}
+            return kind(*values, **{field: value for field, value in own.items() if value is not None})
     return None if chosen.spectrum is None else read_spectrum(chosen.spectrum)
 
 

@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from dcfp.doors.cli import options
-from dcfp.doors.cli.parser import Parser, add_parameter, add_parameters
+from dcfp.doors.cli.parser import Pairs, Parser, add_declared, add_parameter, add_parameters, add_switch
 from dcfp.errors import InputError
 from dcfp.files import DATA_EXTENSIONS
-from dcfp.schema.parameters import Parameter, parameters
-from dcfp.schema.units import FRACTION, KM, M_PER_S2, METRE, MM, NONE, SECOND
+from dcfp.schema.parameters import PGV, Parameter, parameters
+from dcfp.schema.units import FRACTION, MM, NONE, SECOND
 
 if TYPE_CHECKING:
     from dcfp.doors.cli.outputs import Answer
@@ -21,50 +21,30 @@ RECORD = "name of a record (dcfp records lists them) or a file, FILE::COMPONENT"
 RECORD_OR_SET = "name of a record or set, or a file, FILE::COMPONENT"
 FIGURE = "a figure"
 
-STOREYS = Parameter("number of storeys", NONE, 1, 60, kind=int, default=5)
-FIXED_BASE_PERIOD = Parameter("first period on a fixed base", SECOND, 0.01, 10.0, default=0.5)
-BUILDING_DAMPING = Parameter(
-    "damping ratio of the first mode on a fixed base, proportional to the stiffness",
-    FRACTION,
-    0.0,
-    0.5,
-    default=0.02,
-)
-ALLOWED = Parameter("displacement that is to hold", MM, 1.0, 1e4)
-DAMPING = Parameter("ratio of critical damping", FRACTION, 0.0, 0.99, default=0.05)
-PERIODS = Parameter("increasing periods", SECOND, 0.01, 100.0, more="default 200 from 0.05 to 10")
-ASCE = (
-    Parameter("S_MS in g", NONE, 1e-3, 10.0),
-    Parameter("S_M1 in g", NONE, 1e-3, 10.0),
-    Parameter("T_L", SECOND, 0.1, 30.0, default=8.0),
-)
-EUROCODE = Parameter("ground acceleration a_g on ground type A", M_PER_S2, 0.01, 50.0)
-SPECTRUM_TYPE = Parameter("type of the spectrum of Eurocode 8; 1 unless given", NONE, 1, 2, kind=int)
-SOIL = Parameter("very rare earthquake of Notification 1457 on a soil class", NONE, 1, 3, kind=int)
+#: A building of equal storeys.
+BUILDING = (
+    Parameter("number of storeys", NONE, 1, 60, key="storeys", kind=int, default=5),
+    Parameter("first period on a fixed base", SECOND, 0.01, 10.0, key="fixed_base_period", default=0.5),
+    Parameter(
+        "damping ratio of the first mode on a fixed base, proportional to the stiffness",
+        FRACTION, 0.0, 0.5, key="damping", default=0.02,
+    ),
+)  # fmt: skip
+#: Elastic oscillators.
+DAMPING = Parameter("ratio of critical damping", FRACTION, 0.0, 0.99, key="damping", default=0.05)
+PERIODS = Parameter("increasing periods", SECOND, 0.01, 100.0, key="periods", more="default 200 from 0.05 to 10")  # fmt: skip
+#: The design that prototype tests are of.
+DESIGN = (
+    Parameter("maximum displacement D_M or d_bd", MM, 1.0, 1e4, key="displacement"),
+    Parameter("effective period at that displacement", SECOND, 0.1, 100.0, key="period"),
+    Parameter(
+        "maximum displacement with torsion", MM, 1.0, 1e4,
+        key="total_displacement", more="default 1.15 times the displacement",
+    ),
+)  # fmt: skip
+ALLOWED = Parameter("displacement that is to hold", MM, 1.0, 1e4, key="allow")
 PART = Parameter("percentage", NONE, 1.0, 99.0)
-STRUCTURE = {
-    "fixed_base_period": Parameter(
-        "period of the structure without isolation; 0 for a rigid one", SECOND, 0.0, 10.0
-    ),
-    "height": Parameter("height above the isolation", METRE, 0.0, 1000.0, above=True),
-    "plan": Parameter("larger dimension of the plan", METRE, 0.0, 1000.0, above=True),
-    "fault_distance": Parameter("distance to a fault of magnitude 6.5 or more", KM, 0.0, 1e4, above=True),
-    "weight_above": Parameter(
-        "weight above the base level over the whole, for V_st of ASCE 7", FRACTION, 0.0, 0.9999, above=True
-    ),
-}
-BOUNDS = (
-    Parameter("property modification factor lambda_min on the friction", NONE, 0.1, 10.0),
-    Parameter("lambda_max", NONE, 0.1, 10.0),
-)
-DESIGN = {
-    "displacement": Parameter("maximum displacement D_M or d_bd", MM, 1.0, 1e4),
-    "period": Parameter("effective period at that displacement", SECOND, 0.1, 100.0),
-    "total_displacement": Parameter(
-        "maximum displacement with torsion", MM, 1.0, 1e4, more="default 1.15 times the displacement"
-    ),
-}
-PORT = Parameter("port", NONE, 1, 65535, kind=int, default=8080)
+PORT = Parameter("port", NONE, 1, 65535, key="port", kind=int, default=8080)
 
 
 @dataclass(frozen=True)
@@ -126,14 +106,10 @@ def command(
 @command("app")
 def app(parser: Parser) -> None:
     """Web page: response, test machine and design chart, served to a browser on this machine."""
-    parser.add_argument(
-        "--host",
-        default="127.0.0.1",
-        metavar="ADDRESS",
-        help="address to serve at; by default 127.0.0.1, which only this machine can reach",
-    )
-    add_parameter(parser, PORT, "port", default=True)
-    parser.add_argument("--no-browser", action="store_true", help="do not open a browser")
+    words = "address to serve at; by default 127.0.0.1, which only this machine can reach"
+    parser.add_argument("--host", default="127.0.0.1", metavar="ADDRESS", help=words)
+    add_parameter(parser, PORT, default=True)
+    add_switch(parser, "--no-browser", "do not open a browser")
 
 
 @command("building")
@@ -141,61 +117,60 @@ def building(parser: Parser) -> None:
     """Multi-storey shear building on the bearing, beside the rigid structure: energies, drifts and floor accelerations."""
     options.add_records(parser, "+", RECORD_OR_SET)
     group = parser.add_argument_group("building: equal storeys on a base as heavy as a floor")
-    add_parameter(group, STOREYS, "storeys", default=True)
-    add_parameter(group, FIXED_BASE_PERIOD, "fixed_base_period", default=True)
-    add_parameter(group, BUILDING_DAMPING, "damping", default=True)
+    for one in BUILDING:
+        add_parameter(group, one, default=True)
     options.add_treatment(parser)
     options.add_bearing(parser)
     options.add_output(parser, "a line for each analysis as CSV (.csv)")
 
 
 def _check_codes(chosen: argparse.Namespace) -> None:
-    given = [name for name in ("asce", "eurocode", "japan", "spectrum") if getattr(chosen, name) is not None]
-    names = [*chosen.records, *chosen.later_records]
-    if len(given) + bool(names) != 1:
-        what = ", ".join([*(f"--{name}" for name in given), *names[:1]]) or "nothing"
-        msg = f"give either records or one of --asce, --eurocode, --japan and --spectrum, not {what}."
+    from dcfp.methods.spectra.elastic import DESIGN_SPECTRA  # late: other commands need no methods
+
+    known = sorted(DESIGN_SPECTRA)
+    given = [name for name in (*known, "spectrum") if getattr(chosen, name) is not None]
+    if len(given) + bool(chosen.records) != 1:
+        what = ", ".join([*(f"--{name}" for name in given), *chosen.records[:1]]) or "nothing"
+        choices = ", ".join(f"--{name}" for name in known)
+        msg = f"give either records or one of {choices} and --spectrum, not {what}."
         raise InputError(msg)
     for name, words in (("of_set", "is of records"), ("pgv", "scales records")):
         if given and getattr(chosen, name) is not None:
             msg = f"--{name.replace('_', '-')} {words}, and --{given[0]} is none; leave out one of the two."
             raise InputError(msg)
-    for name in ("ground", "type"):
-        if getattr(chosen, name) is not None and chosen.eurocode is None:
-            msg = f"--{name} belongs to --eurocode."
-            raise InputError(msg)
+    for name in known:
+        for key in DESIGN_SPECTRA[name].own_options():
+            if getattr(chosen, key) is not None and name not in given:
+                msg = f"--{key} belongs to --{name}."
+                raise InputError(msg)
 
 
 @command("codes", check=_check_codes)
 def codes(parser: Parser) -> None:
     """Displacement and base shear by ASCE 7, Eurocode 8 and the AIJ, from records or a design spectrum, each with its verdict."""
-    options.add_records(
-        parser, "*", "name of a record or set, or a file: the record's own spectrum, beside its analysis"
-    )
+    from dcfp.methods.code import Bounds, Structure  # late: other commands need no codes
+    from dcfp.methods.prediction import Constants
+    from dcfp.methods.spectra.elastic import DESIGN_SPECTRA
+
+    words = "name of a record or set, or a file: the record's own spectrum, beside its analysis"
+    options.add_records(parser, "*", words)
     group = parser.add_argument_group("design spectrum, instead of records")
-    add_parameters(group, ASCE, "asce", least=2)
-    add_parameter(group, EUROCODE, "eurocode")
-    group.add_argument("--ground", metavar="TYPE", help="ground type of Eurocode 8, A to E; B unless given")
-    add_parameter(group, SPECTRUM_TYPE, "type")
-    add_parameter(group, SOIL, "japan")
-    group.add_argument(
-        "--spectrum", metavar="FILE.csv", help="periods and pseudo-accelerations at a damping of 5 %%"
-    )
+    for name, kind in sorted(DESIGN_SPECTRA.items()):
+        least, most = kind.behind
+        add_parameters(group, list(parameters(kind).values())[:most], name, least, kind.words)
+        for one in kind.own_options().values():
+            add_parameter(group, replace(one, more=f"of --{name}"))
+    words = "periods and pseudo-accelerations at a damping of 5 %%"
+    group.add_argument("--spectrum", metavar="FILE.csv", help=words)
     group = parser.add_argument_group("building and site, for the conditions of the codes")
-    for name, parameter in STRUCTURE.items():
-        add_parameter(group, parameter, name)
-    group.add_argument("--site-class", metavar="A-F", help="site class of ASCE 7")
-    add_parameter(group, options.NOMINAL, "nominal_mu", more="as for predict")
-    add_parameters(group, BOUNDS, "bounds", least=2)
-    parser.add_argument(
-        "--of-set",
-        type=_part,
-        metavar="mean|PERCENT",
-        help="take all records as one: the geometric mean of their spectra, or what so many percent of them stay below",
-    )
-    parser.add_argument(
-        "--details", action="store_true", help="also every condition and every round of the iterations"
-    )
+    add_declared(group, Structure)
+    add_declared(group, Constants, "nominal_friction", more={"nominal_friction": "as for predict"})
+    bounds = parameters(Bounds)
+    words = "property modification factors lambda_min and lambda_max on the friction [-]"
+    add_parameters(group, [bounds["least"], bounds["largest"]], "bounds", 2, words)
+    words = "take all records as one: the geometric mean of their spectra, or what so many percent of them stay below"
+    parser.add_argument("--of-set", type=_part, metavar="mean|PERCENT", help=words)
+    add_switch(parser, "--details", "also every condition and every round of the iterations")
     options.add_treatment(parser)
     options.add_bearing(parser)
     options.add_output(parser, "a line for each method as CSV (.csv)", FIGURE)
@@ -220,16 +195,12 @@ def _check_compare(chosen: argparse.Namespace) -> None:
 @command("compare", check=_check_compare)
 def compare(parser: Parser) -> None:
     """Predictions against response history analysis, for any set of records and PGVs: ratios, scatter, refitted constants."""
-    options.add_records(
-        parser,
-        "+",
-        "name of a record or a file, FILE::COMPONENT; or of a set: P695 (100 components), P695-FF, P695-NF",
+    words = (
+        "name of a record or a file, FILE::COMPONENT; or of a set: P695 (100 components), P695-FF, P695-NF"
     )
-    parser.add_argument(
-        "--held-out",
-        action="store_true",
-        help="also constants and intervals from half of the earthquakes, judged on the other half",
-    )
+    options.add_records(parser, "+", words)
+    words = "also constants and intervals from half of the earthquakes, judged on the other half"
+    add_switch(parser, "--held-out", words)
     options.add_treatment(parser)
     options.add_method(parser)
     options.add_bearing(parser)
@@ -239,21 +210,14 @@ def compare(parser: Parser) -> None:
 @command("export", "scenario:export")
 def export(parser: Parser) -> None:
     """Write a scenario for another program: a script for OpenSees, a workbook for spreadsheets, or NetCDF and CSV."""
-    parser.add_argument(
-        "scenario",
-        metavar="SCENARIO.toml",
-        help="study file of one bearing: records, intensities, bearing (dcfp study new writes one)",
-    )
-    options.add_output(
-        parser,
-        "file to write: .py runs with openseespy alone (of one record and intensity), .xlsx is a workbook, .nc and .csv hold the analyses",
-        kinds=(".py", ".xlsx", ".nc", ".csv"),
-        required=True,
-    )
+    words = "study file of one bearing: records, intensities, bearing (dcfp study new writes one)"
+    parser.add_argument("scenario", metavar="SCENARIO.toml", help=words)
+    words = "file to write: .py runs with openseespy alone (of one record and intensity), .xlsx is a workbook, .nc and .csv hold the analyses"
+    options.add_output(parser, words, kinds=(".py", ".xlsx", *DATA_EXTENSIONS), required=True)
 
 
 def _check_identify(chosen: argparse.Namespace) -> None:
-    if not [*chosen.files, *chosen.later_records]:
+    if not chosen.files:
         msg = "name at least one FILE, a measured test as CSV with time, displacement, force and load."
         raise InputError(msg)
     if chosen.friction is not None and chosen.friction != "fitted":
@@ -270,26 +234,20 @@ def _check_identify(chosen: argparse.Namespace) -> None:
 @command("identify", check=_check_identify)
 def identify(parser: Parser) -> None:
     """Friction law from measured tests: estimates, 95 % intervals, and tests that were held out."""
-    parser.add_argument(
-        "files",
-        nargs="*",
-        metavar="FILE",
-        help="measured tests as CSV, whose head names time, displacement, force and load with their units",
+    words = "measured tests as CSV, whose head names time, displacement, force and load with their units"
+    parser.add_argument("files", nargs="*", metavar="FILE", help=words)
+    words = "tests to predict by the law, not to fit"
+    parser.add_argument("--hold-out", nargs="+", default=[], metavar="FILE", help=words)
+    words = (
+        "parameters to fit: mu_0, pressure_exponent, pressure_floor, speed_drop, speed_rate, temperature_rate, conductivity;"
+        " by default all but pressure_floor and conductivity, as far as the data determine them"
     )
-    parser.add_argument(
-        "--hold-out", nargs="+", default=[], metavar="FILE", help="tests to predict by the law, not to fit"
-    )
-    parser.add_argument(
-        "--fit",
-        nargs="+",
-        metavar="NAME",
-        help="parameters to fit: mu_0, pressure_exponent, pressure_floor, speed_drop, speed_rate, temperature_rate, conductivity;"
-        " by default all but pressure_floor and conductivity, as far as the data determine them",
-    )
+    parser.add_argument("--fit", nargs="+", metavar="NAME", help=words)
     parser.add_argument(
         "--fix",
-        nargs="+",
-        default=[],
+        action=Pairs,
+        read=float,
+        example="pressure_exponent=0.19",
         metavar="NAME=VALUE",
         help="values of others, in the units of a bearing file; also reference_pressure, reference_temperature and diffusivity",
     )
@@ -303,14 +261,13 @@ def identify(parser: Parser) -> None:
 
 
 def _check_predict(chosen: argparse.Namespace) -> None:
-    names = [*chosen.records, *chosen.later_records]
     if chosen.allow is not None:
         _check_design(chosen)
     if chosen.pgv_only is None:
         chosen.needs_records = True
         return
-    if names:
-        msg = f"--pgv-only takes no record; leave out {names[0]}, or say --pgv."
+    if chosen.records:
+        msg = f"--pgv-only takes no record; leave out {chosen.records[0]}, or say --pgv."
         raise InputError(msg)
     for name in ("component", "units", "time_step", "baseline", "high_pass", "threshold"):
         if getattr(chosen, name):
@@ -338,21 +295,12 @@ def _check_design(chosen: argparse.Namespace) -> None:
 def predict(parser: Parser) -> None:
     """Displacement and energy from the velocity pulses of a record, or from the PGV alone, without a response history analysis."""
     options.add_records(parser, "*", RECORD)
-    only = replace(
-        options.PGV, words="instead of records: the design method for these peak ground velocities"
-    )
-    add_parameter(parser, only, "pgv_only", several=True)
-    parser.add_argument(
-        "--interval",
-        action="store_true",
-        help="also where 90 %% of analyses lie, from the 100 components of FEMA P-695 at the same PGV",
-    )
-    add_parameter(
-        parser,
-        ALLOWED,
-        "allow",
-        more="with --pgv-only: which friction and radius hold y_max to it; --plot draws the chart",
-    )
+    words = "instead of records: the design method for these peak ground velocities"
+    add_parameter(parser, replace(PGV, words=words, key="pgv_only"), several=True)
+    words = "also where 90 %% of analyses lie, from the 100 components of FEMA P-695 at the same PGV"
+    add_switch(parser, "--interval", words)
+    more = "with --pgv-only: which friction and radius hold y_max to it; --plot draws the chart"
+    add_parameter(parser, replace(ALLOWED, more=more))
     options.add_treatment(parser)
     options.add_method(parser)
     options.add_bearing(parser)
@@ -360,7 +308,7 @@ def predict(parser: Parser) -> None:
 
 
 def _check_records(chosen: argparse.Namespace) -> None:
-    if chosen.records or chosen.later_records:
+    if chosen.records:
         return
     if chosen.plot is not None:
         msg = "--plot draws the histories of records; name at least one RECORD."
@@ -391,40 +339,37 @@ def _name_report(chosen: argparse.Namespace) -> None:
 @command("report", "scenario:report", _name_report)
 def report(parser: Parser) -> None:
     """Write the calculation report of a scenario, as PDF or as one page of HTML: inputs, formulas with numbers, results, checks and verdicts."""
-    parser.add_argument(
-        "scenario",
-        metavar="SCENARIO.toml",
-        help="a bearing and its ground motions: a study file in which only record and intensity vary, with a table [report]",
-    )
-    options.add_output(
-        parser,
-        "the report as .pdf or .html; by default SCENARIO.pdf in the current folder, with --json none",
-        kinds=(".pdf", ".html", ".htm"),
-    )
+    words = "a bearing and its ground motions: a study file in which only record and intensity vary, with a table [report]"
+    parser.add_argument("scenario", metavar="SCENARIO.toml", help=words)
+    words = "the report as .pdf or .html; by default SCENARIO.pdf in the current folder, with --json none"
+    options.add_output(parser, words, kinds=(".pdf", ".html", ".htm"))
     parser.set_defaults(noun="a report")
 
 
-@command("reproduce")
+@command("reproduce", "verify:reproduce")
 def reproduce(parser: Parser) -> None:
     """Make the findings and figures of Li et al. (2020), section 6, again, and put them beside what the paper prints."""
     parser.add_argument(
         "files",
         nargs="*",
+        action=Pairs,
+        example="JKB=kobe.csv::NS",
         metavar="NAME=FILE",
         help="a record of the paper that does not come with the package, where you have it: JKB, TC1, TSD or TIM and its file",
     )
-    options.add_output(
-        parser, "one page with findings and figures (.html)", "all figures on one sheet", (".html",)
-    )
+    words = "one page with findings and figures (.html)"
+    options.add_output(parser, words, "all figures on one sheet", (".html",))
 
 
 @command("respond")
 def respond(parser: Parser) -> None:
     """Response history analysis of a rigid structure on a friction pendulum bearing."""
+    from dcfp.analysis.integration import Integration  # late: other commands analyse nothing
+
     options.add_records(parser, "+", RECORD)
     options.add_treatment(parser)
     options.add_bearing(parser)
-    options.add_integration(parser)
+    add_declared(parser.add_argument_group("integration"), Integration)
     options.add_output(
         parser,
         "results as NetCDF (.nc) or CSV (.csv; of several analyses the peaks only), with predictions and codes as a workbook (.xlsx),"
@@ -439,8 +384,8 @@ def spectrum(parser: Parser) -> None:
     """Elastic response and input energy spectra of records, or of a set of them."""
     options.add_records(parser, "+", RECORD_OR_SET)
     group = parser.add_argument_group("oscillators")
-    add_parameter(group, DAMPING, "damping", default=True)
-    add_parameter(group, PERIODS, "periods", several=True)
+    add_parameter(group, DAMPING, default=True)
+    add_parameter(group, PERIODS, several=True)
     options.add_treatment(parser)
     options.add_output(parser, "every period of every record as CSV (.csv)", FIGURE)
 
@@ -459,34 +404,28 @@ def test(parser: Parser) -> None:
     """Virtual test machine: a bearing through the tests of a program, measures of every cycle, checks of codes."""
     from dcfp.analysis.integration import Integration  # late: other commands analyse nothing
 
-    parser.add_argument(
-        "program",
-        metavar="PROGRAM",
-        help="dependency or asce (Li et al. 2020, Tables 1 and 2); asce7-16 or en15129 (prototype tests of a design); or a file: a program as "
-        ".toml, a measured displacement as .csv",
+    words = (
+        "dependency or asce (Li et al. 2020, Tables 1 and 2); asce7-16 or en15129 (prototype tests of a design); or a file: a program as "
+        ".toml, a measured displacement as .csv"
     )
+    parser.add_argument("program", metavar="PROGRAM", help=words)
     parser.add_argument("--tests", nargs="+", metavar="NAME", help="only these tests of the program")
-    parser.add_argument(
-        "--compare",
-        action="store_true",
-        help="precise and simplified heating and the constant nominal coefficient, side by side",
-    )
-    parser.add_argument(
-        "--checks",
-        action="store_true",
-        help="instead of the cycles: the checks of the program's code and the property modification factors",
-    )
+    words = "precise and simplified heating and the constant nominal coefficient, side by side"
+    add_switch(parser, "--compare", words)
+    words = "instead of the cycles: the checks of the program's code and the property modification factors"
+    add_switch(parser, "--checks", words)
     parser.add_argument(
         "--measured",
-        nargs="+",
-        default=[],
+        action=Pairs,
+        alone=True,
+        example="T01=loop.csv",
         metavar="TEST=FILE",
         help="measured tests (CSV with time, displacement, force and load) to put beside those of the program",
     )
-    add_parameter(parser, parameters(Integration)["tolerance"], "tolerance")
+    add_declared(parser, Integration, "tolerance")
     group = parser.add_argument_group("design, for asce7-16 and en15129")
-    for name, parameter in DESIGN.items():
-        add_parameter(group, parameter, name)
+    for one in DESIGN:
+        add_parameter(group, one)
     options.add_bearing(parser)
     options.add_output(
         parser,
@@ -499,5 +438,5 @@ def test(parser: Parser) -> None:
 @command("verify")
 def verify(parser: Parser) -> None:
     """Check the package against other programs and against formulas, and tell by how much it differs."""
-    parser.add_argument("--full", action="store_true", help="also the checks that take minutes")
+    add_switch(parser, "--full", "also the checks that take minutes")
     options.add_output(parser, "every check as CSV (.csv)", "differences over what is allowed")

@@ -4,13 +4,13 @@ import argparse
 import math
 import re
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, TypeAlias
+from functools import partial
+from typing import Any, TypeAlias
 
 from dcfp.doors.cli import inputs
-from dcfp.doors.cli.console import Block, Page, grid, grouped
-from dcfp.doors.cli.outputs import Answer
+from dcfp.doors.cli.console import Block, Page, each, grid, grouped
+from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.doors.cli.predict import SYMBOLS, labels, methods_of, pulse_figure
-from dcfp.doors.cli.progress import progress
 from dcfp.inference import Case, Methods, compare
 from dcfp.inference.intervals import Coverage
 from dcfp.inference.refit import Refit, check_enough, coverages, refits
@@ -19,13 +19,9 @@ from dcfp.inference.told import REFITS, case_lines, case_objects, coverage_table
 from dcfp.methods.method import Variant, variants
 from dcfp.methods.prediction import prediction_methods
 from dcfp.methods.pulses import CHANGE, DISPLACEMENT
-from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.quantities import NOTHING, Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import M_PER_S, MM, NONE
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 HeldOut: TypeAlias = tuple[dict[tuple[Variant | None, Quantity], Coverage], list[Refit]]
 
@@ -40,13 +36,13 @@ _NUMBER = re.compile(r"\d+(?:\.\d+)?")
 def run(chosen: argparse.Namespace) -> Answer:
     """Analyse and predict every record at every PGV."""
     methods, friction = methods_of(chosen, inputs.system(chosen))
-    motions = inputs.scaled(_different(inputs.load_motions(chosen)), chosen.pgv)
+    records = {motion.digest: motion for motion in reversed(inputs.load_motions(chosen))}
+    # a case must not count twice, under whatever name
+    motions = inputs.scaled(list(reversed(records.values())), chosen.pgv)
     keep = chosen.plot is not None and len(motions) == 1
-    cases: list[Case] = []
-    with progress("comparisons", len(motions)) as advance:
-        for motion in motions:
-            cases.append(compare(motion, methods, codes=True, keep_response=keep))
-            advance()
+    cases = each(
+        "comparisons", motions, lambda motion: compare(motion, methods, codes=True, keep_response=keep)
+    )
     found = _held_out(cases, len(chosen.pgv), methods) if chosen.held_out else None
     table = scatter_table(scatters(cases), cases)
 
@@ -68,18 +64,9 @@ def run(chosen: argparse.Namespace) -> Answer:
         blocks += [] if found is None else _judged(*found)
         return Page(blocks, [*_remarks(cases, methods), *_notes(cases)])
 
-    def figure() -> "Figure":
-        from dcfp.present.figures import plot_comparison  # late: Matplotlib takes long to import
-
-        return pulse_figure(cases[0], methods) if len(cases) == 1 else plot_comparison(cases)
-
+    alone = len(cases) == 1
+    figure = partial(pulse_figure, cases[0], methods) if alone else drawn("plot_comparison", cases)
     return Answer(document, page, lambda part, kind: case_lines(cases).csv(), figure)
-
-
-def _different(motions: list[GroundMotion]) -> list[GroundMotion]:
-    """Return the motions without those that are there twice, under whatever name: a case must not count twice."""
-    found = {motion.digest: motion for motion in reversed(motions)}
-    return list(reversed(found.values()))
 
 
 def _held_out(cases: list[Case], pgvs: int, methods: Methods) -> HeldOut:

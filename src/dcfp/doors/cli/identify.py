@@ -2,15 +2,13 @@
 
 import argparse
 import json
-import math
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from dcfp.analysis.rig import Measurement, read_measurement
 from dcfp.doors.cli import inputs
 from dcfp.doors.cli.console import Block, Page, grid
-from dcfp.doors.cli.outputs import Answer
+from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.errors import InputError
 from dcfp.inference.identification import Identification, bearing_file, identify
 from dcfp.inference.identification.predict import predicted_table
@@ -20,9 +18,6 @@ from dcfp.schema.table import Table
 from dcfp.schema.units import NONE
 from dcfp.system import FittedFriction
 from dcfp.version import version
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 _FORM = (
     "mu = mu_0 gamma alpha beta; gamma = (1 - pressure_floor) (p / reference_pressure)^-pressure_exponent + pressure_floor,"
@@ -37,11 +32,11 @@ def run(chosen: argparse.Namespace) -> Answer:
         msg = f"{chosen.bearing}: the law that is fitted has the form 'fitted', that of Li et al. (2020) with free constants, and not {system.friction.name!r}; leave [friction] out."
         raise InputError(msg)
     found = identify(
-        _read([*chosen.files, *chosen.later_records]),
+        _read(chosen.files),
         system.bearing,
         system.heating,
         fit=chosen.fit,
-        fixed=_fixed(chosen.fix),
+        fixed=chosen.fix,
         law=system.friction if isinstance(system.friction, FittedFriction) else None,
         held_out=_read(chosen.hold_out),
     )
@@ -53,35 +48,11 @@ def run(chosen: argparse.Namespace) -> Answer:
             found.csv() if kind == ".csv" else f"{json.dumps(found.summary(), indent=2, allow_nan=False)}\n"
         )
 
-    def figure() -> "Figure":
-        from dcfp.present.figures import plot_identification  # late: Matplotlib takes long to import
-
-        return plot_identification(found)
-
-    return Answer(found.summary, lambda: _page(found), data, figure)
+    return Answer(found.summary, lambda: _page(found), data, drawn("plot_identification", found))
 
 
 def _read(files: Sequence[str]) -> list[Measurement]:
     return [read_measurement(file) for file in files]
-
-
-def _fixed(words: list[str]) -> dict[str, float]:
-    """Return the values of ``NAME=VALUE`` by their names."""
-    fixed: dict[str, float] = {}
-    for word in words:
-        name, _, text = word.partition("=")
-        try:
-            value = float(text)
-        except ValueError:
-            value = math.nan
-        if not math.isfinite(value):
-            msg = f"--fix {word}: write NAME=VALUE, such as pressure_exponent=0.19."
-            raise InputError(msg)
-        if name in fixed:
-            msg = f"--fix {word}: {name} is fixed twice; leave one."
-            raise InputError(msg)
-        fixed[name] = value
-    return fixed
 
 
 def _origin(found: Identification) -> tuple[str, ...]:

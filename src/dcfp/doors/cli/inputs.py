@@ -1,6 +1,7 @@
 """From options to motions and a system."""
 
 import argparse
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -9,33 +10,40 @@ from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import load_motions as load
 from dcfp.motion.measures import refuse_a_drift
 from dcfp.motion.treatment import treated
+from dcfp.schema.parameters import Declared, parameters
 from dcfp.system import System, read_bearing, system_parameters
 
 
-def given(chosen: argparse.Namespace, *names: str) -> dict[str, Any]:
-    """Return those of the options that were given."""
-    return {name: value for name in names if (value := getattr(chosen, name)) is not None}
-
-
-def record_names(chosen: argparse.Namespace) -> list[str]:
-    """Return the records that were asked for."""
-    return [*chosen.records, *chosen.later_records]
+def given(chosen: argparse.Namespace, kind: type[Declared]) -> dict[str, Any]:
+    """Return the values of those options of a declared class that were given, by the names of its fields."""
+    return {
+        name: value
+        for name, one in parameters(kind).items()
+        if (value := getattr(chosen, one.key, None)) is not None
+    }
 
 
 def load_motions(chosen: argparse.Namespace) -> list[GroundMotion]:
     """Return every record as it will be used but for the scale; the name of a set stands for all records in it."""
-    motions = load(record_names(chosen), chosen.component, units=chosen.units, time_step=chosen.time_step)
+    motions = load(chosen.records, chosen.component, units=chosen.units, time_step=chosen.time_step)
     return [treated(motion, baseline=chosen.baseline, corner=chosen.high_pass) for motion in motions]
 
 
+def motions(chosen: argparse.Namespace) -> list[GroundMotion]:
+    """Return every record at every PGV."""
+    return scaled(load_motions(chosen), chosen.pgv)
+
+
 def scaled(
-    motions: list[GroundMotion], pgvs: list[float] | None, *, allow_drift: bool = False
+    motions: Sequence[GroundMotion], pgvs: list[float] | None, *, allow_drift: bool = False
 ) -> list[GroundMotion]:
     """Return every motion at every PGV [mm/s]; one whose PGV is that of its baseline is refused, unless it may drift and is not scaled."""
     if pgvs is not None or not allow_drift:
         for motion in motions:
             refuse_a_drift(motion)
-    return motions if pgvs is None else [motion.scaled_to_pgv(pgv) for motion in motions for pgv in pgvs]
+    return (
+        list(motions) if pgvs is None else [motion.scaled_to_pgv(pgv) for motion in motions for pgv in pgvs]
+    )
 
 
 def system(chosen: argparse.Namespace) -> System:

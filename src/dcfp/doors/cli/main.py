@@ -7,7 +7,7 @@ from textwrap import fill
 
 from dcfp.doors.cli import study_commands
 from dcfp.doors.cli.commands import COMMANDS, Command
-from dcfp.doors.cli.outputs import Outputs, deliver
+from dcfp.doors.cli.outputs import deliver, outputs_of
 from dcfp.doors.cli.parser import nearest
 from dcfp.errors import DcfpError, InputError
 
@@ -56,13 +56,12 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def commands(group: str = "") -> dict[str, str]:
     """Return the names of the commands, or of those of a group, and what each does."""
-    found = {
-        name.removeprefix(f"{group} "): one.words
-        for name, one in COMMANDS.items()
-        if name.rpartition(" ")[0] == group
-    }
-    about = {} if group else {name: module.ABOUT.partition("\n")[0] for name, module in GROUPS.items()}
-    return found if group else dict(sorted((found | about).items()))
+    parts = {name: name.rpartition(" ") for name in COMMANDS}
+    found = {last: COMMANDS[name].words for name, (first, _, last) in parts.items() if first == group}
+    if group:
+        return found
+    found |= {name: module.ABOUT.partition("\n")[0] for name, module in GROUPS.items()}
+    return dict(sorted(found.items()))
 
 
 def command_of(words: Sequence[str]) -> tuple[Command, list[str]]:
@@ -108,40 +107,40 @@ def _carry_out(command: Command, words: list[str]) -> int:
         chosen = parser.parse_intermixed_args(words)
     except SystemExit:  # --help was printed
         return 0
+    for name in ("records", "files"):
+        if isinstance(listed := getattr(chosen, name, None), list):
+            setattr(chosen, name, [*listed, *chosen.later_records])
     command.check(chosen)
-    if chosen.needs_records and not chosen.records and not chosen.later_records:
+    if chosen.needs_records and not chosen.records:
         msg = "name at least one RECORD, for example NCC or a file; dcfp records lists the named ones."
         raise InputError(msg)
     try:
-        outputs = Outputs.checked(chosen)
-        return deliver(command.run(chosen), outputs, parser.spoken, as_json=getattr(chosen, "json", False))
+        outputs = outputs_of(chosen)
+        overwrite, as_json = getattr(chosen, "overwrite", False), getattr(chosen, "json", False)
+        return deliver(command.run(chosen), outputs, parser.spoken, overwrite=overwrite, as_json=as_json)
     except DcfpError as error:
         error.args = (parser.spoken(str(error)),)
         raise
 
 
 def _help(program: str, about: str, known: Mapping[str, str]) -> str:
-    column = max(map(len, known)) + 2
+    column = max(map(len, known)) + 4
     lines = [
         fill(
-            f"{words.rstrip('.')}",
+            words.rstrip("."),
             _WIDTH,
-            initial_indent=f"  {name:<{column}}",
-            subsequent_indent=" " * (column + 2),
+            initial_indent=f"  {name}".ljust(column),
+            subsequent_indent=" " * column,
         )
         for name, words in known.items()
     ]
-    return "\n".join(
-        [
-            f"usage: {program} COMMAND ...",
-            "",
-            about.strip(),
-            "",
-            *lines,
-            "",
-            f"{program} COMMAND --help shows the options of a command.",
-        ]
+    parts = (
+        f"usage: {program} COMMAND ...",
+        about.strip(),
+        "\n".join(lines),
+        f"{program} COMMAND --help shows the options of a command.",
     )
+    return "\n\n".join(parts)
 
 
 def _complain(sentence: str) -> None:

@@ -2,8 +2,9 @@
 
 import argparse
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
@@ -12,7 +13,8 @@ from dcfp.files import FIGURE_EXTENSIONS, check_outputs, known_extension, whole_
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from dcfp.doors.cli.console import Page
+    from dcfp.doors.cli.console import Block, Page
+    from dcfp.schema.table import Table
 
 
 @dataclass(frozen=True)
@@ -39,60 +41,70 @@ class Answer:
     figure: "Callable[[], Figure] | None" = None
     status: int = 0
 
+    @classmethod
+    def of_table(
+        cls, table: "Table", lines: "Block | None" = None, remarks: Iterable[str] = (), **more: Any
+    ) -> "Answer":
+        """Return the answer that is one table: as JSON, as text below `lines` and above `remarks`, and as CSV."""
+        from dcfp.doors.cli.console import Page, grid  # late: rich takes long to import
 
-@dataclass(frozen=True)
-class Outputs:
-    """The files that a command writes.
-
-    Attributes
-    ----------
-    data, figure
-        None where it is not wanted.
-    overwrite
-        Whether files may be there already.
-    """
-
-    data: Path | None
-    figure: Path | None
-    overwrite: bool
+        above = [] if lines is None else [lines]
+        return cls(
+            table.objects,
+            lambda: Page([*above, grid(table)], list(remarks)),
+            lambda part, kind: table.csv(),
+            **more,
+        )
 
     @classmethod
-    def checked(cls, chosen: argparse.Namespace) -> "Outputs":
-        """Return the outputs of a command's options ``--out``, ``--plot`` and ``--overwrite`` once it is known that each can be written in a known format.
+    def of_file(cls, name: str, data: Callable[[Path, str], str | None], document: Any = None) -> "Answer":
+        """Return the answer that is one file, with what ``--json`` prints of it."""
+        from dcfp.doors.cli.console import Page
 
-        Raises
-        ------
-        InputError
-            If not, or if one of them is a file that the command reads.
-        """
-        data, figure = getattr(chosen, "out", None), getattr(chosen, "plot", None)
-        outputs = cls(
-            known_extension(data, chosen.kinds, chosen.noun) if data is not None else None,
-            known_extension(figure, FIGURE_EXTENSIONS, "a figure") if figure is not None else None,
-            getattr(chosen, "overwrite", False),
-        )
-        check_outputs(outputs.paths, overwrite=outputs.overwrite, inputs=_inputs(chosen))
-        return outputs
-
-    @property
-    def paths(self) -> list[Path]:
-        """Every file that is wanted."""
-        return [path for path in (self.data, self.figure) if path is not None]
-
-    def write(self, answer: Answer) -> None:
-        """Write every file that is wanted, or leave all files as they were."""
-        writers: list[Callable[[Path], None]] = []
-        if self.data is not None:
-            writers.append(lambda part: _write_data(answer, part, cast("Path", self.data).suffix.lower()))
-        if self.figure is not None:
-            writers.append(lambda part: _write_figure(answer, part, cast("Path", self.figure).suffix.lower()))
-        with whole_files(self.paths, overwrite=self.overwrite) as parts:
-            for writer, part in zip(writers, parts, strict=True):
-                writer(part)
+        told = {"file": name} if document is None else document
+        return cls(lambda: told, lambda: Page([f"{name}: written."]), data)
 
 
-def deliver(answer: Answer | None, outputs: Outputs, said: Callable[[str], str], *, as_json: bool) -> int:
-    """Write and print what a command has found; return the exit status.
+def drawn(name: str, *given: Any, **settings: Any) -> "Callable[[], Figure]":
+    """Return what draws a figure: a function of `dcfp.present.figures`, such as ``"motions.plot_codes"``, and what it is given.
+
+    Its module is imported when it is called, for Matplotlib takes long to import.
+    """
+
+    def figure() -> "Figure":
+        module, _, function = f"dcfp.present.figures.{name}".rpartition(".")
+        return getattr(import_module(module), function)(*given, **settings).figure
+
+    return figure
+
+
+def outputs_of(chosen: argparse.Namespace) -> dict[str, Path]:
+    """Return the files that a command's options ``--out`` and ``--plot`` ask for, once it is known that each can be written in a known format.
+
+    Raises
+    ------
+    InputError
+        If not, or if one of them is a file that the command reads.
+    """
+    known = {"out": (chosen.kinds, chosen.noun), "plot": (FIGURE_EXTENSIONS, "a figure")}
+    outputs = {
+        option: known_extension(path, *known[option])
+        for option in known
+        if (path := getattr(chosen, option, None)) is not None
+    }
+    check_outputs(outputs.values(), overwrite=getattr(chosen, "overwrite", False), inputs=_inputs(chosen))
+    return outputs
+
+
+def deliver(
+    answer: Answer | None,
+    outputs: dict[str, Path],
+    said: Callable[[str], str],
+    *,
+    overwrite: bool,
+    as_json: bool,
+) -> int:
+    """Write every file that is wanted, or leave all files as they were; print what a command has found; return the exit status.
 
     Parameters
     ----------
@@ -102,12 +114,16 @@ def deliver(answer: Answer | None, outputs: Outputs, said: Callable[[str], str],
         The files that are wanted.
     said
         Puts the sentences of a text in the words of the command line; a document is for any reader.
+    overwrite
+        Whether files may be there already.
     as_json
         Whether one document is printed instead of text.
     """
     if answer is None:
         return 0
-    outputs.write(answer)
+    with whole_files(list(outputs.values()), overwrite=overwrite) as parts:
+        for (option, path), part in zip(outputs.items(), parts, strict=True):
+            _write(answer, option, part, path.suffix.lower())
     if as_json:
         print(json.dumps(answer.document(), indent=2, allow_nan=False))
     else:
@@ -115,27 +131,30 @@ def deliver(answer: Answer | None, outputs: Outputs, said: Callable[[str], str],
     return answer.status
 
 
-def _inputs(chosen: argparse.Namespace) -> Iterator[Path]:
-    """Give every word of a command that may be the name of a file that it reads, alone or in ``FILE::COMPONENT`` and ``NAME=FILE``."""
-    for name, value in vars(chosen).items():
-        if name in ("out", "plot"):
-            continue
-        for word in cast("list[Any]", value) if isinstance(value, list) else [value]:
-            if isinstance(word, str):
-                file = word.rpartition("::")[0] or word
-                yield Path(word)
-                yield Path(file.partition("=")[2] or file)
+def _write(answer: Answer, option: str, part: Path, kind: str) -> None:
+    if option == "plot":
+        from dcfp.present.figures import save_figure  # late: Matplotlib takes long to import
 
-
-def _write_data(answer: Answer, part: Path, kind: str) -> None:
+        assert answer.figure is not None
+        save_figure(answer.figure(), part, kind.removeprefix("."))
+        return
     assert answer.data is not None
     text = answer.data(part, kind)
     if text is not None:
         part.write_text(text, encoding="utf-8", newline="\n")
 
 
-def _write_figure(answer: Answer, part: Path, kind: str) -> None:
-    from dcfp.present.figures import save_figure  # late: Matplotlib takes long to import
-
-    assert answer.figure is not None
-    save_figure(answer.figure(), part, kind.removeprefix("."))
+def _inputs(chosen: argparse.Namespace) -> Iterator[Path]:
+    """Give every word of a command that may be the name of a file that it reads, alone or in ``FILE::COMPONENT``."""
+    for name, value in vars(chosen).items():
+        if name in ("out", "plot"):
+            continue
+        words = cast("dict[str, Any]", value).values() if isinstance(value, dict) else value
+        for word in (
+            cast("list[Any]", words)
+            if not isinstance(words, str) and isinstance(words, Iterable)
+            else [words]
+        ):
+            if isinstance(word, str):
+                yield Path(word)
+                yield Path(word.rpartition("::")[0] or word)

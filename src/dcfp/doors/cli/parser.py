@@ -3,16 +3,18 @@
 import argparse
 import re
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from difflib import get_close_matches
 from typing import Any, NoReturn
 
 from dcfp.errors import InputError
-from dcfp.schema.parameters import Parameter
+from dcfp.schema.parameters import Declared, Parameter, parameters
 from dcfp.schema.units import split_number
 
 _SAID_BETTER = {
     "expected one argument": "needs a value",
+    "expected 1 argument": "needs a value",
     "expected at least one argument": "needs at least one value",
 }
 #: How much of a word must be right for it to be taken as the one that was meant [-].
@@ -65,58 +67,78 @@ def nearest(given: str, known: Iterable[str]) -> str | None:
     return near[0] if near else None
 
 
+# Options: of declared parameters, kept in the package's units; and words.
+
+
+def add_declared(group: Any, kind: type[Declared], *names: str, more: dict[str, str] | None = None) -> None:
+    """Add the parameters of a declared class, all that are options or those of the fields that are named.
+
+    Parameters
+    ----------
+    group
+        Parser, or group of options.
+    kind
+        The class.
+    names
+        Of fields.
+    more
+        What else the help of some says, by the names of their fields.
+    """
+    for name, one in parameters(kind).items():
+        if name in names or (one.option and not names):
+            said = replace(one, more=more[name], default=None) if more and name in more else one
+            add_parameter(group, said)
+
+
 def add_parameter(
     group: Any,
     parameter: Parameter,
-    name: str = "",
     *,
     several: bool = False,
     required: bool = False,
     default: bool = False,
-    more: str = "",
 ) -> None:
-    """Add a declared parameter as an option, to be kept in the package's units.
+    """Add a declared parameter as an option.
 
     Parameters
     ----------
     group
         Parser, or group of options.
     parameter
-        As it is declared.
-    name
-        Of the option; by default its key.
+        As it is declared; the option is called as its key.
     several
         Whether any number of values may be given.
     required
         Whether it must be given.
     default
         Whether its default stands where it is not given; else None does, so that a file may say it.
-    more
-        What else its help says.
     """
-    if more:
-        parameter = replace(parameter, more=more)
-    settings: dict[str, Any] = {"required": required, **_settings(name or parameter.key, parameter)}
-    if default:
-        settings["default"] = parameter.default
+    settings: dict[str, Any] = {
+        "required": required,
+        "default": parameter.default if default else None,
+        **_settings(parameter.key, parameter),
+    }
     if several or parameter.counts:
-        group.add_argument(
-            *settings.pop("names"),
-            action=Numbers,
-            read=[_reader(parameter)],
-            most=max(parameter.counts, default=None),
-            repeat=parameter.repeat,
-            **settings,
-        )
+        settings |= {
+            "action": Numbers,
+            "read": [_reader(parameter)],
+            "most": max(parameter.counts, default=None),
+            "repeat": parameter.repeat,
+        }
     else:
-        group.add_argument(*settings.pop("names"), type=_reader(parameter), **settings)
+        settings["type"] = _reader(parameter)
+    group.add_argument(settings.pop("option"), **settings)
 
 
-def add_parameters(group: Any, parameters: Sequence[Parameter], name: str, least: int) -> None:
+def add_parameters(
+    group: Any, parameters: Sequence[Parameter], name: str, least: int, words: str = ""
+) -> None:
     """Add an option that takes several parameters, one after the other, `least` of them at least."""
     settings = _settings(name, *parameters)
+    if words:
+        settings["help"] = words
     group.add_argument(
-        *settings.pop("names"),
+        settings.pop("option"),
         action=Numbers,
         read=[_reader(one) for one in parameters],
         least=least,
@@ -126,10 +148,15 @@ def add_parameters(group: Any, parameters: Sequence[Parameter], name: str, least
     )
 
 
+def add_switch(group: Any, name: str, words: str) -> None:
+    """Add an option that is given or not."""
+    group.add_argument(name, action="store_true", help=words)
+
+
 def _settings(name: str, *parameters: Parameter) -> dict[str, Any]:
     words = "; ".join(one.help for one in parameters)
     return {
-        "names": [f"--{name.replace('_', '-')}"],
+        "option": f"--{name.replace('_', '-')}",
         "dest": name,
         "metavar": metavar(parameters[0]),
         "help": words.replace("%", "%%"),
@@ -160,6 +187,44 @@ def metavar(parameter: Parameter) -> str:
     return unit.upper().replace("/", "_PER_").translate(str.maketrans(" ()*", "____")).strip("_")
 
 
+class Pairs(argparse.Action):
+    """Takes words ``NAME=VALUE`` as values by their names; one that stands alone, where it may, has the name ``""``."""
+
+    def __init__(
+        self,
+        *args: Any,
+        example: str,
+        read: Callable[[str], Any] = str,
+        alone: bool = False,
+        nargs: str = "+",
+        **kwargs: Any,
+    ) -> None:
+        super().__init__(*args, nargs=nargs, default={}, **kwargs)
+        self.example, self.read, self.alone = example, read, alone
+
+    def __call__(
+        self,
+        parser: argparse.ArgumentParser,
+        namespace: argparse.Namespace,
+        values: str | Iterable[Any] | None,
+        option_string: str | None = None,
+    ) -> None:
+        """Add the values to those that are there."""
+        found: dict[str, Any] = dict(getattr(namespace, self.dest, {}))
+        for word in values or ():
+            first, mark, last = (part.strip() for part in str(word).partition("="))
+            name, text = (first, last) if mark or not self.alone else ("", first)
+            msg = f"write {self.metavar}, for example {self.example}, not {word!r}"
+            if name in found:
+                msg = f"{name or word} is given twice; give one value"
+            elif text and (name or self.alone):
+                with suppress(ValueError):
+                    found[name] = self.read(text)
+                    continue
+            raise argparse.ArgumentError(self if option_string else None, msg)
+        setattr(namespace, self.dest, found)
+
+
 class Numbers(argparse.Action):
     """Takes the numbers that follow an option; what follows them and is no number is a record.
 
@@ -176,11 +241,9 @@ class Numbers(argparse.Action):
         words: str = "",
         **kwargs: Any,
     ) -> None:
-        super().__init__(*args, nargs="+", **kwargs)
-        self.words = words
-        self.read = read
+        super().__init__(*args, nargs=1 if most == 1 else "+", **kwargs)
+        self.words, self.read, self.repeat = words, read, repeat
         self.least, self.most = least, most
-        self.repeat = repeat
 
     def __call__(
         self,
@@ -203,8 +266,7 @@ class Numbers(argparse.Action):
         except argparse.ArgumentTypeError as error:
             raise argparse.ArgumentError(self, str(error)) from None
         setattr(namespace, self.dest, numbers * self.repeat if len(numbers) == 1 else numbers)
-        later = [*getattr(namespace, "later_records", ()), *tokens[len(given) :]]
-        namespace.later_records = later
+        namespace.later_records = [*getattr(namespace, "later_records", ()), *tokens[len(given) :]]
 
 
 def _is_number(text: str) -> bool:

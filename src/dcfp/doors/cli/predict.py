@@ -6,15 +6,14 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from dcfp.doors.cli import inputs
-from dcfp.doors.cli.console import Page, grid, grouped
-from dcfp.doors.cli.outputs import Answer
-from dcfp.doors.cli.progress import progress
+from dcfp.doors.cli.console import Page, grid, grouped, progress
+from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.inference import Case, Methods, compare
 from dcfp.inference.calibration import SET, calibration_set, cases_at
 from dcfp.inference.design_space import COEFFICIENTS, RADII, held_table, survey
 from dcfp.inference.forecast import Forecast, forecast, forecast_from_pgv
 from dcfp.inference.told import forecast_lines, forecast_objects, interval_lines
-from dcfp.methods.prediction import Ground, Nominal, nominal_coefficient
+from dcfp.methods.prediction import Constants, Ground, Nominal, nominal_coefficient
 from dcfp.methods.pulse_march import march
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import motion_remarks
@@ -40,11 +39,9 @@ def nominal(chosen: argparse.Namespace, system: System) -> Nominal:
 def methods_of(chosen: argparse.Namespace, system: System) -> tuple[Methods, Nominal]:
     """Return how records are predicted, and where the nominal coefficient comes from."""
     found = nominal(chosen, system)
-    constants = {"fall_ratio": chosen.eps, "change_ratio": chosen.zeta, "average_slope": chosen.average_slope}
-    known = {name: value for name, value in constants.items() if value is not None}
     made = Methods.of(system, found)
-    made = replace(made, constants=replace(made.constants, **known), **inputs.given(chosen, "threshold"))
-    return made, found
+    constants = replace(made.constants, **inputs.given(chosen, Constants))
+    return replace(made, constants=constants, **inputs.given(chosen, Methods)), found
 
 
 def run(chosen: argparse.Namespace) -> Answer:
@@ -99,7 +96,7 @@ def _forecasts(chosen: argparse.Namespace, methods: Methods) -> list[Forecast]:
     if chosen.pgv_only is not None:
         known = _calibrations(chosen.pgv_only, methods) if chosen.interval else {}
         return [forecast_from_pgv(pgv, methods, known.get(pgv)) for pgv in chosen.pgv_only]
-    motions = inputs.scaled(inputs.load_motions(chosen), chosen.pgv)
+    motions = inputs.motions(chosen)
     known = _calibrations([_pgv(motion) for motion in motions], methods) if chosen.interval else {}
     return [forecast(motion, methods, known.get(_pgv(motion))) for motion in motions]
 
@@ -136,14 +133,12 @@ def _remarks(forecasts: Sequence[Forecast]) -> list[str]:
 
 def _figure(forecasts: Sequence[Forecast], methods: Methods) -> "Figure":
     """Draw one record with its pulses and, beside them, the analysis; several records or PGVs beside each other."""
-    from dcfp.present.figures.predictions import plot_forecasts  # late: Matplotlib takes long to import
-
     first = forecasts[0].motion
     if first is None:
         return _pgv_figure(forecasts)
     if len(forecasts) == 1:
         return pulse_figure(compare(first, methods, keep_response=True), methods)
-    return plot_forecasts(forecasts)
+    return drawn("predictions.plot_forecasts", forecasts)()
 
 
 def _pgv_figure(forecasts: Sequence[Forecast]) -> "Figure":
@@ -192,11 +187,5 @@ def _design(pgvs: Sequence[float], allowed: float, methods: Methods) -> Answer:
         "Eq. (33) of Li et al. (2020) gives a nominal coefficient for dy, and does not know the radius.",
     ]
 
-    def figure() -> "Figure":
-        from dcfp.present.figures.assessment import plot_design_chart  # late: it takes long to import
-
-        return plot_design_chart(spaces, allowed)
-
-    return Answer(
-        table.objects, lambda: Page([lines, grid(table)], remarks), lambda part, kind: table.csv(), figure
-    )
+    figure = drawn("assessment.plot_design_chart", spaces, allowed)
+    return Answer.of_table(table, lines, remarks, figure=figure)

@@ -2,11 +2,9 @@
 
 import argparse
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from dcfp.doors.cli import inputs
 from dcfp.doors.cli.console import Page, grid
-from dcfp.doors.cli.outputs import Answer
+from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import load_motion, read_motions
 from dcfp.motion.measures import MEASURES, motion_remarks
@@ -14,23 +12,13 @@ from dcfp.motion.named import ALIASES, NAMED, NamedRecord, named_records
 from dcfp.present.tables import write_motions
 from dcfp.schema.table import Table
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
 
 def run(chosen: argparse.Namespace) -> Answer:
     """List the named records, or describe those that are asked for."""
-    names = inputs.record_names(chosen)
-    if not names:
+    if not chosen.records:
         return _named()
-    motions = [motion for name in names for motion in _motions(name, chosen)]
+    motions = [motion for name in chosen.records for motion in _motions(name, chosen)]
     table = Table(tuple(MEASURES), motions)
-
-    def figure() -> "Figure":
-        from dcfp.present.figures import plot_motions  # late: Matplotlib takes long to import
-
-        return plot_motions(motions)
-
     return Answer(
         table.objects,
         lambda: Page(
@@ -38,7 +26,7 @@ def run(chosen: argparse.Namespace) -> Answer:
             [remark for motion in motions for remark in motion_remarks(motion)],
         ),
         lambda part, kind: write_motions(part, motions, kind),
-        figure,
+        drawn("plot_motions", motions),
     )
 
 
@@ -47,9 +35,8 @@ def _named() -> Answer:
     # the paper's records first, then those of the paper that have to be supplied, then the sets in their own order
     places = [*ALIASES, *(row.name for row in named if not row.alias)]
     rows: list[NamedRecord] = sorted(named, key=lambda row: places.index(row.alias or row.name))
-    table = Table(tuple(NAMED), rows)
     remarks = [f"{row.name}: {row.note}." for row in rows if row.note]
-    return Answer(table.objects, lambda: Page([grid(table)], remarks), lambda part, kind: table.csv())
+    return Answer.of_table(Table(tuple(NAMED), rows), remarks=remarks)
 
 
 def _motions(name: str, chosen: argparse.Namespace) -> list[GroundMotion]:

@@ -3,9 +3,8 @@
 import argparse
 from pathlib import Path
 
-from dcfp.doors.cli.console import Page
+from dcfp.doors.cli.console import progress
 from dcfp.doors.cli.outputs import Answer
-from dcfp.doors.cli.progress import progress
 from dcfp.errors import InputError
 from dcfp.present.tables import write_responses
 from dcfp.study.scenario import Calculation, Scenario, calculate, read_scenario
@@ -38,11 +37,7 @@ def export(chosen: argparse.Namespace) -> Answer:
             write_responses(part, [one.response for one in calculation.results], kind)
         return script
 
-    return Answer(
-        lambda: {"file": chosen.out, "analyses": calculation.summary},
-        lambda: Page([f"{chosen.out}: written."]),
-        data,
-    )
+    return Answer.of_file(chosen.out, data, {"file": chosen.out, "analyses": calculation.summary})
 
 
 def report(chosen: argparse.Namespace) -> Answer:
@@ -62,7 +57,7 @@ def report(chosen: argparse.Namespace) -> Answer:
             part.write_bytes(pdf_of(document, advance))
             return None
 
-    return Answer(lambda: document.numbers, lambda: Page([f"{chosen.out}: written."]), data)
+    return Answer.of_file(chosen.out, data, document.numbers)
 
 
 def _calculated(scenario: Scenario) -> Calculation:

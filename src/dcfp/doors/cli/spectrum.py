@@ -2,21 +2,16 @@
 
 import argparse
 from itertools import groupby
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dcfp.doors.cli import inputs
-from dcfp.doors.cli.console import Page, grid
-from dcfp.doors.cli.outputs import Answer
-from dcfp.doors.cli.progress import progress
-from dcfp.methods.spectra import EnergySpectrum, input_energy_spectrum
+from dcfp.doors.cli.console import Page, each, grid
+from dcfp.doors.cli.outputs import Answer, drawn
+from dcfp.methods.spectra import input_energy_spectrum
 from dcfp.methods.spectra.of_record import ORDINATES, PERIODS, Ordinates, ordinates
 from dcfp.methods.uang_bertero_1988 import LARGEST_INPUT, largest_input
 from dcfp.schema.table import Table
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 #: Periods of the table [s]; the data have all.
 _SHOWN = (0.1, 0.2, 0.5, 1.0, 2.0, 3.0, 4.0, 6.0)
@@ -29,13 +24,9 @@ _LEGEND = (
 
 def run(chosen: argparse.Namespace) -> Answer:
     """Make the spectra of every record at every PGV."""
-    motions = inputs.scaled(inputs.load_motions(chosen), chosen.pgv)
+    motions = inputs.motions(chosen)
     periods = PERIODS if chosen.periods is None else np.array(chosen.periods)
-    spectra: list[EnergySpectrum] = []
-    with progress("records", len(motions)) as advance:
-        for motion in motions:
-            spectra.append(input_energy_spectrum(motion, periods, chosen.damping))
-            advance()
+    spectra = each("records", motions, lambda motion: input_energy_spectrum(motion, periods, chosen.damping))
     every = [one for motion, found in zip(motions, spectra, strict=True) for one in ordinates(motion, found)]
     table = Table(tuple(ORDINATES), every)
     largest = Table(
@@ -48,16 +39,11 @@ def run(chosen: argparse.Namespace) -> Answer:
         maxima = ("Largest input energies over the periods, at a damping of 5 %:", grid(largest))
         return Page([lines, grid(Table(table.columns, shown), repeated=2), maxima], _LEGEND)
 
-    def figure() -> "Figure":
-        from dcfp.present.figures.motions import plot_spectra  # late: Matplotlib takes long to import
-
-        return plot_spectra(spectra, [motion.peak_velocity for motion in motions])
-
     return Answer(
         lambda: {"damping": chosen.damping, "spectra": table.objects(), "maxima": largest.objects()},
         page,
         lambda part, kind: table.csv(),
-        figure,
+        drawn("motions.plot_spectra", spectra, [motion.peak_velocity for motion in motions]),
     )
 
 

@@ -3,17 +3,16 @@
 import argparse
 import sys
 import time
+from collections.abc import Mapping
 from dataclasses import asdict
 from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from dcfp.analysis.batch import available_threads
-from dcfp.doors.cli.console import Page, grid
+from dcfp.doors.cli.console import Page, grid, study_progress
 from dcfp.doors.cli.outputs import Answer
-from dcfp.doors.cli.progress import study_progress
 from dcfp.doors.cli.respond import answer_of
-from dcfp.errors import InputError
 from dcfp.present.tables import write_responses, write_study
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
@@ -142,35 +141,19 @@ def _page(dataset: "xarray.Dataset", place: str) -> Page:
 def histories(chosen: argparse.Namespace) -> Answer:
     """Make the analysis behind one case of a study again."""
     found = read_study(chosen.study).plan
-    responses = [response_at(found, values_of_pairs(numbered_cases(found), chosen.at))]
+    responses = [response_at(found, values_in(numbered_cases(found), chosen.at))]
     return answer_of(responses, lambda part, kind: write_responses(part, responses, kind))
 
 
 def export(chosen: argparse.Namespace) -> Answer:
     """Write a store as one file."""
     dataset = open_store(chosen.store)
-    return Answer(
-        lambda: {"file": chosen.out},
-        lambda: Page([f"{chosen.out}: written."]),
-        lambda part, kind: write_study(part, dataset, kind),
-    )
+    return Answer.of_file(chosen.out, lambda part, kind: write_study(part, dataset, kind))
 
 
-def values_of_pairs(dataset: "xarray.Dataset", pairs: list[tuple[str, str]]) -> dict[str, float | str]:
-    """Return the values of factors in the units of the data set, from those that a user writes.
-
-    Raises
-    ------
-    InputError
-        If a factor is named twice.
-    """
-    found: dict[str, float | str] = {}
-    for name, text in pairs:
-        if name in found:
-            msg = f"{name} is chosen twice; give one value."
-            raise InputError(msg)
-        found[name] = _value(dataset, name, text)
-    return found
+def values_in(dataset: "xarray.Dataset", given: Mapping[str, str]) -> dict[str, float | str]:
+    """Return the values of factors in the units of the data set, from those that a user writes."""
+    return {name: _value(dataset, name, text) for name, text in given.items()}
 
 
 def _value(dataset: "xarray.Dataset", name: str, text: str) -> float | str:

@@ -5,10 +5,10 @@ from dataclasses import replace
 
 from dcfp.doors.cli import options
 from dcfp.doors.cli.commands import ALLOWED, FIGURE, command
-from dcfp.doors.cli.parser import Parser, add_parameter
+from dcfp.doors.cli.parser import Pairs, Parser, add_parameter, add_switch
 from dcfp.errors import InputError
 from dcfp.files import DATA_EXTENSIONS
-from dcfp.schema.parameters import Parameter
+from dcfp.schema.parameters import PGV, Parameter
 from dcfp.schema.units import FRACTION, MM, NONE
 
 ABOUT = """Studies: many analyses over records, intensities and bearings, into a store that survives an interruption.
@@ -17,77 +17,58 @@ dcfp study STUDY.toml is short for dcfp study run STUDY.toml."""
 #: The command that a study file alone asks for.
 USUAL = "run"
 STUDY = "study file; dcfp study new writes one"
+AT = "one value of each factor that is not looked at: pgv in m/s, the others in the units of the tables"
 
 THREADS = Parameter(
-    "analyses at the same time", NONE, 1, 1024, kind=int, more="by default one for each processor"
+    "analyses at the same time",
+    NONE,
+    1,
+    1024,
+    key="threads",
+    kind=int,
+    more="by default one for each processor",
 )
-PROCESSES = Parameter("Dask workers to start on this machine", NONE, 1, 1024, kind=int)
-PART = Parameter("parts of the records that do not exceed", FRACTION, 0.0, 0.9999, above=True)
+PROCESSES = Parameter("Dask workers to start on this machine", NONE, 1, 1024, key="processes", kind=int)
+PART = Parameter("parts of the records that do not exceed", FRACTION, 0.0, 0.9999, key="quantiles", above=True)  # fmt: skip
+CONFIDENCE = replace(PART, key="confidence", words="confidence of the intervals", default=0.95)
 CAPACITY = Parameter(
-    "capacities, or other values of the result",
-    MM,
-    0.0,
-    above=True,
+    "capacities, or other values of the result", MM, 0.0, key="capacity", above=True,
     more="default the displacement capacity of the study's bearing",
-)
+)  # fmt: skip
 DISPERSION = Parameter(
     "further dispersions, of design and model for example, added as the root of the sum of squares",
-    NONE,
-    0.0,
-    2.0,
-)
-SEED = Parameter("seed of the draws", NONE, 0, 2**31 - 1, kind=int)
+    NONE, 0.0, 2.0, key="further_dispersion",
+)  # fmt: skip
+SEED = Parameter("seed of the draws", NONE, 0, 2**31 - 1, key="seed", kind=int, default=2015)
 
 
-def store(parser: Parser, *, may_be_unfinished: bool = True) -> None:
+def add_store(parser: Parser, *, may_be_unfinished: bool = True) -> None:
     """Add the store of the study and what is chosen of it."""
     parser.add_argument("store", metavar="STORE", help="results of a study: a folder .zarr, or a file .nc")
-    selection(parser)
+    add_values(parser, "--at", AT)
     if may_be_unfinished:
-        parser.add_argument(
-            "--unfinished",
-            action="store_true",
-            help="leave out the analyses that have not been run, rather than refuse the study",
-        )
+        words = "leave out the analyses that have not been run, rather than refuse the study"
+        add_switch(parser, "--unfinished", words)
 
 
-def selection(parser: Parser) -> None:
-    """Add which value of each factor is meant."""
-    parser.add_argument(
-        "--at",
-        action="extend",
-        nargs="+",
-        type=pair,
-        default=[],
-        metavar="FACTOR=VALUE",
-        help="one value of each factor that is not looked at: pgv in m/s, the others in the units of the tables",
-    )
+def add_values(parser: Parser, name: str, words: str) -> None:
+    """Add an option that takes values of factors."""
+    parser.add_argument(name, action=Pairs, example="radius=4500", metavar="FACTOR=VALUE", help=words)
 
 
-def pair(text: str) -> tuple[str, str]:
-    """Return the name and the value of ``FACTOR=VALUE``."""
-    name, sign, value = text.partition("=")
-    if not (name.strip() and sign and value.strip()):
-        msg = f"write FACTOR=VALUE, for example radius=4500, not {text!r}"
-        raise argparse.ArgumentTypeError(msg)
-    return name.strip(), value.strip()
-
-
-def quantity(parser: Parser) -> None:
+def add_quantity(parser: Parser) -> None:
     """Add which result is looked at."""
-    parser.add_argument(
-        "--quantity",
-        default="peak_displacement",
-        metavar="NAME",
-        help="the result: peak_displacement (default), force_ratio, peak_temperature, residual_displacement, ...",
+    words = (
+        "the result: peak_displacement (default), force_ratio, peak_temperature, residual_displacement, ..."
     )
+    parser.add_argument("--quantity", default="peak_displacement", metavar="NAME", help=words)
 
 
 @command("study new", "study:new")
 def new(parser: Parser) -> None:
     """Write a study file to start from, with every kind of factor in it and words beside each."""
     parser.add_argument("out", metavar="STUDY.toml", help="file to write")
-    parser.add_argument("--overwrite", action="store_true", help="replace a file that exists")
+    add_switch(parser, "--overwrite", "replace a file that exists")
     parser.set_defaults(json=False, kinds=(".toml",), noun="a study")
 
 
@@ -95,7 +76,7 @@ def new(parser: Parser) -> None:
 def plan(parser: Parser) -> None:
     """How many analyses a study has and how long they will take, from some that are timed; nothing is written."""
     parser.add_argument("study", metavar="STUDY.toml", help=STUDY)
-    add_parameter(parser, THREADS, "threads")
+    add_parameter(parser, THREADS)
     options.add_output(parser)
 
 
@@ -115,21 +96,16 @@ def run(parser: Parser) -> None:
     """Run a study, or what is left of it: every combination of its factors, into a store."""
     parser.add_argument("study", metavar="STUDY.toml", help=STUDY)
     # a store is no file: it is checked where it is written
-    parser.add_argument(
-        "--out",
-        dest="store",
-        metavar="STORE",
-        help="folder of the store; by default that of the study file, as .zarr, here",
-    )
-    parser.add_argument("--resume", action="store_true", help="go on with a store that is there")
-    parser.add_argument("--overwrite", action="store_true", help="replace a store that is there")
+    words = "folder of the store; by default that of the study file, as .zarr, here"
+    parser.add_argument("--out", dest="store", metavar="STORE", help=words)
+    add_switch(parser, "--resume", "go on with a store that is there")
+    add_switch(parser, "--overwrite", "replace a store that is there")
     group = parser.add_argument_group("machine")
-    add_parameter(group, THREADS, "threads")
-    group.add_argument(
-        "--dask", metavar="ADDRESS", help="Dask scheduler whose workers run the analyses, tcp://HOST:PORT"
-    )
-    add_parameter(group, PROCESSES, "processes")
-    parser.add_argument("--json", action="store_true", help="one JSON document on standard output")
+    add_parameter(group, THREADS)
+    words = "Dask scheduler whose workers run the analyses, tcp://HOST:PORT"
+    group.add_argument("--dask", metavar="ADDRESS", help=words)
+    add_parameter(group, PROCESSES)
+    add_switch(parser, "--json", "one JSON document on standard output")
 
 
 @command("study show", "study:show")
@@ -143,7 +119,7 @@ def show(parser: Parser) -> None:
 def histories(parser: Parser) -> None:
     """Response history analysis behind one case of a study: made again in a moment, with its histories and its figure."""
     parser.add_argument("study", metavar="STUDY.toml", help="the study file")
-    selection(parser)
+    add_values(parser, "--at", AT)
     options.add_output(parser, "results as NetCDF (.nc) or CSV (.csv)", FIGURE, DATA_EXTENSIONS)
 
 
@@ -157,78 +133,50 @@ def export(parser: Parser) -> None:
 @command("study ida", "assessment:ida")
 def ida(parser: Parser) -> None:
     """Incremental dynamic analysis from the results of a study: the curves of the records, and what parts of them do not exceed."""
-    store(parser)
-    quantity(parser)
-    add_parameter(parser, PART, "quantiles", several=True, more="default 0.16 0.5 0.84")
+    add_store(parser)
+    add_quantity(parser)
+    add_parameter(parser, replace(PART, more="default 0.16 0.5 0.84"), several=True)
     options.add_output(parser, "the quantiles and every record by intensity as CSV (.csv)", FIGURE)
 
 
 @command("study fragility", "assessment:fragility")
 def fragility(parser: Parser) -> None:
     """Fragility from the results of a study: how probable it is that a capacity is exceeded, over the intensity."""
-    store(parser)
-    add_parameter(parser, CAPACITY, "capacity", several=True)
-    quantity(parser)
-    add_parameter(parser, DISPERSION, "further_dispersion", several=True)
-    inside = replace(PART, words="part of the draws of earthquakes inside the bounds", default=0.9)
-    add_parameter(parser, inside, "confidence", default=True)
-    add_parameter(parser, replace(SEED, default=2015), "seed", default=True)
+    add_store(parser)
+    add_parameter(parser, CAPACITY, several=True)
+    add_quantity(parser)
+    add_parameter(parser, DISPERSION, several=True)
+    words = "part of the draws of earthquakes inside the bounds"
+    add_parameter(parser, replace(CONFIDENCE, words=words, default=0.9), default=True)
+    add_parameter(parser, SEED, default=True)
     options.add_output(parser, "the curve of every capacity with its bounds as CSV (.csv)", FIGURE)
 
 
 @command("study bounds", "assessment:bounds")
 def bounds(parser: Parser) -> None:
     """Property bounds from the results of a study: the envelope over property factors and ambient temperatures, and what governs it."""
-    store(parser)
-    parser.add_argument(
-        "--over",
-        nargs="+",
-        metavar="FACTOR",
-        help="the property factors; default those of lambda and ambient that vary",
-    )
-    parser.add_argument(
-        "--nominal",
-        action="extend",
-        nargs="+",
-        type=pair,
-        default=[],
-        metavar="FACTOR=VALUE",
-        help="the nominal value of each; default lambda=1 ambient=20",
-    )
-    parser.add_argument(
-        "--quantities",
-        nargs="+",
-        metavar="NAME",
-        help="the results; default peak_displacement force_ratio residual_displacement peak_temperature",
-    )
-    add_parameter(
-        parser, PART, "quantiles", several=True, more="the figure shows the first; default 0.5 0.84"
-    )
-    options.add_output(
-        parser, "least, nominal and largest by result, quantile and intensity as CSV (.csv)", FIGURE
-    )
+    add_store(parser)
+    words = "the property factors; default those of lambda and ambient that vary"
+    parser.add_argument("--over", nargs="+", metavar="FACTOR", help=words)
+    add_values(parser, "--nominal", "the nominal value of each; default lambda=1 ambient=20")
+    words = "the results; default peak_displacement force_ratio residual_displacement peak_temperature"
+    parser.add_argument("--quantities", nargs="+", metavar="NAME", help=words)
+    more = "the figure shows the first; default 0.5 0.84"
+    add_parameter(parser, replace(PART, more=more), several=True)
+    words = "least, nominal and largest by result, quantile and intensity as CSV (.csv)"
+    options.add_output(parser, words, FIGURE)
 
 
 @command("study sensitivity", "assessment:sensitivity")
 def sensitivity(parser: Parser) -> None:
     """Sobol indices from the results of a study: which sampled factor the variance of a result comes from."""
-    store(parser, may_be_unfinished=False)
-    quantity(parser)
-    parser.add_argument(
-        "--over-records",
-        type=reduction,
-        metavar="WAY",
-        help="how the records are taken together: geometric-mean (default), or a quantile between 0 and 1",
-    )
-    parser.add_argument(
-        "--logarithm", action="store_true", help="the variance of the logarithm of the result"
-    )
-    add_parameter(
-        parser, replace(PART, words="confidence of the intervals", default=0.95), "confidence", default=True
-    )
-    add_parameter(
-        parser, replace(SEED, words="seed of the intervals", least=1, default=2010), "seed", default=True
-    )
+    add_store(parser, may_be_unfinished=False)
+    add_quantity(parser)
+    words = "how the records are taken together: geometric-mean (default), or a quantile between 0 and 1"
+    parser.add_argument("--over-records", type=reduction, metavar="WAY", help=words)
+    add_switch(parser, "--logarithm", "the variance of the logarithm of the result")
+    add_parameter(parser, CONFIDENCE, default=True)
+    add_parameter(parser, replace(SEED, words="seed of the intervals", least=1, default=2010), default=True)
     options.add_output(parser, "the indices by factor and intensity as CSV (.csv)", FIGURE)
 
 
@@ -246,10 +194,8 @@ def reduction(text: str) -> str | float:
 @command("study chart", "assessment:chart")
 def chart(parser: Parser) -> None:
     """Design chart from the results of a study: which radius and friction hold a displacement at a PGV."""
-    store(parser)
-    which = replace(
-        options.PGV, words="which peak ground velocity of the study", more="not needed where it has only one"
-    )
-    add_parameter(parser, which, "pgv")
-    add_parameter(parser, ALLOWED, "allow", required=True)
+    add_store(parser)
+    words = "which peak ground velocity of the study"
+    add_parameter(parser, replace(PGV, words=words, more="not needed where it has only one"))
+    add_parameter(parser, ALLOWED, required=True)
     options.add_output(parser, "the least coefficient for every radius as CSV (.csv)", FIGURE)

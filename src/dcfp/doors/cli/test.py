@@ -2,8 +2,8 @@
 
 import argparse
 from collections.abc import Mapping, Sequence
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from dataclasses import replace
+from typing import TypeAlias
 
 from dcfp.analysis.integration import DEFAULT, NOTHING, PLATES
 from dcfp.analysis.rig import Loops, Measurement, Program, load_program, read_measurement, run_program
@@ -25,9 +25,9 @@ from dcfp.analysis.rig.loops import (
 )
 from dcfp.analysis.rig.run import paper_models, run_models
 from dcfp.doors.cli import inputs
-from dcfp.doors.cli.console import Block, Page, grid, grouped
-from dcfp.doors.cli.outputs import Answer
-from dcfp.doors.cli.progress import progress
+from dcfp.doors.cli.commands import DESIGN
+from dcfp.doors.cli.console import Block, Page, grid, grouped, progress
+from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.errors import InputError
 from dcfp.present.tables import write_tests
 from dcfp.schema.quantities import Quantity
@@ -36,10 +36,9 @@ from dcfp.schema.units import NONE
 from dcfp.system import System
 from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
 Runs: TypeAlias = Mapping[str, Sequence[Loops]]
+#: A cycle with each model, or one that was measured.
+Row: TypeAlias = tuple[ToldCycle, ...]
 
 #: Of a test with more cycles than this the first few and the last are shown.
 _MOST_CYCLES = 4
@@ -60,32 +59,21 @@ def run(chosen: argparse.Namespace) -> Answer:
         _refuse_without_checks(program)
     runs = _run(program, system, chosen)
     loops = [test for tests in runs.values() for test in tests]
-
-    def figure() -> "Figure":
-        from dcfp.present.figures import plot_program  # late: Matplotlib takes long to import
-
-        return plot_program(program, runs, measured)
-
-    def document() -> list[dict[str, Any]]:
-        beside = [
-            one
-            for name, test in measured.items()
-            for one in cycles_of_measurement(name, test, loops[0].bearing)
-        ]
-        return cycle_objects([*cycles_of_tests(loops), *beside])
-
-    def data(part: Path, kind: str) -> None:
-        write_tests(part, loops, kind)
-
-    if chosen.checks:
-        return _checked(program, loops, data, figure)
-    page = _page_of_models if len(runs) > 1 else _page
-    return Answer(document, lambda: page(program, runs, measured), data, figure)
+    told = cycles_of_tests(loops)
+    for name, test in measured.items():
+        told += cycles_of_measurement(name, test, loops[0].bearing)
+    answer = Answer(
+        lambda: cycle_objects(told),
+        lambda: _page(program, runs, measured),
+        lambda part, kind: write_tests(part, loops, kind),
+        drawn("plot_program", program, runs, measured),
+    )
+    return _checked(program, loops, answer) if chosen.checks else answer
 
 
 def _program(chosen: argparse.Namespace, system: System) -> Program:
     name = chosen.program.strip().lower()
-    design = inputs.given(chosen, "displacement", "period", "total_displacement")
+    design = {one.key: value for one in DESIGN if (value := getattr(chosen, one.key)) is not None}
     if name in prototype_programs():
         if chosen.displacement is None or chosen.period is None:
             msg = f"{name} needs --displacement and --period of the design."
@@ -106,18 +94,13 @@ def _measured(chosen: argparse.Namespace, program: Program) -> dict[str, Measure
     """Return the measured tests by the name of the test that they are put beside."""
     names = [test.name for test in program.tests]
     found: dict[str, Measurement] = {}
-    for pair in chosen.measured:
-        name, _, file = pair.partition("=")
-        if not file:
-            if len(names) > 1:
-                msg = f"--measured {pair}: say which test it belongs to, such as {names[0]}={pair}."
-                raise InputError(msg)
-            name, file = names[0], pair
-        if name not in names:
-            msg = f"--measured {pair}: {program.name} has no test {name!r}; it has {', '.join(names)}."
+    for given, file in chosen.measured.items():
+        name = given or names[0]
+        if not given and len(names) > 1:
+            msg = f"--measured {file}: say which test it belongs to, such as {name}={file}."
             raise InputError(msg)
-        if name in found:
-            msg = f"--measured gives {name} twice; one measured test belongs to it."
+        if name not in names:
+            msg = f"--measured {name}={file}: {program.name} has no test {name!r}; it has {', '.join(names)}."
             raise InputError(msg)
         found[name] = read_measurement(file)
         _ = found[name].force, found[name].load  # both are needed
@@ -151,57 +134,59 @@ def _shown(cycles: Sequence[ToldCycle]) -> list[ToldCycle]:
 
 
 def _page(program: Program, runs: Runs, measured: Mapping[str, Measurement]) -> Page:
-    """Return the measures of every cycle, those measured in reality below them."""
-    loops = next(iter(runs.values()))
-    rows: list[ToldCycle] = []
-    for test in loops:
-        rows += _shown(cycles_of_tests([test]))
-        if test.test.name in measured:
-            rows += _shown(cycles_of_measurement(test.test.name, measured[test.test.name], test.bearing))
-    left_out = any(len(test.cycles) > _MOST_CYCLES for test in loops)
-    legend = _LEGEND + ("; cycles between the third and the last are left out" if left_out else "") + "."
-    lines = _lines(program, loops[0], loops[0].heating.name)
-    table = grid(Table(tuple(CYCLES), rows))
-    return Page([lines, table], [legend, *_nominal(program, loops), *_remarks(loops)])
-
-
-def _page_of_models(program: Program, runs: Runs, measured: Mapping[str, Measurement]) -> Page:
-    """Return stiffness, damping and energy of every cycle with each model, and the models' energies over that of the first."""
-    names = list(runs)
-    rows: list[list[ToldCycle]] = []
+    """Return the measures of every cycle, of several models side by side, those measured in reality below them."""
+    rows: list[Row] = []
     for tests in zip(*runs.values(), strict=True):
-        rows += [list(one) for one in zip(*(_shown(cycles_of_tests([test])) for test in tests), strict=True)]
+        rows += zip(*(_shown(cycles_of_tests([test])) for test in tests), strict=True)
         name = tests[0].test.name
         if name in measured:
-            rows += [[one] for one in _shown(cycles_of_measurement(name, measured[name], tests[0].bearing))]
-    by_key = {one.key: one for one in CYCLES}
+            rows += [(one,) for one in _shown(cycles_of_measurement(name, measured[name], tests[0].bearing))]
+    every = [test for tests in runs.values() for test in tests]
+    if len(runs) == 1:
+        left_out = any(len(test.cycles) > _MOST_CYCLES for test in every)
+        legend = f"{_LEGEND}{'; cycles between the third and the last are left out' if left_out else ''}."
+        table = Table(tuple(CYCLES), [row[0] for row in rows])
+    else:
+        first = next(iter(runs))
+        legend = (
+            f"k_eff [kN/mm], b_eff [-] and E [kN m]; E/E_{first[0]}: energy over that of the {first} model."
+        )
+        table = Table(_side_by_side(list(runs)), rows)
+    nominal = [remark for tests in runs.values() for remark in _nominal(program, tests)]
+    return Page(
+        [_lines(program, every[0], ", ".join(runs)), grid(table)], [legend, *nominal, *_remarks(every)]
+    )
 
-    def of_model(one: Quantity, place: int) -> Quantity:
-        head = f"{one.head}\n{names[place][:6]}."
-        return Quantity(one.key, one.words, one.unit, one.shown, one.decimals, head=head,
-                        get=lambda row: one.of(row[place]) if place < len(row) else None)  # fmt: skip
+
+def _side_by_side(names: Sequence[str]) -> tuple[Quantity, ...]:
+    """Return stiffness, damping and energy of a cycle with each model, and the models' energies over that of the first."""
+
+    def of_model(key: str, place: int = 0, name: str = "") -> Quantity:
+        one = next(one for one in CYCLES if one.key == key)
+
+        def get(row: Row) -> object:
+            return one.of(row[place]) if place < len(row) else None
+
+        return replace(one, head=f"{one.head}\n{name[:6]}." if name else one.head, get=get)
 
     def over_first(place: int) -> Quantity:
+        def get(row: Row) -> float | None:
+            return row[place].cycle.energy / row[0].cycle.energy if place < len(row) else None
+
         head = f"E/E_{names[0][0]}\n{names[place][:6]}."
-        return Quantity("ratio", "energy over that of the first model", NONE, decimals=3, head=head,
-                        get=lambda row: row[place].cycle.energy / row[0].cycle.energy if place < len(row) else None)  # fmt: skip
+        words = "energy over that of the first model"
+        return Quantity("ratio", words, NONE, decimals=3, head=head, get=get)
 
-    columns = (
-        *(Quantity(one.key, one.words, one.unit, head=one.head or one.key, get=lambda row, one=one: one.of(row[0])) for one in (by_key["Test"], by_key["cycle"])),
-        *(of_model(by_key[key], place) for key in _SIDE_BY_SIDE for place in range(len(names))),
+    return (
+        of_model("Test"),
+        of_model("cycle"),
+        *(of_model(key, place, name) for key in _SIDE_BY_SIDE for place, name in enumerate(names)),
         *map(over_first, range(1, len(names))),
-    )  # fmt: skip
-    legend = (
-        f"k_eff [kN/mm], b_eff [-] and E [kN m]; E/E_{names[0][0]}: energy over that of the {names[0]} model."
     )
-    every = [test for tests in runs.values() for test in tests]
-    nominal = [remark for tests in runs.values() for remark in _nominal(program, tests)]
-    lines = _lines(program, next(iter(runs.values()))[0], ", ".join(names))
-    return Page([lines, grid(Table(columns, rows))], [legend, *nominal, *_remarks(every)])
 
 
-def _checked(program: Program, loops: Sequence[Loops], data: Any, figure: Any) -> Answer:
-    """Return what a code wants and whether it is so, and the property modification factors."""
+def _checked(program: Program, loops: Sequence[Loops], answer: Answer) -> Answer:
+    """Return what a code wants and whether it is so, and the property modification factors, in place of the cycles."""
     criteria = Table(tuple(CRITERIA), judge_tests(program, loops))
     factors = Table(tuple(FACTORS), property_factors(loops))
     heating = loops[0].heating.name
@@ -223,16 +208,13 @@ def _checked(program: Program, loops: Sequence[Loops], data: Any, figure: Any) -
             )
         return Page(blocks, [*notes, *_remarks(loops)])
 
-    def document() -> dict[str, Any]:
-        remarks = list(dict.fromkeys(remark for test in loops for remark in test.remarks))
-        return {
-            "heating": heating,
-            "criteria": criteria.objects(),
-            "factors": factors.objects(),
-            "remarks": remarks,
-        }
-
-    return Answer(document, page, data, figure)
+    document = {
+        "heating": heating,
+        "criteria": criteria.objects(),
+        "factors": factors.objects(),
+        "remarks": list(dict.fromkeys(remark for test in loops for remark in test.remarks)),
+    }
+    return replace(answer, document=lambda: document, page=page)
 
 
 def _lines(program: Program, first: Loops, heating: str) -> list[tuple[str, str]]:

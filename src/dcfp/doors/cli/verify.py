@@ -1,19 +1,24 @@
-"""``dcfp verify``: what is checked against what, and by how much it differs."""
+"""``dcfp verify``: what is checked against what, and by how much it differs; and ``dcfp reproduce``: the findings and figures of Li et al. (2020), section 6."""
 
 import argparse
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cache
 from itertools import groupby
 from typing import TYPE_CHECKING
 
 from rich.text import Text
 
-from dcfp.doors.cli.console import Block, Page, grid
-from dcfp.doors.cli.outputs import Answer
-from dcfp.doors.cli.progress import progress
+from dcfp.doors.cli.console import Block, Page, grid, progress
+from dcfp.doors.cli.outputs import Answer, drawn
+from dcfp.errors import InputError
+from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.load import load_motion
+from dcfp.motion.measures import baseline_warning
+from dcfp.motion.named import MISSING
 from dcfp.schema.table import Table
 from dcfp.verify import CHECKS, run_checks
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+from dcfp.verify.reproduction import FINDINGS, analyse, findings_of, number_of, paper_motions
 
 
 def run(chosen: argparse.Namespace) -> Answer:
@@ -38,11 +43,92 @@ def run(chosen: argparse.Namespace) -> Answer:
             blocks, [f"{check.name}: {check.remark}" for check in checks if check.remark and not check.passed]
         )
 
-    def figure() -> "Figure":
-        from dcfp.present.figures import plot_checks  # late: Matplotlib takes long to import
-
-        return plot_checks(checks)
-
     return Answer(
-        table.objects, page, lambda part, kind: table.csv(), figure, status=1 if False in verdicts else 0
+        table.objects,
+        page,
+        lambda part, kind: table.csv(),
+        drawn("plot_checks", checks),
+        status=1 if False in verdicts else 0,
     )
+
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from dcfp.present.figures.li_2020 import PaperFigure
+
+#: PGV of a file over the printed one, from which on it is said that they differ [-].
+_SAME = 0.02
+
+
+def reproduce(chosen: argparse.Namespace) -> Answer:
+    """Make the analyses, the findings and the figures."""
+    files = {name.upper(): file for name, file in chosen.files.items()}
+    for name in files:
+        if name not in MISSING:
+            msg = f"{name} is no record of the paper that has to be supplied; these are {', '.join(MISSING)}."
+            raise InputError(msg)
+    motions = paper_motions([replace(load_motion(file), name=name) for name, file in files.items()])
+    with progress("analyses", number_of(len(motions))) as advance:
+        analyses = analyse(motions, advance)
+    findings = findings_of(analyses)
+    missing = [name for name in MISSING if name not in files]
+    names = [motion.name for motion in motions]
+    remarks = _remarks(motions)
+    table = Table(tuple(FINDINGS), findings)
+
+    @cache
+    def figures() -> "list[PaperFigure]":
+        from dcfp.present.figures.li_2020 import paper_figures  # late: Matplotlib takes long to import
+
+        loops = {
+            (case.record, case.pgv): (case.response, precise)
+            for case, precise in zip(analyses.cases, analyses.precise, strict=True)
+            if case.response is not None
+        }
+        return paper_figures(analyses.cases, loops)
+
+    def sheet() -> "Figure":
+        from dcfp.present.figures.li_2020 import contact_sheet
+
+        return contact_sheet(figures())
+
+    def html() -> str:
+        from dcfp.verify.reproduction_page import reproduction_page
+
+        return reproduction_page(findings, figures(), names, missing)
+
+    lines = [
+        ("Paper", "Li et al. (2020), section 6, at PGV 0.25, 0.50, 0.75 and 1.00 m/s"),
+        ("Records", ", ".join(names)),
+        ("Not at hand", ", ".join(missing) or "none"),
+    ]
+    notes: list[str] = []
+    for one in findings:
+        notes += [] if one.agrees else [f"{one.name}: {one.words}"]
+        notes += [f"{one.name}, {case}" for case in one.outside]
+    return Answer(
+        lambda: {
+            "records": names,
+            "missing_records": missing,
+            "findings": table.objects(),
+            "remarks": remarks,
+        },
+        lambda: Page([lines, grid(table)], [*notes, *remarks]),
+        lambda part, kind: html(),
+        sheet,
+    )
+
+
+def _remarks(motions: Sequence[GroundMotion]) -> list[str]:
+    remarks: list[str] = []
+    for motion in motions:
+        printed = MISSING[motion.name].peak_velocity if motion.name in MISSING else None
+        if printed is not None and abs(motion.peak_velocity / printed - 1.0) > _SAME:
+            remarks.append(
+                f"{motion.name}: the PGV of the file is {motion.peak_velocity / 1e3:.3f} m/s, and {printed / 1e3:.3f} m/s in the paper's"
+                " Table 3; it may be another component or treatment."
+            )
+        warning = baseline_warning(motion)
+        remarks += [warning] if warning else []
+    return remarks

@@ -11,7 +11,7 @@ from dcfp.analysis.rig import Cycle, Program, Recorded, RigTest, VerticalLoad, r
 from dcfp.analysis.rig.measures import measured_cycles
 from dcfp.arrays import FloatArray
 from dcfp.inference.identification.friction_history import FrictionHistory
-from dcfp.schema.notebook import card, with_units
+from dcfp.schema.notebook import card, told
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import KN_M, KN_PER_MM, NONE
@@ -84,7 +84,8 @@ class Prediction:
         return predicted_table([self]).objects()
 
     def _repr_html_(self) -> str:
-        rows = [with_units(row) for row in self.rows()]
+        table = predicted_table([self])
+        rows = [told(table.columns, row) for row in table.results]
         return card(f"Test {self.name} by the law", {"force_error": self.force_error}, rows=rows)
 
 

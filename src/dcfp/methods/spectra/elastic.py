@@ -2,7 +2,7 @@
 
 import re
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import ClassVar, NoReturn, Protocol
 
@@ -11,11 +11,12 @@ from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
-from dcfp.motion.formats.numbers import canonical_unit, to_number, unit_size
+from dcfp.motion.formats.source import canonical_unit, to_number, unit_size
 from dcfp.schema.notebook import fields_card
-from dcfp.schema.parameters import Declared
+from dcfp.schema.parameters import Declared, Parameter, parameters
 from dcfp.schema.reading import read_bytes
 from dcfp.schema.registry import Registry
+from dcfp.schema.units import MM_PER_S2, SECOND
 
 
 class ElasticSpectrum(Protocol):
@@ -75,6 +76,12 @@ class DesignSpectrum(Declared, ABC):
         if "option" in cls.__dict__:
             DESIGN_SPECTRA.add(cls.option, cls)
 
+    @classmethod
+    def own_options(cls) -> dict[str, Parameter]:
+        """Return the parameters that have options of their own, by their keys."""
+        behind = list(parameters(cls).values())[cls.behind[1] :]
+        return {one.key: one for one in behind if one.option}
+
     @property
     def unconfirmed(self) -> tuple[str, ...]:
         """What in it could not be confirmed in its source."""
@@ -111,8 +118,8 @@ class TabulatedSpectrum:
         If there are fewer than two periods, or a value is not positive, or the periods do not increase.
     """
 
-    periods: FloatArray
-    accelerations: FloatArray
+    periods: FloatArray = field(metadata={"unit": SECOND})
+    accelerations: FloatArray = field(metadata={"unit": MM_PER_S2})
     name: str = "spectrum"
     unconfirmed: tuple[str, ...] = ()
 

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import NamedTuple
@@ -17,7 +17,7 @@ from dcfp.methods.spectra.elastic import TabulatedSpectrum
 from dcfp.motion.ground_motion import GroundMotion, refined
 from dcfp.schema.notebook import fields_card
 from dcfp.schema.quantities import Quantity
-from dcfp.schema.units import M_PER_S, M_PER_S2, MM, MM_PER_S, MM_PER_S2, SECOND
+from dcfp.schema.units import M_PER_S, M_PER_S2, MM, MM2_PER_S2, MM_PER_S, MM_PER_S2, SECOND
 
 # From periods and damping to what the kernel of the oscillators takes.
 
@@ -144,7 +144,7 @@ class ResponseSpectrum:
         What to call it.
     """
 
-    periods: FloatArray
+    periods: FloatArray = field(metadata={"unit": SECOND})
     damping: float
     displacement: FloatArray
     name: str = "record"
@@ -256,14 +256,14 @@ class EnergySpectrum:
         What to call it.
     """
 
-    periods: FloatArray
+    periods: FloatArray = field(metadata={"unit": SECOND})
     damping: float
-    final: FloatArray
-    relative: FloatArray
-    absolute: FloatArray
+    final: FloatArray = field(metadata={"unit": MM2_PER_S2})
+    relative: FloatArray = field(metadata={"unit": MM2_PER_S2})
+    absolute: FloatArray = field(metadata={"unit": MM2_PER_S2})
     displacement: FloatArray
     velocity: FloatArray
-    total_acceleration: FloatArray
+    total_acceleration: FloatArray = field(metadata={"unit": MM_PER_S2})
     name: str = "record"
 
     @property

@@ -12,17 +12,16 @@ import re
 from collections.abc import Sequence
 
 from dcfp.arrays import FloatArray
-from dcfp.motion.formats.component import Series
-from dcfp.motion.formats.numbers import (
+from dcfp.motion.formats.registry import FORMATS, RecordFormat, Series
+from dcfp.motion.formats.source import (
     NUMBER,
+    SourceText,
     announced_numbers,
     canonical_unit,
     fixed_numbers,
     parse_layout,
     to_number,
 )
-from dcfp.motion.formats.registry import FORMATS, RecordFormat
-from dcfp.motion.formats.source import SourceText
 
 _REAL_HEADER = re.compile(r"^\s*(\d{1,4})\s+Real-header values follow on.*?Format\s*=\s*(.*)$", re.IGNORECASE)
 _SERIES = re.compile(

@@ -9,10 +9,8 @@ import re
 from collections.abc import Iterator
 
 from dcfp.arrays import FloatArray
-from dcfp.motion.formats.component import Series
-from dcfp.motion.formats.numbers import NUMBER, announced_numbers, canonical_unit, to_number
-from dcfp.motion.formats.registry import FORMATS, RecordFormat
-from dcfp.motion.formats.source import SourceText
+from dcfp.motion.formats.registry import FORMATS, RecordFormat, Series
+from dcfp.motion.formats.source import NUMBER, SourceText, announced_numbers, canonical_unit, to_number
 
 _BLOCK = re.compile(
     rf"^\s*(\d{{1,15}})\s+points of\s+(\w+) data equally spaced at\s*({NUMBER})\s*sec(.*)$", re.IGNORECASE

@@ -2,10 +2,8 @@
 
 import re
 
-from dcfp.motion.formats.component import Series, check_times
-from dcfp.motion.formats.numbers import Header, Layout, check_count, fixed_numbers, parse_layout
-from dcfp.motion.formats.registry import FORMATS, RecordFormat
-from dcfp.motion.formats.source import SourceText
+from dcfp.motion.formats.registry import FORMATS, RecordFormat, Series, check_times
+from dcfp.motion.formats.source import Header, Layout, SourceText, check_count, fixed_numbers, parse_layout
 
 _LAYOUT = Layout(per_line=4, width=10)
 

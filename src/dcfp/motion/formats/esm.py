@@ -3,10 +3,8 @@
 import re
 from itertools import takewhile
 
-from dcfp.motion.formats.component import Series
-from dcfp.motion.formats.numbers import Header, canonical_unit, free_numbers
-from dcfp.motion.formats.registry import FORMATS, RecordFormat
-from dcfp.motion.formats.source import SourceText
+from dcfp.motion.formats.registry import FORMATS, RecordFormat, Series
+from dcfp.motion.formats.source import Header, SourceText, canonical_unit, free_numbers
 
 _ENTRY = re.compile(r"([A-Z][A-Z0-9_/^.]*):\s?(.*)")
 _HEADER_LINES = 200

@@ -5,10 +5,8 @@ The text is Shift-JIS. The header gives the sampling rate and the unit but no nu
 
 import re
 
-from dcfp.motion.formats.component import Series
-from dcfp.motion.formats.numbers import Header, table_numbers
-from dcfp.motion.formats.registry import FORMATS, RecordFormat
-from dcfp.motion.formats.source import SourceText
+from dcfp.motion.formats.registry import FORMATS, RecordFormat, Series
+from dcfp.motion.formats.source import Header, SourceText, table_numbers
 
 _HEADER_LINES = 12
 

@@ -6,10 +6,8 @@ instrument. KiK-net numbers the directions: 1 to 3 are NS, EW and UD in the bore
 
 import re
 
-from dcfp.motion.formats.component import Series
-from dcfp.motion.formats.numbers import NUMBER, Header, free_numbers, to_number
-from dcfp.motion.formats.registry import FORMATS, RecordFormat
-from dcfp.motion.formats.source import SourceText
+from dcfp.motion.formats.registry import FORMATS, RecordFormat, Series
+from dcfp.motion.formats.source import NUMBER, Header, SourceText, free_numbers, to_number
 
 _NAMES = (
     "Origin Time", "Lat.", "Long.", "Depth. (km)", "Mag.", "Station Code", "Station Lat.", "Station Long.",

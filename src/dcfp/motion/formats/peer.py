@@ -6,10 +6,8 @@ Three or four lines of text, of which one says ``NPTS= 5372, DT= .0100 SEC`` or,
 
 import re
 
-from dcfp.motion.formats.component import Series
-from dcfp.motion.formats.numbers import NUMBER, canonical_unit, free_numbers
-from dcfp.motion.formats.registry import FORMATS, RecordFormat
-from dcfp.motion.formats.source import SourceText
+from dcfp.motion.formats.registry import FORMATS, RecordFormat, Series
+from dcfp.motion.formats.source import NUMBER, SourceText, canonical_unit, free_numbers
 
 _HEADER_LINES = 8
 _NAMED = re.compile(rf"NPTS\s*=\s*(\d{{1,15}})\s*[,;]?\s*DT\s*=\s*({NUMBER})", re.IGNORECASE)

@@ -3,10 +3,15 @@
 Lines before the first line of numbers are a header. Columns are parted by commas, semicolons or blanks.
 """
 
-from dcfp.motion.formats.component import Series, printed_resolution, uniform_step
-from dcfp.motion.formats.numbers import canonical_unit, table_numbers, to_number
-from dcfp.motion.formats.registry import FORMATS, PLAIN, RecordFormat
-from dcfp.motion.formats.source import SourceText
+from dcfp.motion.formats.registry import (
+    FORMATS,
+    PLAIN,
+    RecordFormat,
+    Series,
+    printed_resolution,
+    uniform_step,
+)
+from dcfp.motion.formats.source import SourceText, canonical_unit, table_numbers, to_number
 
 _COMMENTS = ("#", "%", "//", "!")
 _LONGEST_HEADER = 100

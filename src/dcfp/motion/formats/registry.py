@@ -1,12 +1,229 @@
-"""The formats of record files, each registered by its module; and which of them a file is in."""
+"""The formats of record files, which of them a file is in, and its components: ground motions with names."""
 
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
-from dcfp.motion.formats.component import Component, Series, component_of
-from dcfp.motion.formats.numbers import unit_size
-from dcfp.motion.formats.source import SourceText
+import numpy as np
+
+from dcfp.arrays import FloatArray
+from dcfp.errors import InputError
+from dcfp.motion.formats.source import SourceText, unit_size
+from dcfp.motion.ground_motion import GroundMotion, Origin
 from dcfp.schema.registry import Registry
+
+#: Time steps that a record can have [s]; anything else is a damaged header.
+SHORTEST_STEP = 1e-5
+LONGEST_STEP = 10.0
+
+#: Largest acceleration that is believed [mm/s2]: some 100 000 g.
+LARGEST_ACCELERATION = 1e9
+
+
+@dataclass(frozen=True, eq=False)
+class Series:
+    """One component of a record, as its file has it.
+
+    Attributes
+    ----------
+    values
+        Acceleration in the file's unit.
+    unit
+        That unit, as `canonical_unit` spells it.
+    time_step
+        Interval between two values [s].
+    component
+        Its name in the file; empty where it has none.
+    names
+        Further names by which it can be asked for.
+    event, station, processing, citation
+        Of the `Origin` of its motion, as far as the file says.
+    scale
+        How many units one value stands for [-].
+    """
+
+    values: FloatArray
+    unit: str
+    time_step: float
+    component: str = ""
+    names: tuple[str, ...] = ()
+    event: str = ""
+    station: str = ""
+    processing: str = ""
+    citation: str = ""
+    scale: float = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class Component:
+    """A ground motion, and the names by which it can be asked for."""
+
+    motion: GroundMotion
+    names: tuple[str, ...]
+
+
+def component_of(
+    source: SourceText, series: Series, file_format: str, citation: str, *, several: bool
+) -> Component:
+    """Return a component of a file; `several` says that the name of its motion must tell it from others.
+
+    Raises
+    ------
+    InputError
+        If the time step or a value cannot be true of a ground motion, or there is only one value.
+    """
+    if not SHORTEST_STEP <= series.time_step <= LONGEST_STEP:
+        source.fail(
+            f"the time step is {series.time_step:g} s; a record has one between {SHORTEST_STEP:g} and "
+            f"{LONGEST_STEP:g} s."
+        )
+    if series.values.size < 2:
+        source.fail("the file holds fewer than two acceleration values.")
+    with np.errstate(over="ignore", under="ignore"):
+        acceleration = series.values * (series.scale * unit_size(series.unit))
+    wrong = np.flatnonzero(~(np.abs(acceleration) <= LARGEST_ACCELERATION))
+    if wrong.size:
+        source.fail(f"acceleration value {wrong[0] + 1} is beyond 100 000 g; the value or the unit is wrong.")
+    origin = Origin(
+        event=series.event,
+        station=series.station,
+        component=series.component,
+        source=source.path.name,
+        file_format=file_format,
+        processing=series.processing,
+        citation=citation,
+    )
+    stem = source.path.stem or source.path.name
+    name = f"{stem} {series.component}" if several and series.component else stem
+    motion = GroundMotion(acceleration, series.time_step, name, origin)
+    return Component(motion, (series.component, *series.names))
+
+
+# Times in a column: whether they are equally spaced, as far as the printed digits can tell.
+
+
+def printed_resolution(word: str) -> float:
+    """Return the last digit's place in a printed number: 0.01 for ``"1.25"`` and for ``"1.25e0"``."""
+    mantissa, _, exponent = word.strip().upper().replace("D", "E").partition("E")
+    decimals = len(mantissa.partition(".")[2])
+    power = int(exponent) if re.fullmatch(r"[+-]?\d{1,3}", exponent) else 0
+    return float(10.0 ** max(min(power - decimals, 300), -300))
+
+
+def check_times(source: SourceText, time: FloatArray, time_step: float, resolution: float) -> None:
+    """Check that `time` [s] goes up by `time_step` [s], within the rounding of its printed digits.
+
+    Raises
+    ------
+    InputError
+        If a time is off by more than `resolution` [s].
+    """
+    with np.errstate(over="ignore", invalid="ignore"):
+        expected = time[0] + np.arange(time.size) * time_step
+        off = ~(np.abs(time - expected) <= 1.001 * resolution + 1e-9 * np.abs(expected))
+    if off.any():
+        place = int(np.flatnonzero(off)[0])
+        source.fail(
+            f"the times are not equally spaced: time {place + 1} is {time[place]:g} s where "
+            f"{expected[place]:g} s was expected."
+        )
+
+
+def uniform_step(source: SourceText, time: FloatArray, resolution: float) -> float:
+    """Return the step [s] of equally spaced times: the roundest step or rate that agrees with them.
+
+    Raises
+    ------
+    InputError
+        If the times do not go up, are printed with too few digits, or are not equally spaced.
+    """
+    if time.size < 2:
+        source.fail("the file holds fewer than two times.")
+    with np.errstate(over="ignore"):
+        steps = np.diff(time)
+    if not (steps > 0.0).all():
+        place = int(np.flatnonzero(~(steps > 0.0))[0])
+        source.fail(
+            f"time {place + 2} ({time[place + 1]:g} s) is not later than the one before it; "
+            "times must go up and be printed with enough digits."
+        )
+    mean_step = (float(time[-1]) - float(time[0])) / (time.size - 1)
+    step, tolerance = next(_fitting_steps(time, mean_step, resolution), (mean_step, resolution))
+    if tolerance > 0.0 and resolution > 0.5 * mean_step:
+        source.fail("the times are printed with too few digits to tell their step; print more digits.")
+    check_times(source, time, step, resolution)
+    return step
+
+
+def _fitting_steps(time: FloatArray, mean_step: float, resolution: float) -> Iterator[tuple[float, float]]:
+    """Yield steps, or rates, of few digits and how far the times are off: not at all, rounded, or cut off."""
+    if not 1e-9 < mean_step < 1e9:
+        return
+    place = np.arange(time.size)
+    for tolerance in (0.0, 0.5 * resolution, resolution):
+        for digits in range(1, 10):
+            for step in (float(f"{mean_step:.{digits}g}"), 1.0 / float(f"{1.0 / mean_step:.{digits}g}")):
+                off = np.abs(time - time[0] - place * step).max()
+                if off <= tolerance + 1e-3 * resolution:
+                    yield step, tolerance
+
+
+# Choose one component of a file by its name, its channel number or its direction.
+
+
+_DIRECTIONS = {
+    "NS": ("ns", "n", "north", "northsouth", "360", "360deg", "0", "0deg", "000"),
+    "EW": ("ew", "e", "east", "eastwest", "90", "90deg", "090"),
+    "UD": ("ud", "u", "up", "z", "v", "vertical", "updown"),
+}
+
+
+def direction(label: str) -> str | None:
+    """Return NS, EW or UD for a label that plainly means it (``"N-S"``, ``"360 Deg"``, ``"Up"``), or None."""
+    word = _plain(label)
+    return next((name for name, words in _DIRECTIONS.items() if word in words), None)
+
+
+def select_component(components: Sequence[Component], wanted: str | None, path: Path) -> Component:
+    """Return the component that is asked for.
+
+    Raises
+    ------
+    InputError
+        If there are several and none is asked for, or none or several have that name.
+    """
+    if wanted is None:
+        if len(components) == 1:
+            return components[0]
+        msg = f"{path}: the file holds {len(components)} components; choose one of {_choices(components)}."
+        raise InputError(msg)
+    found = _matches(components, wanted)
+    if len(found) == 1:
+        return found[0]
+    how = "has no component" if not found else "has more than one component"
+    msg = f"{path}: the file {how} {wanted!r}; choose one of {_choices(components)}."
+    raise InputError(msg)
+
+
+def _matches(components: Sequence[Component], wanted: str) -> list[Component]:
+    word = _plain(wanted)
+    by_name = [item for item in components if word in {_plain(name) for name in item.names if name}]
+    if by_name or direction(wanted) is None:
+        return by_name
+    return [item for item in components if direction(wanted) in {direction(name) for name in item.names}]
+
+
+def _plain(label: str) -> str:
+    return re.sub(r"[\s._:-]+", "", label.casefold())
+
+
+def _choices(components: Sequence[Component]) -> str:
+    labels = [item.names[0] or f"channel {number}" for number, item in enumerate(components, 1)]
+    return ", ".join(repr(label) for label in labels)
+
+
+# The formats themselves, each registered by its module.
 
 
 @dataclass(frozen=True)

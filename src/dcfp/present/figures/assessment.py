@@ -25,7 +25,7 @@ from dcfp.present.figures.style import (
     new_figure,
     styled,
 )  # fmt: skip
-from dcfp.schema.digits import metres_per_second, millimetres
+from dcfp.schema.formulas import metres_per_second, millimetres
 from dcfp.schema.nomenclature import NOMENCLATURE
 from dcfp.study.assessment.selection import described, shown_value
 

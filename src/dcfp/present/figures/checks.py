@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dcfp.present.figures.style import BLUE, GREY, INK, RED, drawable, new_figure, styled
-from dcfp.schema.digits import true_minus
+from dcfp.schema.formulas import true_minus
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

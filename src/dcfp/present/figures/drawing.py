@@ -24,7 +24,7 @@ from dcfp.present.figures.style import (
     time_colours,
     warm_colours,
 )  # fmt: skip
-from dcfp.schema.digits import millimetres
+from dcfp.schema.formulas import millimetres
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:

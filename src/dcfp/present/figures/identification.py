@@ -20,7 +20,7 @@ from dcfp.present.figures.style import (
     new_figure,
     styled,
 )  # fmt: skip
-from dcfp.schema.digits import typeset
+from dcfp.schema.formulas import typeset
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:

@@ -31,7 +31,7 @@ from dcfp.present.figures.style import (
     style,
 )
 from dcfp.present.panels import loop
-from dcfp.schema.digits import metres_per_second
+from dcfp.schema.formulas import metres_per_second
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:

@@ -23,7 +23,7 @@ from dcfp.present.figures.style import (
     new_figure,
     styled,
 )  # fmt: skip
-from dcfp.schema.digits import metres_per_second, millimetres
+from dcfp.schema.formulas import metres_per_second, millimetres
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:

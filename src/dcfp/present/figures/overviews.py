@@ -30,7 +30,7 @@ from dcfp.present.figures.style import (
     write_title,
 )  # fmt: skip
 from dcfp.present.panels import colour_ends
-from dcfp.schema.digits import metres_per_second, millimetres, typeset
+from dcfp.schema.formulas import metres_per_second, millimetres, typeset
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:

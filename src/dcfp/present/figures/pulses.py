@@ -24,7 +24,7 @@ from dcfp.present.figures.style import (
     write_title,
 )  # fmt: skip
 from dcfp.present.panels import shown, values_of
-from dcfp.schema.digits import metres_per_second, millimetres
+from dcfp.schema.formulas import metres_per_second, millimetres
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:

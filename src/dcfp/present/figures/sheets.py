@@ -10,7 +10,7 @@ from matplotlib.transforms import blended_transform_factory
 from dcfp.present import panels
 from dcfp.present.figures.drawing import draw, plot_loop
 from dcfp.present.figures.style import BLUE, GREY, INK, RED, draw_line, drawable, new_figure, styled
-from dcfp.schema.digits import metres_per_second, millimetres, typeset
+from dcfp.schema.formulas import metres_per_second, millimetres, typeset
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:
