@@ -11,9 +11,8 @@ import pytest
 
 import dcfp
 from dcfp.errors import InputError
-from dcfp.exchange import write_workbook
-from dcfp.exchange.excel import histories
-from dcfp.exchange.excel.sheet import sheet_names
+from dcfp.exchange import workbook, write_workbook
+from dcfp.exchange.sheet import sheet_names
 from dcfp.inference.told import case_objects
 from dcfp.study import Study
 from dcfp.study.scenario import Calculation, Heading, Scenario, calculate
@@ -153,7 +152,7 @@ def test_each_case_has_its_histories_and_two_charts(book, calculation) -> None:
 
 
 def test_a_long_history_is_thinned_and_says_so(calculation, tmp_path, monkeypatch) -> None:
-    monkeypatch.setattr(histories, "MOST_SAMPLES", 500)
+    monkeypatch.setattr(workbook, "MOST_SAMPLES", 500)
     book = written(calculation, tmp_path / "r.xlsx")
     sheet = book["NCC_0.25"]
     assert sheet.max_row - 3 <= 500

@@ -1,4 +1,4 @@
 """Results for other programs: a script for OpenSees, a workbook for spreadsheets."""
 
-from dcfp.exchange.excel import write_workbook as write_workbook
 from dcfp.exchange.opensees import opensees_script as opensees_script
+from dcfp.exchange.workbook import write_workbook as write_workbook

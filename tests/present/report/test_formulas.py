@@ -8,20 +8,7 @@ from xml.etree import ElementTree
 import pytest
 
 import dcfp
-from dcfp.present.report.maths import (
-    Fraction,
-    Name,
-    Node,
-    Number,
-    Operator,
-    Root,
-    Row,
-    Script,
-    Space,
-    Word,
-    mathml,
-    read_maths,
-)
+from dcfp.present.report.maths import mathml
 from dcfp.present.report.worked import worked_out
 from dcfp.study.scenario import Calculation, Scenario
 from dcfp.system import FittedFriction, FrictionLaw, friction_law
@@ -30,14 +17,15 @@ _FUNCTIONS = {"exp": math.exp, "max": max}
 
 
 def evaluate(source: str) -> float:
-    """Return the value of a source without unknowns: products are written side by side or with a cross."""
-    return _sum(list(read_maths(source).items))
+    """Return the value of a source without unknowns, from its MathML: products are written side by side or with a cross."""
+    (row,) = ElementTree.fromstring(re.sub(r' xmlns="[^"]*"', "", mathml(source)))
+    return _sum(list(row))
 
 
-def _sum(items: list[Node]) -> float:
+def _sum(items: list[ElementTree.Element]) -> float:
     total, sign, factors = 0.0, 1.0, []
-    for item in [*items, Operator("+")]:
-        if isinstance(item, Operator) and item.text in "+−":
+    for item in [*items, ElementTree.fromstring("<mo>+</mo>")]:
+        if item.tag == "mo" and item.text in ("+", "−"):
             if factors:
                 total += sign * math.prod(_factors(factors))
                 sign, factors = 1.0, []
@@ -47,48 +35,54 @@ def _sum(items: list[Node]) -> float:
     return total
 
 
-def _factors(items: list[Node]) -> list[float]:
+def _factors(items: list[ElementTree.Element]) -> list[float]:
     found: list[float] = []
     place = 0
     while place < len(items):
         item = items[place]
         place += 1
-        if isinstance(item, Word):
+        if item.tag == "mtext":
             inside = items[place]
-            assert isinstance(inside, Row)
+            assert inside.tag == "mrow"
             place += 1
             found.append(_FUNCTIONS[item.text](*_arguments(inside)))
-        elif not isinstance(item, Space) and item != Operator("×"):
+        elif item.tag != "mspace" and (item.tag, item.text) != ("mo", "×"):
             found.append(_value(item))
     return found
 
 
-def _arguments(row: Row) -> list[float]:
-    parts: list[list[Node]] = [[]]
-    for item in row.items:
-        if item == Operator(","):
+def _arguments(row: ElementTree.Element) -> list[float]:
+    parts: list[list[ElementTree.Element]] = [[]]
+    for item in _inside(row):
+        if (item.tag, item.text) == ("mo", ","):
             parts.append([])
         else:
             parts[-1].append(item)
     return [_sum(part) for part in parts]
 
 
-def _value(node: Node) -> float:
-    match node:
-        case Number(text):
+def _inside(row: ElementTree.Element) -> list[ElementTree.Element]:
+    """Return the items of a row without the parentheses in which it stands."""
+    return [item for item in row if (item.tag, item.text) not in (("mo", "("), ("mo", ")"))]
+
+
+def _value(node: ElementTree.Element) -> float:
+    parts = list(node)
+    match node.tag, node.text:
+        case "mn", str(text):
             return float(text)
-        case Name("π"):
+        case "mi", "π":
             return math.pi
-        case Row(items):
-            return _sum(list(items))
-        case Fraction(above, below):
-            return _value(above) / _value(below)
-        case Root(inside):
-            return math.sqrt(_value(inside))
-        case Script(base, None, sup) if sup is not None:
-            return _value(base) ** _value(sup)
-        case _:
-            msg = f"{node} has no value"
+        case "mrow", _:
+            return _sum(_inside(node))
+        case "mfrac", _:
+            return _value(parts[0]) / _value(parts[1])
+        case "msqrt", _:
+            return math.sqrt(_value(parts[0]))
+        case "msup", _:
+            return _value(parts[0]) ** _value(parts[1])
+        case found:
+            msg = f"{found} has no value"
             raise ValueError(msg)
 
 
@@ -163,7 +157,7 @@ def test_fractions_and_scripts_take_parentheses_away() -> None:
 @pytest.mark.parametrize("wrong", ["(a + b", "a + b)  )", "velocity", "a_"])
 def test_what_is_no_mathematics_is_refused(wrong: str) -> None:
     if wrong == "a + b)  )":
-        assert read_maths(wrong)  # a lone parenthesis is a sign
+        assert mathml(wrong)  # a lone parenthesis is a sign
         return
     with pytest.raises(ValueError, match=r"mathematics|symbol"):
-        read_maths(wrong)
+        mathml(wrong)

@@ -2,8 +2,9 @@
 
 import math
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from operator import attrgetter
 from typing import Any
 
 #: Longest text that a cell holds; longer ones are cut.
@@ -47,17 +48,38 @@ class Head:
         Of the column [characters].
     number_format
         Of its numbers; empty for the one of the unit.
+    get
+        Returns its value from a result, or the name of the attribute that is it.
     """
 
     text: str
     unit: str = ""
     width: int = 11
     number_format: str = ""
+    get: Callable[[Any], object] | str = ""
 
     @property
     def label(self) -> str:
         """The name with the unit."""
         return f"{self.text} [{self.unit}]" if self.unit else self.text
+
+    def of(self, result: object) -> object:
+        """Return its value of a result."""
+        return self.get(result) if callable(self.get) else attrgetter(self.get)(result)
+
+    @property
+    def shape(self) -> str:
+        """How its numbers are shown."""
+        return self.number_format or NUMBER_FORMATS.get(self.unit, _OTHERWISE)
+
+
+#: Formats of words, by their names.
+_FORMATS: dict[str, dict[str, object]] = {
+    "title": {"bold": True, "font_size": 14},
+    "head": {"bold": True, "text_wrap": True, "bottom": 1},
+    "words": {"text_wrap": True},
+    "line": {},
+}
 
 
 class Formats:
@@ -67,36 +89,12 @@ class Formats:
         self._book = book
         self._made: dict[str, Any] = {}
 
-    def named(self, name: str, **properties: Any) -> Any:
-        """Return a format, and make it when it is first asked for."""
+    def __getitem__(self, name: str) -> Any:
+        """Return the format of that name, or that of numbers in a shape; it is made when it is first asked for."""
         if name not in self._made:
+            properties = _FORMATS.get(name, {"num_format": name})
             self._made[name] = self._book.add_format({"valign": "top", **properties})
         return self._made[name]
-
-    @property
-    def title(self) -> Any:
-        """Of a heading."""
-        return self.named("title", bold=True, font_size=14)
-
-    @property
-    def head(self) -> Any:
-        """Of the head of a column."""
-        return self.named("head", bold=True, text_wrap=True, bottom=1)
-
-    @property
-    def words(self) -> Any:
-        """Of words, which go on in the next line."""
-        return self.named("words", text_wrap=True)
-
-    @property
-    def line(self) -> Any:
-        """Of words that stay on one line."""
-        return self.named("line")
-
-    def number(self, head: Head) -> Any:
-        """Return the format of the numbers in a column."""
-        shape = head.number_format or NUMBER_FORMATS.get(head.unit, _OTHERWISE)
-        return self.named(f"number {shape}", num_format=shape)
 
 
 class Sheet:
@@ -117,22 +115,31 @@ class Sheet:
 
     def heading(self, text: str) -> None:
         """Write a heading."""
-        self.page.write_string(self.row, 0, cut(text), self.formats.title)
+        self.page.write_string(self.row, 0, cut(text), self.formats["title"])
         self.row += 1
 
     def note(self, text: str) -> None:
         """Write a sentence on a line of its own."""
-        self.page.write_string(self.row, 0, cut(text), self.formats.line)
+        self.page.write_string(self.row, 0, cut(text), self.formats["line"])
         self.row += 1
 
     def skip(self) -> None:
         """Leave a line empty."""
         self.row += 1
 
+    def remarks(self, sentences: Iterable[str]) -> None:
+        """Write sentences below what is there, each once; nothing where there are none."""
+        found = dict.fromkeys(sentences)
+        if found:
+            self.skip()
+            self.heading("Remarks")
+        for sentence in found:
+            self.note(sentence)
+
     def table(
         self,
         heads: Sequence[Head],
-        rows: Sequence[Mapping[str, object] | Sequence[object]],
+        rows: Iterable[Sequence[object]],
         *,
         frozen: int = 0,
     ) -> None:
@@ -143,21 +150,20 @@ class Sheet:
         heads
             Of the columns, which take their widths.
         rows
-            Cells in the order of the heads, or by their texts.
+            Cells in the order of the heads.
         frozen
             How many columns, and the rows down to the head, stay in sight; of the first table on a sheet that asks for it.
         """
         for column, head in enumerate(heads):
             self.page.set_column(column, column, head.width)
-            self.page.write_string(self.row, column, head.label, self.formats.head)
+            self.page.write_string(self.row, column, head.label, self.formats["head"])
         self.row += 1
         if frozen and not self._frozen:
             self.page.freeze_panes(self.row, frozen)
             self.page.repeat_rows(self.row - 1)
             self._frozen = True
         for row in rows:
-            cells = [row.get(head.text) for head in heads] if isinstance(row, Mapping) else row
-            for column, (head, cell) in enumerate(zip(heads, cells, strict=True)):
+            for column, (head, cell) in enumerate(zip(heads, row, strict=True)):
                 self.cell(self.row, column, cell, head)
             self.row += 1
 
@@ -166,21 +172,16 @@ class Sheet:
         if value is None or (isinstance(value, float) and math.isnan(value)):
             return
         if isinstance(value, bool):
-            self.page.write_string(row, column, "yes" if value else "no", self.formats.words)
+            self.page.write_string(row, column, "yes" if value else "no", self.formats["words"])
         elif isinstance(value, (int, float)) and math.isfinite(value):
-            self.page.write_number(row, column, value, self.formats.number(head))
+            self.page.write_number(row, column, value, self.formats[head.shape])
         else:
-            self.page.write_string(row, column, cut(str(value)), self.formats.words)
+            self.page.write_string(row, column, cut(str(value)), self.formats["words"])
 
 
 def cut(text: str) -> str:
     """Return text as long as a cell can hold."""
     return text if len(text) <= _LONGEST_TEXT else f"{text[: _LONGEST_TEXT - 3]}..."
-
-
-def shown_unit(unit: str) -> str:
-    """Return a unit as a reader knows it: ``"mm s-1"`` is ``"mm/s"``."""
-    return {"1": "–", "m s-1": "m/s", "mm s-1": "mm/s"}.get(unit, unit)
 
 
 # Names of worksheets, as Excel allows them.
