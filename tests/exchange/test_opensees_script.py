@@ -16,8 +16,7 @@ import pytest
 import dcfp
 from dcfp.errors import InputError
 from dcfp.exchange import opensees_script
-from dcfp.exchange.opensees.element import Kind, element_for
-from dcfp.exchange.opensees.fit import ElementFriction
+from dcfp.exchange.opensees.element import ElementFriction, Kind, element_for
 from dcfp.system import LI_2020, NoHeating, PreciseHeating, SimplifiedHeating, System
 
 REQUIRED = os.environ.get("DCFP_REQUIRE_OPENSEES") == "1"

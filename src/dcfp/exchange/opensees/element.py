@@ -1,21 +1,39 @@
-"""Which bearing element of OpenSees stands for a model, with which constants, and what is different."""
+"""Which bearing element of OpenSees stands for a model, with which constants, and what is different.
+
+The factors of velocity and temperature of the heated element are written into its source. Free are the coefficient, the rate of the velocity
+factor, and the conductivity of the plates, which multiplies the rise of the temperature: a law that falls faster than the element's is met by a contact that is
+hotter than it would be. The three are fitted to the coefficient of the law along an analysis, each sample weighted with the energy
+that friction dissipates there.
+"""
 
 import math
 from dataclasses import dataclass, replace
 from enum import Enum
+from typing import Any, ClassVar, cast
 
+import numpy as np
+from scipy import optimize
+
+from dcfp.analysis import Response, respond
+from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
-from dcfp.exchange.opensees.fit import (
-    ELEMENT_AMBIENT,
-    ELEMENT_SPEED_DROP,
-    ElementFriction,
-    fit_element_law,
-    has_the_elements_temperature_factor,
-)
-from dcfp.kernels.law import EXPONENTIAL, Law
+from dcfp.kernels.law import EXPONENTIAL, Law, exponential_law
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.system import System
+from dcfp.schema.parameters import declared
+from dcfp.system import FrictionLaw, Kumar2015, SimplifiedHeating, System
 
+#: What is written into FPBearingPTV: the temperature at the start [degC], and the part of the coefficient that is missing at zero speed [-].
+ELEMENT_AMBIENT = 20.0
+ELEMENT_SPEED_DROP = 0.5
+_ELEMENT_HEAT_FACTOR = (
+    Kumar2015.temperature_law.scale,
+    Kumar2015.temperature_law.rate,
+    Kumar2015.temperature_law.floor,
+)
+#: Fewest samples of sliding for a fit; below, the law's own constants are taken.
+_FEWEST_SAMPLES = 10
+#: Within which the constants are looked for: coefficient over that of the law [-], rate over that of the law [-], factor of the rise [-].
+_LOWEST, _HIGHEST = (0.2, 0.05, 0.05), (5.0, 20.0, 20.0)
 _UNEQUAL = "it has one sliding surface, so that two different plates become two equal ones"
 
 
@@ -96,22 +114,15 @@ def _heated(motion: GroundMotion, model: System, law: Law) -> Element:
     if not reasons:
         rate = law.speed_rate * _share(model) if law.speed_drop else 0.0
         return Element(Kind.HEATED, law.reference, rate=rate)
-    fit = fit_element_law(motion, model)
-    return Element(
-        Kind.HEATED,
-        fit.friction,
-        rate=fit.rate,
-        rise_factor=fit.rise_factor,
-        stand_in=fit.model,
-        reasons=reasons,
-    )
+    return _fitted(motion, model, law, reasons)
 
 
 def _differences(model: System, law: Law) -> tuple[str, ...]:
     """Return in what the heated element is not the model."""
     heating = model.heating
+    heat_factor = (law.heat_scale, law.heat_rate, law.heat_floor)
     found = {
-        "its factor of temperature is 0.789 (0.7^(T/50) + 0.4)": not has_the_elements_temperature_factor(law),
+        "its factor of temperature is 0.789 (0.7^(T/50) + 0.4)": heat_factor != _ELEMENT_HEAT_FACTOR,
         "its factor of velocity is 1 - 0.5 exp(-rate v)": law.speed_drop not in (0.0, ELEMENT_SPEED_DROP),
         "it heats one point of the plate": heating.name != "simplified",
         "its plate is endlessly thick": heating.thickness is not None,
@@ -128,3 +139,82 @@ def _unequal(model: System) -> bool:
 def _share(model: System) -> float:
     """Share of the relative speed that a law takes, as if the plates were equal [-]."""
     return 1.0 / len(model.bearing.radii) if model.friction.speed_is_of_surface else 1.0
+
+
+def _fitted(motion: GroundMotion, model: System, law: Law, reasons: tuple[str, ...]) -> Element:
+    """Return the heated element that comes nearest to a model along its analysis under a ground motion."""
+    bearing, steel = model.bearing, model.heating
+    count = len(bearing.radii)
+    plates = replace(bearing, radii=(bearing.effective_radius / count,) * count)  # equal ones
+    heating = SimplifiedHeating(steel.conductivity, steel.diffusivity, steel.ambient)
+    response = respond(motion, System(plates, model.friction, heating))
+    drop = ELEMENT_SPEED_DROP if law.speed_drop else 0.0
+    start = (law.reference, law.speed_rate * _share(model))
+    of_friction, of_rate, rise_factor = _fit(response, start, drop)
+    friction, rate = start[0] * of_friction, start[1] * of_rate
+    hotter = SimplifiedHeating(steel.conductivity / rise_factor, steel.diffusivity, ELEMENT_AMBIENT)
+    stand_in = System(plates, ElementFriction(friction, drop, rate), hotter)
+    return Element(
+        Kind.HEATED,
+        friction,
+        rate=rate if drop else 0.0,
+        rise_factor=rise_factor,
+        stand_in=stand_in,
+        reasons=reasons,
+    )
+
+
+def _fit(response: Response, start: tuple[float, float], drop: float) -> tuple[float, float, float]:
+    """Return coefficient and rate over those of the law, and the factor of the rise."""
+    law: FrictionLaw = response.friction_law
+    slides = response.sliding != 0.0
+    speed, temperature = np.abs(response.velocity[slides]), response.temperature[slides]
+    share = response.bearing.shares[0] if law.speed_is_of_surface else 1.0
+    coefficient = law.coefficient(response.bearing.pressure, share * speed, temperature)
+    weight, rise = np.sqrt(coefficient * speed), temperature - response.heating.ambient
+    if speed.size < _FEWEST_SAMPLES or not weight.any():
+        return 1.0, 1.0, 1.0
+
+    def misfit(factors: FloatArray) -> FloatArray:
+        velocity_factor = 1.0 - drop * np.exp(-start[1] * factors[1] * speed)
+        heat_factor = Kumar2015.temperature_law.factor(ELEMENT_AMBIENT + factors[2] * rise)
+        return weight * (start[0] * factors[0] * velocity_factor * heat_factor / coefficient - 1.0)
+
+    result = cast("Any", optimize).least_squares(misfit, (1.0, 1.0, 1.0), bounds=(_LOWEST, _HIGHEST))
+    friction, rate, rise_factor = (float(value) for value in result.x)
+    return friction, rate, rise_factor
+
+
+@declared
+class ElementFriction(FrictionLaw):
+    """Friction of an element as a law of this package, to say how far it is from another.
+
+    Parameters
+    ----------
+    friction
+        Coefficient at high speed, and where it heats at about 20 degC [-].
+    drop
+        The part that is missing at zero speed [-].
+    rate
+        Of the velocity factor, for the relative speed of the plates [s/mm].
+    heated
+        Whether it falls with temperature as the law of Kumar et al. (2015).
+    """
+
+    friction: float
+    drop: float
+    rate: float
+    heated: bool = True
+    name: ClassVar[str] = "opensees"
+    citation: ClassVar[str] = "kumar_2015"
+
+    @property
+    def reference(self) -> float:
+        """Coefficient at high speed [-]."""
+        return self.friction
+
+    def at_pressure(self, pressure: float) -> Law:
+        """Return the constants for the kernels; the coefficient is already that at the pressure."""
+        del pressure
+        heat_factor = _ELEMENT_HEAT_FACTOR if self.heated else (0.0, 0.0, 1.0)
+        return exponential_law(self.friction, self.drop, self.rate, *heat_factor)
