@@ -48,7 +48,8 @@ def load_motion(
         msg = f"{text}: the component is given twice, as {chosen!r} and as {component!r}; give it once."
         raise InputError(msg)
     chosen = component if chosen is None else chosen
-    if isinstance(record, PathLike) or _is_path(path):
+    is_path = isinstance(record, PathLike) or _exists(path) or "/" in path or "\\" in path
+    if is_path or Path(path).suffix:
         return read_motion(path, chosen, units=units, time_step=time_step)
     for given in (chosen, units, time_step):
         if given is not None:
@@ -89,10 +90,6 @@ def _split(text: str) -> tuple[str, str | None]:
         return text, None
     path, _, component = text.rpartition(COMPONENT_MARK)
     return path, component or None
-
-
-def _is_path(text: str) -> bool:
-    return _exists(text) or "/" in text or "\\" in text or bool(Path(text).suffix)
 
 
 def _exists(text: str) -> bool:

@@ -65,7 +65,8 @@ def harmonic(
     time, step = _times("harmonic", cycles * period, period, time_step)
     values = amplitude * np.sin(2.0 * math.pi * time / period + phase)
     if ramp > 0.0:
-        values = values * _ramps(time, cycles * period, ramp * period)
+        share = np.clip(np.minimum(time, cycles * period - time) / (ramp * period), 0.0, 1.0)
+        values = values * (0.5 * (1.0 - np.cos(math.pi * share)))
     values = np.where(time <= cycles * period * (1.0 + 1e-12), values, 0.0)
     text = f"A = {amplitude:g} mm/s2, T = {period:g} s, {cycles:g} cycles"
     return _motion("harmonic", values, step, f"{text}, phase {phase:g} rad, ramp {ramp:g} cycles")
@@ -118,11 +119,6 @@ def ricker(
         values = peak * (1.0 - 2.0 * u**2) * np.exp(-(u**2))
     unit = "mm/s" if quantity == "velocity" else "mm/s2"
     return _motion("Ricker wavelet", values, step, f"{quantity}, peak {peak:g} {unit}, f = {frequency:g} Hz")
-
-
-def _ramps(time: FloatArray, end: float, ramp: float) -> FloatArray:
-    share = np.clip(np.minimum(time, end - time) / ramp, 0.0, 1.0)
-    return 0.5 * (1.0 - np.cos(math.pi * share))
 
 
 def _times(name: str, length: float, period: float, time_step: float | None) -> tuple[FloatArray, float]:

@@ -152,8 +152,5 @@ class Quantity:
         name = self.head or self.title
         if "\n" in name or not self.is_number:
             return name
-        return f"{name}\n[{self._bracket(unit or self.shown)}]"
-
-    @staticmethod
-    def _bracket(unit: Unit) -> str:
-        return unit.name if unit.has_dimension else "-"
+        unit = unit or self.shown
+        return f"{name}\n[{unit.name if unit.has_dimension else '-'}]"

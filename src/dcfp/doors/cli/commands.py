@@ -207,7 +207,7 @@ def compare(parser: Parser) -> None:
     options.add_output(parser, "every prediction and analysis as CSV (.csv)", FIGURE)
 
 
-@command("export", "scenario:export")
+@command("export", "study:export_scenario")
 def export(parser: Parser) -> None:
     """Write a scenario for another program: a script for OpenSees, a workbook for spreadsheets, or NetCDF and CSV."""
     words = "study file of one bearing: records, intensities, bearing (dcfp study new writes one)"
@@ -336,7 +336,7 @@ def _name_report(chosen: argparse.Namespace) -> None:
         chosen.out = f"{Path(chosen.scenario).stem}.pdf"
 
 
-@command("report", "scenario:report", _name_report)
+@command("report", "study:report", _name_report)
 def report(parser: Parser) -> None:
     """Write the calculation report of a scenario, as PDF or as one page of HTML: inputs, formulas with numbers, results, checks and verdicts."""
     words = "a bearing and its ground motions: a study file in which only record and intensity vary, with a table [report]"

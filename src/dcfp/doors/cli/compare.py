@@ -29,6 +29,12 @@ HeldOut: TypeAlias = tuple[dict[tuple[Variant | None, Quantity], Coverage], list
 _MOST_ROWS = 40
 #: Marks of a ratio by whether a case is within the limits of a method, and whether any limits are known.
 _MARKS: dict[tuple[bool | None, bool], str] = {(False, True): "*", (None, True): "?"}
+#: Which case a row is of, and what the analysis gives.
+_OF_CASE = (
+    Quantity("record", "name of the ground motion", head="Record", get="record"),
+    Quantity("pgv", "peak ground velocity", M_PER_S, decimals=3, head="PGV", get="pgv"),
+)
+_LARGEST = Quantity("y_max", "largest displacement", MM, decimals=1, get="analysed.whole.bound")
 #: A number in a remark, by which two remarks of one kind may differ.
 _NUMBER = re.compile(r"\d+(?:\.\d+)?")
 
@@ -43,7 +49,12 @@ def run(chosen: argparse.Namespace) -> Answer:
     cases = each(
         "comparisons", motions, lambda motion: compare(motion, methods, codes=True, keep_response=keep)
     )
-    found = _held_out(cases, len(chosen.pgv), methods) if chosen.held_out else None
+    found: HeldOut | None = None
+    if chosen.held_out:
+        # the motions follow each other record by record, at all PGVs each
+        groups = [cases[first :: len(chosen.pgv)] for first in range(len(chosen.pgv))]
+        check_enough(groups)
+        found = coverages(groups), refits(cases, methods.constants)
     table = scatter_table(scatters(cases), cases)
 
     def document() -> dict[str, Any]:
@@ -61,26 +72,16 @@ def run(chosen: argparse.Namespace) -> Answer:
             "Prediction over analysis, blind and PGV on the cases in which each of them predicts a motion:"
         )
         blocks.append((words, grid(table, repeated=2)))
-        blocks += [] if found is None else _judged(*found)
+        if found is not None:
+            words = "Intervals that ought to hold 90 %, from half of the earthquakes, on the other half (200 random halves):"
+            blocks.append((words, grid(coverage_table(found[0]))))
+            words = "Constants fitted to all cases; bias and dispersion of dy on held-out halves (20 random halves):"
+            blocks.append((words, grid(Table(tuple(REFITS), found[1]))))
         return Page(blocks, [*_remarks(cases, methods), *_notes(cases)])
 
     alone = len(cases) == 1
     figure = partial(pulse_figure, cases[0], methods) if alone else drawn("plot_comparison", cases)
     return Answer(document, page, lambda part, kind: case_lines(cases).csv(), figure)
-
-
-def _held_out(cases: list[Case], pgvs: int, methods: Methods) -> HeldOut:
-    # the motions follow each other record by record, at all PGVs each
-    groups = [cases[first::pgvs] for first in range(pgvs)]
-    check_enough(groups)
-    return coverages(groups), refits(cases, methods.constants)
-
-
-def _of_case() -> tuple[Quantity, ...]:
-    return (
-        Quantity("record", "name of the ground motion", head="Record", get="record"),
-        Quantity("pgv", "peak ground velocity", M_PER_S, decimals=3, head="PGV", get="pgv"),
-    )
 
 
 def _ratios(cases: Sequence[Case]) -> Block:
@@ -101,9 +102,9 @@ def _ratios(cases: Sequence[Case]) -> Block:
     known = prediction_methods()
     told = [one for one in variants() if one.method in known]
     columns = (
-        *_of_case(),
+        *_OF_CASE,
         Quantity("dy", "change of displacement", MM, decimals=1, get="analysed.whole.displacement_change"),
-        Quantity("y_max", "largest displacement", MM, decimals=1, get="analysed.whole.bound"),
+        _LARGEST,
         *(column(one, CHANGE, one.information.value.removesuffix(" only")) for one in told),
         *(column(one, DISPLACEMENT, "y_max") for one in told if has_own(one)),
     )
@@ -127,25 +128,12 @@ def _codes(cases: Sequence[Case]) -> Block:
         return Quantity(name, "ratio", NONE, head=f"{head}\n{tail}", get=get)
 
     columns = (
-        *_of_case(),
-        Quantity("y_max", "largest displacement", MM, decimals=1, get="analysed.whole.bound"),
+        *_OF_CASE,
+        _LARGEST,
         *map(column, dict.fromkeys(name for case in cases for name in case.codes)),
     )
     words = "y_max of the methods of codes, under the record's own spectrum, over that of the analysis:"
     return words, grid(Table(columns, cases))
-
-
-def _judged(found: dict[tuple[Variant | None, Quantity], Coverage], fitted: Sequence[Refit]) -> list[Block]:
-    return [
-        (
-            "Intervals that ought to hold 90 %, from half of the earthquakes, on the other half (200 random halves):",
-            grid(coverage_table(found)),
-        ),
-        (
-            "Constants fitted to all cases; bias and dispersion of dy on held-out halves (20 random halves):",
-            grid(Table(tuple(REFITS), fitted)),
-        ),
-    ]
 
 
 def _remarks(cases: Sequence[Case], methods: Methods) -> list[str]:

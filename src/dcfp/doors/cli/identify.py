@@ -2,10 +2,9 @@
 
 import argparse
 import json
-from collections.abc import Sequence
 from pathlib import Path
 
-from dcfp.analysis.rig import Measurement, read_measurement
+from dcfp.analysis.rig import read_measurement
 from dcfp.doors.cli import inputs
 from dcfp.doors.cli.console import Block, Page, grid
 from dcfp.doors.cli.outputs import Answer, drawn
@@ -32,13 +31,13 @@ def run(chosen: argparse.Namespace) -> Answer:
         msg = f"{chosen.bearing}: the law that is fitted has the form 'fitted', that of Li et al. (2020) with free constants, and not {system.friction.name!r}; leave [friction] out."
         raise InputError(msg)
     found = identify(
-        _read(chosen.files),
+        [read_measurement(file) for file in chosen.files],
         system.bearing,
         system.heating,
         fit=chosen.fit,
         fixed=chosen.fix,
         law=system.friction if isinstance(system.friction, FittedFriction) else None,
-        held_out=_read(chosen.hold_out),
+        held_out=[read_measurement(file) for file in chosen.hold_out],
     )
 
     def data(part: Path, kind: str) -> str:
@@ -49,10 +48,6 @@ def run(chosen: argparse.Namespace) -> Answer:
         )
 
     return Answer(found.summary, lambda: _page(found), data, drawn("plot_identification", found))
-
-
-def _read(files: Sequence[str]) -> list[Measurement]:
-    return [read_measurement(file) for file in files]
 
 
 def _origin(found: Identification) -> tuple[str, ...]:

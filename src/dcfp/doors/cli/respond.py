@@ -3,6 +3,7 @@
 import argparse
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from dcfp.analysis import Response
 from dcfp.analysis.integration import NOTHING, PLATES, Integration
@@ -15,6 +16,9 @@ from dcfp.errors import InputError
 from dcfp.motion.measures import motion_remarks
 from dcfp.present.tables import write_responses
 from dcfp.schema.table import Table
+
+if TYPE_CHECKING:
+    from dcfp.study.scenario import Calculation
 
 #: A script for OpenSees, and a workbook.
 SCRIPT, WORKBOOK = ".py", ".xlsx"
@@ -33,32 +37,41 @@ def run(chosen: argparse.Namespace) -> Answer:
     keep = PLATES if kind == ".nc" or chosen.plot is not None else NOTHING
     responses = each("analyses", motions, lambda motion: analyse(motion, system, integration, keep=keep))
 
-    def data(part: Path, kind: str) -> str | None:
-        from dcfp.exchange import opensees_script, write_workbook  # late: scripts and workbooks are rare
-        from dcfp.study import Study
+    def calculated() -> "Calculation":
+        from dcfp.study import Study  # late: workbooks are rare
         from dcfp.study.scenario import Scenario, calculate
 
-        if kind == SCRIPT:
-            return opensees_script(motions[0], system)
-        if kind == WORKBOOK:
-            intensities = {"pgv": chosen.pgv} if chosen.pgv else {}
-            title = ", ".join(motion.name for motion in records)
-            study = Study(records, intensities, model=system, title=title, settings=integration)
-            write_workbook(part, calculate(Scenario(study)))
-        else:
-            write_responses(part, responses, kind)
-        return None
+        intensities = {"pgv": chosen.pgv} if chosen.pgv else {}
+        title = ", ".join(motion.name for motion in records)
+        return calculate(
+            Scenario(Study(records, intensities, model=system, title=title, settings=integration))
+        )
 
-    return answer_of(responses, data)
+    return answer_of(responses, calculated)
 
 
-def answer_of(responses: Sequence[Response], data: Callable[[Path, str], str | None]) -> Answer:
-    """Return what is told of analyses, with what writes their files."""
+def write_analyses(
+    part: Path, kind: str, responses: Sequence[Response], calculated: "Callable[[], Calculation] | None"
+) -> str | None:
+    """Write one analysis as a script for OpenSees, a workbook of what is calculated, or analyses as data."""
+    from dcfp.exchange import opensees_script, write_workbook  # late: scripts and workbooks are rare
+
+    if kind == SCRIPT:
+        return opensees_script(responses[0].motion, responses[0].system)
+    if kind == WORKBOOK and calculated is not None:
+        write_workbook(part, calculated())
+    else:
+        write_responses(part, responses, kind)
+    return None
+
+
+def answer_of(responses: Sequence[Response], calculated: "Callable[[], Calculation] | None" = None) -> Answer:
+    """Return what is told of analyses, with what a workbook has beside them where one may be wanted."""
     alone = len(responses) == 1
     return Answer(
         lambda: [{**one.summary(), "remarks": one.all_remarks} for one in responses],
         lambda: _page(responses),
-        data,
+        lambda part, kind: write_analyses(part, kind, responses, calculated),
         drawn("plot_response", responses[0]) if alone else drawn("plot_overview", responses),
     )
 

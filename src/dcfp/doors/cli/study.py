@@ -1,4 +1,4 @@
-"""``dcfp study``: studies written, planned, run, shown and exported."""
+"""``dcfp study``: studies written, planned, run, shown and exported; ``dcfp export`` and ``dcfp report``: a scenario for another program, and as a calculation report."""
 
 import argparse
 import sys
@@ -10,10 +10,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from dcfp.analysis.batch import available_threads
-from dcfp.doors.cli.console import Page, grid, study_progress
+from dcfp.doors.cli.console import Page, grid, progress, study_progress
 from dcfp.doors.cli.outputs import Answer
-from dcfp.doors.cli.respond import answer_of
-from dcfp.present.tables import write_responses, write_study
+from dcfp.doors.cli.respond import SCRIPT, answer_of, write_analyses
+from dcfp.errors import InputError
+from dcfp.present.tables import write_study
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import NONE
@@ -21,6 +22,7 @@ from dcfp.study import Plan, Study, open_store, read_study
 from dcfp.study.assessment.selection import described, is_number
 from dcfp.study.assessment.single import numbered_cases, response_at
 from dcfp.study.assessment.told import SUMMARY, counts, store_object, summary_table
+from dcfp.study.scenario import Calculation, Scenario, calculate, read_scenario
 from dcfp.study.work import project
 
 if TYPE_CHECKING:
@@ -142,7 +144,7 @@ def histories(chosen: argparse.Namespace) -> Answer:
     """Make the analysis behind one case of a study again."""
     found = read_study(chosen.study).plan
     responses = [response_at(found, values_in(numbered_cases(found), chosen.at))]
-    return answer_of(responses, lambda part, kind: write_responses(part, responses, kind))
+    return answer_of(responses)
 
 
 def export(chosen: argparse.Namespace) -> Answer:
@@ -165,3 +167,53 @@ def _value(dataset: "xarray.Dataset", name: str, text: str) -> float | str:
     except ValueError:
         return text  # refused with the values that are there
     return number if factor is None else described(factor).shown.inner(number)
+
+
+# Scenarios: studies of one bearing.
+
+
+#: Figures of a case of a report.
+_FIGURES = 2
+
+
+def export_scenario(chosen: argparse.Namespace) -> Answer:
+    """Write a scenario as a script for OpenSees, a workbook, or its analyses as data."""
+    scenario = read_scenario(chosen.scenario)
+    if Path(chosen.out).suffix.lower() == SCRIPT and len(scenario.motions) != 1:
+        msg = (
+            f"a script is of one record at one intensity, but the scenario has {len(scenario.motions)} analyses;"
+            " leave one in it, or write .xlsx."
+        )
+        raise InputError(msg)
+    calculation = _calculated(scenario)
+    responses = [one.response for one in calculation.results]
+    return Answer.of_file(
+        chosen.out,
+        lambda part, kind: write_analyses(part, kind, responses, lambda: calculation),
+        {"file": chosen.out, "analyses": calculation.summary},
+    )
+
+
+def report(chosen: argparse.Namespace) -> Answer:
+    """Calculate a scenario and write its report."""
+    from dcfp.present.report import build_report, check_typst, page_of, pdf_of  # late: it draws figures
+
+    kind = Path(chosen.out or "").suffix.lower()
+    if kind == ".pdf":
+        check_typst()
+    calculation = _calculated(read_scenario(chosen.scenario))
+    document = build_report(calculation)
+
+    def data(part: Path, kind: str) -> str | None:
+        with progress("figures", _FIGURES * len(calculation.results)) as advance:
+            if kind != ".pdf":
+                return page_of(document, advance)
+            part.write_bytes(pdf_of(document, advance))
+            return None
+
+    return Answer.of_file(chosen.out, data, document.numbers)
+
+
+def _calculated(scenario: Scenario) -> Calculation:
+    with progress("analyses", len(scenario.motions)) as advance:
+        return calculate(scenario, advance)
