@@ -94,7 +94,7 @@ def test_the_codes_stand_in_the_comparison_with_their_verdicts(run):
     [
         ((), "either records or one of"),
         (("NCC", "--asce", "1.5", "0.6"), "either records or one of"),
-        (("--asce", "1.5"), "--asce: it takes at least 2 numbers (S_MS in g, S_M1 in g, T_L), not 1."),
+        (("--asce", "1.5"), "--asce: it takes at least 2 numbers (acceleration S_MS at short periods, "),
         (("--asce", "1.5", "0.6", "--pgv", "0.5"), "--pgv"),
         (("--asce", "1.5", "0.6", "--bounds", "1.8", "0.7"), "lambda_min"),
         (("--asce", "1.5", "0.6", "--bounds", "0.7"), "it takes at least 2 numbers ("),

@@ -133,7 +133,8 @@ def bounds(chosen: argparse.Namespace) -> Answer:
         ("Question", f"between which bounds the results are over {over.replace(', ', ' and ')}"),
         ("Nominal", nominal),
     ]
-    draw, told = drawn("assessment.plot_bounds", found), {"over": over.split(", "), "nominal": nominal}
+    draw = drawn("assessment.plot_bounds", found)
+    told: dict[str, Any] = {"over": over.split(", "), "nominal": nominal}
     return _answer(found, question, bounds_table(found), draw, repeated=2, **told)
 
 
@@ -179,7 +180,7 @@ def chart(chosen: argparse.Namespace) -> Answer:
     ]
     remarks = _chart_remarks(dataset, space, chosen.allow, parts)
     draw = drawn("assessment.plot_design_chart", [space], chosen.allow)
-    told = {"allowed_mm": chosen.allow, "records": space.records}
+    told: dict[str, Any] = {"allowed_mm": chosen.allow, "records": space.records}
     answer = _answer(dataset, question, table, draw, remarks=remarks, **told)
     every = [*remarks_of(dataset), *remarks]
     return replace(answer, document=lambda: {**answer.document(), "remarks": every})
