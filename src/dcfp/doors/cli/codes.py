@@ -2,6 +2,7 @@
 
 import argparse
 from collections.abc import Sequence
+from typing import Any
 
 from dcfp.doors.cli import inputs
 from dcfp.doors.cli.console import Block, Page, each, grid
@@ -87,7 +88,8 @@ def _spectrum(chosen: argparse.Namespace) -> ElasticSpectrum | None:
         if (values := getattr(chosen, name)) is not None:
             keys = {one.key: one.name for one in parameters(kind).values()}
             own = {keys[key]: getattr(chosen, key) for key in kind.own_options()}
-            return kind(*values, **{field: value for field, value in own.items() if value is not None})
+            behind: list[Any] = values if kind.behind[1] > 1 else [values]
+            return kind(*behind, **{field: value for field, value in own.items() if value is not None})
     return None if chosen.spectrum is None else read_spectrum(chosen.spectrum)
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from dcfp.doors.cli import options
-from dcfp.doors.cli.parser import Pairs, Parser, add_declared, add_parameter, add_parameters, add_switch
+from dcfp.doors.cli.parser import Pairs, Parser, add_declared, add_parameter, add_switch
 from dcfp.errors import InputError
 from dcfp.files import DATA_EXTENSIONS
 from dcfp.schema.parameters import PGV, Parameter, parameters
@@ -157,7 +157,8 @@ def codes(parser: Parser) -> None:
     group = parser.add_argument_group("design spectrum, instead of records")
     for name, kind in sorted(DESIGN_SPECTRA.items()):
         least, most = kind.behind
-        add_parameters(group, list(parameters(kind).values())[:most], name, least, kind.words)
+        own = list(parameters(kind).values())[:most]
+        add_parameter(group, *own, name=name, words=kind.words, least=least)
         for one in kind.own_options().values():
             add_parameter(group, replace(one, more=f"of --{name}"))
     words = "periods and pseudo-accelerations at a damping of 5 %%"
@@ -167,7 +168,7 @@ def codes(parser: Parser) -> None:
     add_declared(group, Constants, "nominal_friction", more={"nominal_friction": "as for predict"})
     bounds = parameters(Bounds)
     words = "property modification factors lambda_min and lambda_max on the friction [-]"
-    add_parameters(group, [bounds["least"], bounds["largest"]], "bounds", 2, words)
+    add_parameter(group, bounds["least"], bounds["largest"], name="bounds", words=words, least=2)
     words = "take all records as one: the geometric mean of their spectra, or what so many percent of them stay below"
     parser.add_argument("--of-set", type=_part, metavar="mean|PERCENT", help=words)
     add_switch(parser, "--details", "also every condition and every round of the iterations")
@@ -296,7 +297,7 @@ def predict(parser: Parser) -> None:
     """Displacement and energy from the velocity pulses of a record, or from the PGV alone, without a response history analysis."""
     options.add_records(parser, "*", RECORD)
     words = "instead of records: the design method for these peak ground velocities"
-    add_parameter(parser, replace(PGV, words=words, key="pgv_only"), several=True)
+    add_parameter(parser, replace(PGV, words=words, key="pgv_only"), any_number=True)
     words = "also where 90 %% of analyses lie, from the 100 components of FEMA P-695 at the same PGV"
     add_switch(parser, "--interval", words)
     more = "with --pgv-only: which friction and radius hold y_max to it; --plot draws the chart"
@@ -385,7 +386,7 @@ def spectrum(parser: Parser) -> None:
     options.add_records(parser, "+", RECORD_OR_SET)
     group = parser.add_argument_group("oscillators")
     add_parameter(group, DAMPING, default=True)
-    add_parameter(group, PERIODS, several=True)
+    add_parameter(group, PERIODS, any_number=True)
     options.add_treatment(parser)
     options.add_output(parser, "every period of every record as CSV (.csv)", FIGURE)
 

@@ -29,7 +29,7 @@ def add_records(parser: Parser, count: str, words: str) -> None:
 def add_treatment(parser: Parser) -> None:
     """Add how the records are scaled and treated."""
     group = parser.add_argument_group("motion")
-    add_parameter(group, PGVS, several=True)
+    add_parameter(group, PGVS, any_number=True)
     words = "remove the constant acceleration whose velocity fits best (an instrument's offset)"
     add_switch(group, "--baseline", words)
     add_parameter(group, HIGH_PASS)

@@ -14,7 +14,6 @@ from dcfp.schema.units import split_number
 
 _SAID_BETTER = {
     "expected one argument": "needs a value",
-    "expected 1 argument": "needs a value",
     "expected at least one argument": "needs at least one value",
 }
 #: How much of a word must be right for it to be taken as the one that was meant [-].
@@ -92,75 +91,61 @@ def add_declared(group: Any, kind: type[Declared], *names: str, more: dict[str, 
 
 def add_parameter(
     group: Any,
-    parameter: Parameter,
-    *,
-    several: bool = False,
+    *several: Parameter,
+    name: str = "",
+    words: str = "",
+    least: int = 1,
+    any_number: bool = False,
     required: bool = False,
     default: bool = False,
 ) -> None:
-    """Add a declared parameter as an option.
+    """Add a declared parameter as an option, or one that takes several of them, one after the other.
 
     Parameters
     ----------
     group
         Parser, or group of options.
-    parameter
-        As it is declared; the option is called as its key.
     several
+        As they are declared.
+    name
+        Of the option; by default the key of the first.
+    words
+        Of its help; by default those of the parameters.
+    least
+        How many of several must be given.
+    any_number
         Whether any number of values may be given.
     required
         Whether it must be given.
     default
         Whether its default stands where it is not given; else None does, so that a file may say it.
     """
+    first = several[0]
+    name = name or first.key
     settings: dict[str, Any] = {
+        "dest": name,
+        "metavar": metavar(first),
+        "help": (words or "; ".join(one.help for one in several)).replace("%", "%%"),
         "required": required,
-        "default": parameter.default if default else None,
-        **_settings(parameter.key, parameter),
+        "default": first.default if default else None,
     }
-    if several or parameter.counts:
+    if any_number or first.counts or len(several) > 1:
         settings |= {
             "action": Numbers,
-            "read": [_reader(parameter)],
-            "most": max(parameter.counts, default=None),
-            "repeat": parameter.repeat,
+            "read": [_reader(one) for one in several],
+            "least": least,
+            "most": None if any_number else max(first.counts, default=len(several)),
+            "repeat": first.repeat,
+            "words": ", ".join(one.words for one in several) if len(several) > 1 else "",
         }
     else:
-        settings["type"] = _reader(parameter)
-    group.add_argument(settings.pop("option"), **settings)
-
-
-def add_parameters(
-    group: Any, parameters: Sequence[Parameter], name: str, least: int, words: str = ""
-) -> None:
-    """Add an option that takes several parameters, one after the other, `least` of them at least."""
-    settings = _settings(name, *parameters)
-    if words:
-        settings["help"] = words
-    group.add_argument(
-        settings.pop("option"),
-        action=Numbers,
-        read=[_reader(one) for one in parameters],
-        least=least,
-        most=len(parameters),
-        words=", ".join(one.words for one in parameters),
-        **settings,
-    )
+        settings["type"] = _reader(first)
+    group.add_argument(f"--{name.replace('_', '-')}", **settings)
 
 
 def add_switch(group: Any, name: str, words: str) -> None:
     """Add an option that is given or not."""
     group.add_argument(name, action="store_true", help=words)
-
-
-def _settings(name: str, *parameters: Parameter) -> dict[str, Any]:
-    words = "; ".join(one.help for one in parameters)
-    return {
-        "option": f"--{name.replace('_', '-')}",
-        "dest": name,
-        "metavar": metavar(parameters[0]),
-        "help": words.replace("%", "%%"),
-    }
 
 
 def _reader(parameter: Parameter) -> Callable[[str], Any]:
@@ -241,7 +226,7 @@ class Numbers(argparse.Action):
         words: str = "",
         **kwargs: Any,
     ) -> None:
-        super().__init__(*args, nargs=1 if most == 1 else "+", **kwargs)
+        super().__init__(*args, nargs="+", **kwargs)
         self.words, self.read, self.repeat = words, read, repeat
         self.least, self.most = least, most
 

@@ -135,7 +135,7 @@ def ida(parser: Parser) -> None:
     """Incremental dynamic analysis from the results of a study: the curves of the records, and what parts of them do not exceed."""
     add_store(parser)
     add_quantity(parser)
-    add_parameter(parser, replace(PART, more="default 0.16 0.5 0.84"), several=True)
+    add_parameter(parser, replace(PART, more="default 0.16 0.5 0.84"), any_number=True)
     options.add_output(parser, "the quantiles and every record by intensity as CSV (.csv)", FIGURE)
 
 
@@ -143,9 +143,9 @@ def ida(parser: Parser) -> None:
 def fragility(parser: Parser) -> None:
     """Fragility from the results of a study: how probable it is that a capacity is exceeded, over the intensity."""
     add_store(parser)
-    add_parameter(parser, CAPACITY, several=True)
+    add_parameter(parser, CAPACITY, any_number=True)
     add_quantity(parser)
-    add_parameter(parser, DISPERSION, several=True)
+    add_parameter(parser, DISPERSION, any_number=True)
     words = "part of the draws of earthquakes inside the bounds"
     add_parameter(parser, replace(CONFIDENCE, words=words, default=0.9), default=True)
     add_parameter(parser, SEED, default=True)
@@ -162,7 +162,7 @@ def bounds(parser: Parser) -> None:
     words = "the results; default peak_displacement force_ratio residual_displacement peak_temperature"
     parser.add_argument("--quantities", nargs="+", metavar="NAME", help=words)
     more = "the figure shows the first; default 0.5 0.84"
-    add_parameter(parser, replace(PART, more=more), several=True)
+    add_parameter(parser, replace(PART, more=more), any_number=True)
     words = "least, nominal and largest by result, quantile and intensity as CSV (.csv)"
     options.add_output(parser, words, FIGURE)
 
