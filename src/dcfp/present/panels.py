@@ -1,6 +1,7 @@
 """Panels: what is drawn of histories, tests and pulses, described once; the figures and the page draw the same descriptions."""
 
 from dataclasses import dataclass, replace
+from itertools import cycle
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -9,28 +10,22 @@ from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.schema.nomenclature import quantity
 from dcfp.schema.quantities import Quantity
+from dcfp.schema.units import METRE, MM, NONE
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dcfp.analysis import Response
     from dcfp.analysis.rig import Loops
+    from dcfp.inference.design_space import DesignSpace
     from dcfp.methods import Pulses
 
     #: What has a displacement, a force, friction and temperature over time.
     History: TypeAlias = Response | Loops
 
 #: Colours by the names that figures and the page have shades for.
-BLUE, OCHRE, RED, GREEN, GREY, INK, SKY, SILVER = (
-    "blue",
-    "ochre",
-    "red",
-    "green",
-    "grey",
-    "ink",
-    "sky",
-    "silver",
-)
+BLUE, OCHRE, RED, GREEN, GREY, INK = "blue", "ochre", "red", "green", "grey", "ink"
+SKY, SILVER = "sky", "silver"
 #: Colours of several tests or records, in their order.
 SERIES = (BLUE, OCHRE, RED, GREEN, GREY)
 
@@ -42,6 +37,12 @@ _LITTLE, _QUIET = 0.001, 0.05
 _LONG_START = 0.2
 #: Rise of the temperature, relative to the highest one, that is shown at least [-].
 _COOL = 0.01
+#: Displacements [mm] and forces over the weight [-] at which a design chart has lines, and the part of its height at which they are named.
+_LEVELS = (25.0, 50.0, 75.0, 100.0, 150.0, 200.0, 300.0, 400.0, 500.0, 600.0, 800.0, 1000.0, 1500.0, 2000.0)
+_FORCES = (0.04, 0.06, 0.08, 0.1, 0.125, 0.15, 0.2, 0.25, 0.3, 0.4)
+_NAMED, _FORCES_NAMED, _SIDE = 0.75, 0.3, 0.03
+_MU = Quantity("mu", "reference coefficient of friction", NONE)
+_RADIUS = Quantity("radius", "radius of each plate", MM, METRE)
 _TIME, _DISPLACEMENT, _FORCE = quantity("time"), quantity("displacement"), quantity("force")
 
 
@@ -63,6 +64,12 @@ class Line:
         [pt].
     dashed, marked
         Whether it is dashed, and whether each of its points is marked.
+    opacity
+        [-].
+    level
+        Of a line of equal values, what they are and the value.
+    place
+        Number of the point at which that is written; None where it is not.
     """
 
     x: FloatArray
@@ -73,6 +80,9 @@ class Line:
     width: float = 0.9
     dashed: bool = False
     marked: bool = False
+    opacity: float = 1.0
+    level: tuple[Quantity, float] | None = None
+    place: int | None = None
 
     @property
     def label(self) -> str:
@@ -119,6 +129,8 @@ class Panel:
         How many of the first lines stand on top of each other, filled.
     path
         Whether the lines are paths in a plane, such as loops, and not histories.
+    across
+        Ends of the horizontal axis of paths, where they are not those of the lines.
     low, high
         Ends of the vertical axis where they are not those of the lines.
     middle
@@ -129,8 +141,10 @@ class Panel:
         Where along the first line the bearing slides.
     peak
         Whether the largest value of the first line is written beside it.
-    picture
-        Below the lines.
+    picture, areas
+        Below the lines: an image, and polygons that are filled, each with points in its rows.
+    limit
+        What the values are not to exceed.
     """
 
     words: str
@@ -139,6 +153,7 @@ class Panel:
     lines: tuple[Line, ...]
     stacked: int = 0
     path: bool = False
+    across: tuple[float, float] | None = None
     low: float | None = None
     high: float | None = None
     middle: bool = False
@@ -146,6 +161,8 @@ class Panel:
     sliding: Any = None
     peak: bool = False
     picture: Picture | None = None
+    areas: tuple[FloatArray, ...] = ()
+    limit: float | None = None
 
 
 def equal_limits(largest: float, shown: Quantity) -> dict[str, Any]:
@@ -337,8 +354,8 @@ def pulses(response: "Response", found: "Pulses", governing: int | None) -> Pane
 def loops(tests: "Sequence[Loops]") -> Panel:
     """Force against displacement of several tests."""
     lines = tuple(
-        Line(test.displacement, test.force, SERIES[i % len(SERIES)], test.test.name)
-        for i, test in enumerate(tests)
+        Line(test.displacement, test.force, colour, test.test.name)
+        for test, colour in zip(tests, cycle(SERIES), strict=False)
     )
     return Panel("force", _DISPLACEMENT, _FORCE, lines, path=True)
 
@@ -346,8 +363,84 @@ def loops(tests: "Sequence[Loops]") -> Panel:
 def temperatures(tests: "Sequence[Loops]") -> Panel:
     """Temperature of the contact over the time of each of several tests."""
     lines = tuple(
-        Line(test.time, test.temperature, SERIES[i % len(SERIES)], test.test.name)
-        for i, test in enumerate(tests)
+        Line(test.time, test.temperature, colour, test.test.name)
+        for test, colour in zip(tests, cycle(SERIES), strict=False)
     )
     along = quantity("temperature")
     return Panel(along.words, _TIME, along, lines)
+
+
+# Panels of a design chart.
+
+
+def design(space: "DesignSpace", allowed: float, part: float) -> Panel:
+    """Lines of equal displacement and of equal force over the weight, over friction and radius; where `allowed` [mm] holds with a probability of `part` [-] it is filled."""
+    from contourpy import FillType, contour_generator  # late: it comes with Matplotlib
+
+    displacement, lines = space.displacement_at(part), list[Line]()
+    for level in _LEVELS:
+        if abs(level - allowed) > 1e-9:
+            lines += _contours(space, displacement, _DISPLACEMENT, level, BLUE)
+    for level in _FORCES:
+        ratio = quantity("force_ratio")
+        lines += _contours(
+            space, space.force_at(part), ratio, level, GREY, _FORCES_NAMED, dashed=True, width=0.7
+        )
+    lines += _contours(space, displacement, _DISPLACEMENT, allowed, RED, width=1.4)
+    filled = contour_generator(space.coefficients, space.radii, displacement, fill_type=FillType.OuterCode)
+    areas = tuple(np.asarray(one) for one in filled.filled(-np.inf, allowed)[0] if one is not None)
+    ends: dict[str, Any] = {"low": float(space.radii[0]), "high": float(space.radii[-1])}
+    return Panel(
+        _RADIUS.words, _MU, _RADIUS, tuple(lines), path=True, across=_across(space), **ends, areas=areas
+    )
+
+
+def _across(space: "DesignSpace") -> tuple[float, float]:
+    return float(space.coefficients[0]), float(space.coefficients[-1])
+
+
+def _contours(
+    space: "DesignSpace",
+    values: FloatArray,
+    one: Quantity,
+    level: float,
+    colour: str,
+    height: float = _NAMED,
+    **look: Any,
+) -> list[Line]:
+    """Return the lines of one value; it is written at the point, not at the sides, that is nearest to a part of the height."""
+    from contourpy import contour_generator
+
+    if not float(values.min()) < level < float(values.max()):
+        return []
+    (left, right), (low, high) = _across(space), space.radii[[0, -1]].tolist()
+    drawn: dict[str, Any] = {"width": 0.8, **look}
+    found: list[Line] = []
+    away: list[FloatArray] = []
+    for path in contour_generator(space.coefficients, space.radii, values).lines(level):
+        x, y = (_refined(np.asarray(path)[:, column]) for column in (0, 1))
+        inside = np.abs((x - left) / (right - left) - 0.5) < 0.5 - _SIDE
+        away.append(np.where(inside, np.abs((y - low) / (high - low) - height), np.inf))
+        found.append(Line(x, y, colour, level=(one, level), **drawn))
+    nearest = min(range(len(found)), key=lambda i: float(away[i].min()))
+    if np.isfinite(away[nearest].min()):
+        found[nearest] = replace(found[nearest], place=int(away[nearest].argmin()))
+    return found
+
+
+def _refined(values: FloatArray, parts: int = 8) -> FloatArray:
+    """Return the values along a path at points between its own too."""
+    at = np.arange(parts * (values.size - 1) + 1) / parts
+    return np.interp(at, np.arange(values.size), values)
+
+
+def design_curves(space: "DesignSpace", allowed: float, part: float) -> Panel:
+    """Displacement against friction, a line for each radius, the strongest the smallest, and what is allowed."""
+    shades = np.linspace(1.0, 0.35, space.radii.size).tolist()
+    rows = zip(space.radii.tolist(), space.displacement_at(part), shades, strict=True)
+    lines = tuple(
+        Line(space.coefficients, values, BLUE, f"{radius / 1e3:g} m", width=1.6, opacity=shade)
+        for radius, values, shade in rows
+    )
+    ends: dict[str, Any] = {"across": _across(space), "limit": allowed}
+    return Panel("displacement", _MU, _DISPLACEMENT, lines, path=True, **ends)

@@ -1,19 +1,28 @@
-"""From what a visitor chose to analyses and predictions: calls of the package, in another thread."""
+"""From what a visitor chose to analyses, predictions and files to take away: calls of the package, in another thread."""
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from io import BytesIO
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from dcfp.analysis import Response, respond
 from dcfp.analysis.integration import PLATES
 from dcfp.doors.app.session import Session
 from dcfp.errors import InputError
+from dcfp.exchange import write_workbook
 from dcfp.inference import Case, Methods, compare
 from dcfp.methods.prediction import Nominal, nominal_coefficient
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import motion_remarks, refuse_a_drift
 from dcfp.motion.treatment import treated
 from dcfp.study import Study
-from dcfp.study.scenario import Heading, Scenario, scenario_toml
+from dcfp.study.scenario import Scenario, calculate, scenario_toml
 from dcfp.system import System
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,20 +59,21 @@ class Task:
         if not session.chosen:
             msg = "Choose at least one record."
             raise InputError(msg)
-        return cls(
-            tuple(session.motion(key) for key in session.chosen),
-            session.bearing.system(),
-            None if session.as_recorded else session.pgv * 1e3,
-            session.baseline,
-            session.corner,
-        )
+        motions = tuple(session.motion(key) for key in session.chosen)
+        pgv = None if session.as_recorded else session.pgv * 1e3
+        return cls(motions, session.bearing.system(), pgv, session.baseline, session.corner)
+
+    @property
+    def title(self) -> str:
+        """What is analysed, in words."""
+        return f"{', '.join(one.name for one in self.motions)} on {self.model.bearing.name}"
 
     def treated(self) -> list[GroundMotion]:
         """Return the motions with their treatment, unscaled."""
         return [treated(motion, baseline=self.baseline, corner=self.corner) for motion in self.motions]
 
-    def scaled(self) -> list[GroundMotion]:
-        """Return the motions as they shake the bearing.
+    def analysed(self) -> list[Response]:
+        """Analyse every motion; with precise heating the temperature along the plates is kept.
 
         Raises
         ------
@@ -71,32 +81,33 @@ class Task:
             If one cannot be scaled.
         """
         motions = self.treated()
-        if self.pgv is None:
-            return motions
-        for motion in motions:
-            refuse_a_drift(motion)
-        return [motion.scaled_to_pgv(self.pgv) for motion in motions]
+        if self.pgv is not None:
+            for motion in motions:
+                refuse_a_drift(motion)
+            motions = [motion.scaled_to_pgv(self.pgv) for motion in motions]
+        return [respond(motion, self.model, keep=PLATES) for motion in motions]
+
+    def scenario(self) -> Scenario:
+        """Return the same as a scenario, whose motions are at hand."""
+        factors = {} if self.pgv is None else {"pgv": [self.pgv]}
+        return Scenario(Study(self.treated(), factors, model=self.model, title=self.title))
+
+    def report_pdf(self) -> bytes:
+        """Return the report as PDF."""
+        from dcfp.present.report import build_report, check_typst, pdf_of  # late: it needs another package
+
+        check_typst()
+        return pdf_of(build_report(calculate(self.scenario())))
+
+    def workbook(self) -> bytes:
+        """Return every result as a workbook."""
+        return file_of(lambda path: write_workbook(path, calculate(self.scenario())))
 
 
-def analyse(task: Task) -> list[Response]:
-    """Analyse every motion; with precise heating the temperature along the plates is kept."""
-    return [respond(motion, task.model, keep=PLATES) for motion in task.scaled()]
-
-
-@dataclass(frozen=True, eq=False)
-class Predicted:
-    """What is predicted of one analysis.
-
-    Attributes
-    ----------
-    case
-        Predictions and codes beside the analysis.
-    methods, nominal
-        How it was predicted.
-    """
+class Predicted(NamedTuple):
+    """Predictions and codes beside an analysis, and the coefficient of friction that they took."""
 
     case: Case
-    methods: Methods
     nominal: Nominal
 
 
@@ -104,7 +115,7 @@ def predict(response: Response, model: System) -> Predicted:
     """Ask every method and every code what it says of a motion that was analysed."""
     nominal = nominal_coefficient(model)
     methods = Methods.of(model, nominal)
-    return Predicted(compare(response.motion, methods, codes=True, response=response), methods, nominal)
+    return Predicted(compare(response.motion, methods, codes=True, response=response), nominal)
 
 
 def remarks_on(response: Response) -> list[str]:
@@ -112,7 +123,7 @@ def remarks_on(response: Response) -> list[str]:
     return [*motion_remarks(response.motion, with_scale=False), *response.remarks]
 
 
-def scenario_text(session: Session, heading: Heading | None = None) -> str:
+def scenario_text(session: Session) -> str:
     """Return the scenario file of what is chosen; the visitor's own files are named as beside it.
 
     Raises
@@ -121,26 +132,39 @@ def scenario_text(session: Session, heading: Heading | None = None) -> str:
         If a field is empty or out of range.
     """
     task = Task.of(session)
-    motion: dict[str, bool | float | str] = {}
-    if task.baseline:
-        motion["baseline"] = True
+    motion: dict[str, bool | float | str] = {"baseline": True} if task.baseline else {}
     if task.corner is not None:
         motion["high_pass"] = task.corner
     for key in session.chosen:
         if key in session.sent:
             motion |= session.sent[key].options
-    return scenario_toml(
-        [session.file_of(key) for key in session.chosen],
-        task.model,
-        title=f"{', '.join(one.name for one in task.motions)} on {task.model.bearing.name}",
-        pgvs=None if task.pgv is None else [task.pgv],
-        heading=heading,
-        motion=motion,
-    )
+    files = [session.file_of(key) for key in session.chosen]
+    pgvs = None if task.pgv is None else [task.pgv]
+    return scenario_toml(files, task.model, title=task.title, pgvs=pgvs, motion=motion)
 
 
-def scenario_of(task: Task) -> Scenario:
-    """Return the same as a scenario, whose motions are at hand."""
-    factors = {} if task.pgv is None else {"pgv": [task.pgv]}
-    title = f"{', '.join(one.name for one in task.motions)} on {task.model.bearing.name}"
-    return Scenario(Study(task.treated(), factors, model=task.model, title=title))
+# Files to take away, made in memory or in a folder that is gone when they are sent.
+
+
+def file_of(write: Callable[[Path], Any]) -> bytes:
+    """Return the file that a function writes to a path."""
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "results"
+        write(path)
+        return path.read_bytes()
+
+
+def table_of(
+    write: Callable[[Path, Sequence[Any], str], Any], results: Sequence[Any], kind: str
+) -> bytes | None:
+    """Return results as ``".nc"``, or as ``".csv"`` the histories of one or the measures of several; None without any."""
+    return file_of(lambda path: write(path, results, kind)) if results else None
+
+
+def figure_png(figure: "Figure") -> bytes:
+    """Return a figure as PNG."""
+    from dcfp.present.figures import save_figure  # late: Matplotlib takes long to import
+
+    stream = BytesIO()
+    save_figure(figure, stream, "png")
+    return stream.getvalue()

@@ -1,19 +1,27 @@
-"""The page of the design chart."""
+"""The page of the design chart, and the surveys of bearings that it shows."""
 
 import asyncio
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any
 
+import numpy as np
 from nicegui import ui
 
 from dcfp.analysis.response import PEAKS
-from dcfp.doors.app import downloads
-from dcfp.doors.app.charts import design as charts
+from dcfp.doors.app.analysis import figure_png
+from dcfp.doors.app.charts import chart
 from dcfp.doors.app.elements import Chart, Grid, Slider, Text
 from dcfp.doors.app.fields import card, choice_field
 from dcfp.doors.app.session import Session
-from dcfp.doors.app.surveys import PGVS, SETS, Question, Surveys
 from dcfp.doors.app.tab import Tab
-from dcfp.errors import DcfpError
-from dcfp.inference.design_space import COEFFICIENTS, RADII, DesignSpace
+from dcfp.errors import DcfpError, InputError
+from dcfp.inference.design_space import COEFFICIENTS, RADII, DesignSpace, held_table, survey
+from dcfp.motion.named import record_set
+from dcfp.present import panels
+from dcfp.schema.nomenclature import quantity
+from dcfp.system import System
 
 _PARTS = {
     "0.5": "half of the earthquakes",
@@ -21,18 +29,89 @@ _PARTS = {
     "0.95": "95 % of the earthquakes",
 }
 _ALLOWED = (50.0, 1000.0)
+_GRID = {"right": 24, "bottom": 46}
+
+
+# Surveys of bearings.
+
+
+#: PGVs that the chart has [m/s].
+PGVS = tuple(np.round(np.arange(0.1, 1.55, 0.1), 2).tolist())
+SETS = {
+    "P695-FF": "far-field set of FEMA P-695, 44 components",
+    "P695-NF": "near-field set of FEMA P-695, 56 components",
+    "P695": "both sets of FEMA P-695, 100 components",
+}
+#: Surveys that are kept.
+_MOST = 200
+
+
+@dataclass(frozen=True)
+class Question:
+    """What a survey is made for: a bearing, whose radii and coefficient are those of none in particular, a set of records by name, and a PGV [m/s]."""
+
+    model: System
+    records: str
+    pgv: float
+
+    @classmethod
+    def of(cls, model: System, records: str, pgv: float) -> "Question":
+        """Leave out of a bearing what a survey varies, so that the same question is known as such."""
+        bearing = replace(
+            model.bearing, radii=(RADII[0],) * 2, displacement_capacity=None, capacity_note="", name="bearing"
+        )
+        law = model.friction
+        if law.reference_parameter:
+            law = law.with_reference(0.05)
+        return cls(System(bearing, law, model.heating), records, pgv)
+
+
+class Surveys:
+    """Surveys by question, each made once; the latest ones are kept.
+
+    A survey rests on named records and on the numbers of a bearing, and on nothing else of a visitor; so that one that is at hand may be
+    shown to anyone who asks for the same.
+    """
+
+    def __init__(self) -> None:
+        self._found: dict[Question, DesignSpace] = {}
+        self._lock = asyncio.Lock()
+
+    def at_hand(self, question: Question) -> DesignSpace | None:
+        """Return a survey that was made before."""
+        return self._found.get(question)
+
+    async def find(self, question: Question, report: Callable[[], None]) -> DesignSpace:
+        """Return a survey, made in other threads where it is not at hand; `report` is called after each radius.
+
+        Raises
+        ------
+        DcfpError
+            If it cannot be made.
+        """
+        async with self._lock:  # one survey takes every core
+            found = self._found.get(question)
+            if found is None:
+                found = await asyncio.to_thread(_make, question, report)
+                self._found[question] = found
+                for old in list(self._found)[:-_MOST]:
+                    del self._found[old]
+            return found
+
+
+def _make(question: Question, report: Callable[[], None]) -> DesignSpace:
+    motions = record_set(question.records)
+    if motions is None:
+        msg = f"There is no record set {question.records!r}."
+        raise InputError(msg)
+    return survey(motions, question.pgv * 1e3, question.model, report=report)
+
+
+# The page.
 
 
 class DesignTab(Tab):
-    """Fields and results of the design chart.
-
-    Parameters
-    ----------
-    session
-        Of the visitor.
-    surveys
-        Surveys that were made before.
-    """
+    """Fields and results of the design chart."""
 
     def __init__(self, session: Session, surveys: Surveys) -> None:
         self._surveys = surveys
@@ -44,10 +123,11 @@ class DesignTab(Tab):
     def add_fields(self) -> None:
         """Add the question."""
         with card("Question"):
-            Slider("PGV", "m/s", 1, self._pgv, (PGVS[0], PGVS[-1]), 0.1, self._set_pgv)
-            Slider("Allowed displacement", "mm", 0, self._allowed, _ALLOWED, 10.0, self._set_allowed)
-            choice_field("Not exceeded in", _PARTS, self._part, self._set_part)
-            choice_field("Records", SETS, self._records, self._set_records)
+            put: Any = partial(partial, self._put)
+            Slider("PGV", "m/s", 1, self._pgv, (PGVS[0], PGVS[-1]), 0.1, put("pgv"))
+            Slider("Allowed displacement", "mm", 0, self._allowed, _ALLOWED, 10.0, put("allowed"))
+            choice_field("Not exceeded in", _PARTS, self._part, put("part"))
+            choice_field("Records", SETS, self._records, put("records"))
 
     def add_results(self) -> None:
         """Add charts and table."""
@@ -128,30 +208,24 @@ class DesignTab(Tab):
         if space is None:
             return
         units, part, pgv = self.session.units, float(self._part), PEAKS["peak_ground_velocity"]
-        allowed = charts.allowed_words(self._allowed, units)
+        length = quantity("displacement")
+        allowed = f"{units.of(length).shown(self._allowed):.4g} {units.name(length)}"
         self.title.text = f"{allowed} at a PGV of {units.written(pgv, space.pgv)} {units.name(pgv)}"
-        self._chart.draw(charts.chart(space, self._allowed, part, units))
-        self._curves.draw(charts.curves(space, self._allowed, part, units))
-        self._table.fill(charts.holding_head(), charts.holding_rows(space, self._allowed))
+        self._chart.draw(chart(panels.design(space, self._allowed, part), units, grid=_GRID))
+        self._curves.draw(chart(panels.design_curves(space, self._allowed, part), units, grid=_GRID))
+        self._table.show(held_table([space], self._allowed), units)
 
-    def _set_pgv(self, value: float) -> None:
-        self._pgv = min(PGVS, key=lambda one: abs(one - value))
-        self.ask()
-
-    def _set_allowed(self, value: float) -> None:
-        self._allowed = value
-        self.show_again()
-
-    def _set_part(self, value: str) -> None:
-        self._part = value
-        self.show_again()
-
-    def _set_records(self, value: str) -> None:
-        self._records = value
-        self.ask()
+    def _put(self, name: str, value: Any) -> None:
+        if name == "pgv":
+            value = min(PGVS, key=lambda one: abs(one - value))
+        setattr(self, f"_{name}", value)
+        if name in ("pgv", "records"):
+            self.ask()
+        else:
+            self.show_again()
 
     def _figure(self) -> bytes | None:
-        from dcfp.present.figures.assessment import plot_design_chart  # late: it takes long to import
+        # late: Matplotlib takes long to import
+        from dcfp.present.figures.assessment import plot_design_chart
 
-        space = self._space
-        return None if space is None else downloads.figure_png(plot_design_chart([space], self._allowed))
+        return None if self._space is None else figure_png(plot_design_chart([self._space], self._allowed))

@@ -1,7 +1,6 @@
 """Elements of the page that NiceGUI does not have; each is a file in ``static``."""
 
-from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from nicegui import ui
@@ -9,6 +8,9 @@ from nicegui.element import Element
 from nicegui.elements import echart
 from nicegui.elements.mixins.text_element import TextElement
 from nicegui.events import GenericEventArguments
+
+from dcfp.doors.app.units import Units
+from dcfp.schema.table import Table
 
 # importing it offers the browser the library of charts, which chart.js imports
 del echart
@@ -47,25 +49,8 @@ class Section(Element, component="static/section.js"):
         self.run_method("load", scene)
 
 
-@dataclass(frozen=True)
-class Head:
-    """Head of a column of a `Grid`."""
-
-    text: str
-    unit: str = ""
-    number: bool = True
-
-
-@dataclass(frozen=True)
-class Cell:
-    """Cell of a `Grid`; `tone` is ``"good"``, ``"bad"``, ``"doubt"`` or nothing."""
-
-    text: str
-    tone: str = ""
-
-
 class Grid(Element, component="static/grid.js"):
-    """A table of text."""
+    """A table of text; `tones` are ``"good"``, ``"bad"``, ``"doubt"`` or nothing."""
 
     def __init__(self, caption: str, pick: Callable[[int], None] | None = None) -> None:
         super().__init__()
@@ -73,34 +58,32 @@ class Grid(Element, component="static/grid.js"):
         if pick is not None:
             self.on("pick", lambda event: pick(int(event.args)))
 
-    def fill(self, head: Sequence[Head], rows: Sequence[Sequence[Cell | str]], chosen: int = -1) -> None:
-        """Show other rows; `chosen` is the number of the one that is marked."""
-        self._props["head"] = [asdict(one) for one in head]
+    def show(
+        self,
+        table: Table,
+        units: Units,
+        chosen: int = -1,
+        tones: Mapping[str, Callable[[Any], str]] | None = None,
+    ) -> None:
+        """Show what people read of a table in the visitor's units, with one row marked as chosen; `tones` return the tone of a cell by the key of its column."""
+        known, columns = tones or {}, table.printed
+        self._props["head"] = [
+            {"text": one.head or one.title, "unit": units.name(one), "number": one.is_number}
+            for one in columns
+        ]
         self._props["rows"] = [
-            [asdict(Cell(cell) if isinstance(cell, str) else cell) for cell in row] for row in rows
+            [
+                {"text": units.text(one, each), "tone": known[one.key](each) if one.key in known else ""}
+                for one in columns
+            ]
+            for each in table.results
         ]
         self._props["chosen"] = chosen
         self.update()
 
 
 class Slider(Element, component="static/slider.js"):
-    """A slider with its label and value; `move` is called with the value while it is dragged.
-
-    Parameters
-    ----------
-    label, unit
-        As shown.
-    decimals
-        Of the value.
-    value
-        Where it stands.
-    ends
-        Where it can stand, least and most.
-    step
-        From one value to the next.
-    move
-        Called with a new value.
-    """
+    """A slider with its label and value, which stands between two ends; `move` is called with the value while it is dragged."""
 
     def __init__(
         self,

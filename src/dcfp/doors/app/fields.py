@@ -60,7 +60,7 @@ def parameter_field(
     unit = one.unit.name if one.unit.has_dimension else ""
     with _labelled(label) as name:
         if one.counts:
-            made: Any = ui.input(value=_listed(value), suffix=unit or None, placeholder=one.absent or None, on_change=lambda event: change(_several(event.value)))  # fmt: skip
+            made: Any = ui.input(value=_listed(value), suffix=unit or None, placeholder=one.absent or None, on_change=lambda event: change((event.value or "").strip() or None))  # fmt: skip
         else:
             made = ui.number(value=value, step=one.step, suffix=unit or None, placeholder=one.absent or None, on_change=lambda event: change(_number(event.value)))  # fmt: skip
         made.props(f"outlined dense for={name} debounce={_PAUSE}")
@@ -74,20 +74,12 @@ def shown_value(one: Parameter, value: Any) -> Any:
 
 
 def _listed(value: Any) -> str:
-    """Return several numbers as text; what is none of them, which a field may hold too, as it is."""
+    """Return several numbers as text; what a visitor has written, as it is."""
     return (
         ", ".join(f"{number:g}" for number in cast("list[float]", value))
         if isinstance(value, list)
         else str(value or "")
     )
-
-
-def _several(text: str | None) -> Any:
-    """Return the numbers of a text; None where it is empty, and the text itself where it holds anything else."""
-    try:
-        return [float(part) for part in text.split(",")] if text and text.strip() else None
-    except ValueError:
-        return text
 
 
 def _number(value: object) -> float | None:
@@ -146,16 +138,10 @@ class Alert:
 
 
 class BearingPanel:
-    """The fields; every page of a visitor has them, and they always show the same bearing.
+    """The fields of a bearing; every page of a visitor has them, and they always show the same one.
 
-    Parameters
-    ----------
-    form
-        What the fields hold.
-    changed
-        Called when one of them has changed.
-    varies
-        Names of fields that this page varies itself, with ``"mu"`` for the reference coefficient of any law.
+    `changed` is called when one of them has changed; a page that `varies` some itself does not have those, with ``"mu"`` for the reference
+    coefficient of any law.
     """
 
     def __init__(self, form: BearingForm, changed: Callable[[], None], varies: Collection[str] = ()) -> None:

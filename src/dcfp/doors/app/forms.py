@@ -42,6 +42,8 @@ def read_field(one: Parameter, value: Any) -> Any:
     if value is None and not one.optional:
         msg = f"The {one.words}{f' {one.unit.heading}' if one.unit.has_dimension else ''} is missing."
         raise InputError(msg)
+    if one.counts and isinstance(value, str):
+        value = value.split(",")
     return one.read(value, f"The {one.words}")
 
 

@@ -1,6 +1,7 @@
 """The page of the test machine."""
 
 import asyncio
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -8,8 +9,8 @@ from nicegui import ui
 
 from dcfp.analysis.rig import Loops, Program, RigTest, Sine, load_program, run_program
 from dcfp.analysis.rig.loops import CYCLES, cycles_of_tests
-from dcfp.doors.app import downloads
-from dcfp.doors.app.charts.look import BLUE, OCHRE, axis, chart, legend, line, simple
+from dcfp.doors.app.analysis import table_of
+from dcfp.doors.app.charts import chart, line
 from dcfp.doors.app.elements import Chart, Grid, Options, Text
 from dcfp.doors.app.fields import card, choice_field, parameter_field
 from dcfp.doors.app.forms import read_field
@@ -17,7 +18,9 @@ from dcfp.doors.app.session import Session
 from dcfp.doors.app.tab import Tab, write_list
 from dcfp.doors.app.thinning import points
 from dcfp.present import panels
+from dcfp.present.tables import write_tests
 from dcfp.schema.parameters import Parameter
+from dcfp.schema.table import Table
 from dcfp.schema.units import MM, MM_PER_S, NONE
 
 _SINE = "sine"
@@ -46,13 +49,7 @@ _FEW = 40
 
 
 class MachineTab(Tab):
-    """Fields and results of the test machine.
-
-    Parameters
-    ----------
-    session
-        Of the visitor.
-    """
+    """Fields and results of the test machine."""
 
     def __init__(self, session: Session) -> None:
         self._name, self._chosen = "dependency", _ALL
@@ -84,13 +81,10 @@ class MachineTab(Tab):
             Text("p", "k_eff and b_eff as ASCE/SEI 7-16, section 17.8; mu_0: force over load where the displacement passes zero.").classes("note")  # fmt: skip
         self._remarks = ui.element("ul").classes("remarks")
 
-        def file(kind: str) -> bytes | None:
-            return downloads.tests_file(self._tests, kind) if self._tests else None
-
         self.add_files(
             (
-                ("Measures (CSV)", "tests.csv", partial(file, ".csv")),
-                ("All data (NetCDF)", "tests.nc", partial(file, ".nc")),
+                ("Measures (CSV)", "tests.csv", lambda: table_of(write_tests, self._tests, ".csv")),
+                ("All data (NetCDF)", "tests.nc", lambda: table_of(write_tests, self._tests, ".nc")),
             )
         )
 
@@ -118,11 +112,10 @@ class MachineTab(Tab):
         some = [test for test in self._tests if self._chosen in (_ALL, test.test.name)]
         self._loops.draw(chart(panels.loops(some), units))
         self._friction.draw(friction_chart(self._tests))
-        scroll = legend(type="scroll", left=230)
+        scroll = {"type": "scroll", "left": 230}
         self._temperature.draw(chart(panels.temperatures(some), units, 300, legend=scroll))
-        told = [one for one in CYCLES if one.printed or one.key in _ALSO]
-        cells = [[units.text(one, cycle) for one in told] for cycle in cycles_of_tests(some)]
-        self._measures.fill(units.heads(told), cells)
+        told = [replace(one, printed=one.printed or one.key in _ALSO) for one in CYCLES]
+        self._measures.show(Table(tuple(told), cycles_of_tests(some)), units)
         write_list(self._remarks, grouped(self._tests))
 
     def _choose_program(self, name: str) -> None:
@@ -153,12 +146,12 @@ def friction_chart(tests: list[Loops]) -> Options:
     series = [
         line(words, points(number, np.array([getattr(cycle, name) for cycle in cycles])), colour, **marks)
         for words, name, colour in (
-            ("at zero displacement", "friction", BLUE),
-            ("whole loop", "loop_friction", OCHRE),
+            ("at zero displacement", "friction", panels.BLUE),
+            ("whole loop", "loop_friction", panels.OCHRE),
         )
     ]
-    x = axis("Cycle, all tests in order", "x", minInterval=1, min=0.5, max=len(cycles) + 0.5)
-    return simple(x, axis("µ [–]", "y"), series, legend=legend())
+    x = {"name": "Cycle, all tests in order", "minInterval": 1, "min": 0.5, "max": len(cycles) + 0.5}
+    return {"xAxis": x, "yAxis": {"name": "µ [–]"}, "series": series, "legend": {}}
 
 
 def grouped(tests: list[Loops]) -> list[str]:

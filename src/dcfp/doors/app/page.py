@@ -7,12 +7,11 @@ from typing import TYPE_CHECKING
 from nicegui import ui
 from nicegui.events import ValueChangeEventArguments
 
-from dcfp.doors.app.design_tab import DesignTab
+from dcfp.doors.app.design_tab import DesignTab, Surveys
 from dcfp.doors.app.elements import Text
 from dcfp.doors.app.machine_tab import MachineTab
 from dcfp.doors.app.response_tab import ResponseTab
 from dcfp.doors.app.session import Session
-from dcfp.doors.app.surveys import Surveys
 from dcfp.doors.app.units import CHOICES, Units
 from dcfp.schema.units import Unit
 

@@ -2,6 +2,7 @@
 
 import asyncio
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from nicegui import ui
@@ -29,20 +30,13 @@ def upload_words() -> str:
 
 
 class RecordsPanel:
-    """The fields of the records.
-
-    Parameters
-    ----------
-    session
-        What they hold.
-    changed
-        Called when one of them has changed.
-    """
+    """The fields of the records that a session holds; `changed` is called when one of them has changed."""
 
     def __init__(self, session: Session, changed: Callable[[], None]) -> None:
         self._session, self._changed = session, changed
-        self._unit: str | None = None
-        self._time_step: float | None = None
+        self._read: dict[str, Any] = {"units": None, "time_step": None}
+        put: Any = partial(partial, self._put)
+        read_as: Any = partial(partial, self._read_as)
         with card("Ground motion"):
             self._records = choice_field(
                 "Records", session.choices(), session.chosen, self._choose, several=True, search=True
@@ -58,14 +52,14 @@ class RecordsPanel:
                 lambda event: self._alert.say(f"{str(event.args)[:80]}: the file could not be sent."),
             )
             self._alert = Alert()
-            self._pgv = Slider("PGV of every record", "m/s", 2, session.pgv, _PGVS, 0.01, self._set_pgv)
-            switch_field("As recorded, not scaled", session.as_recorded, self._set_as_recorded)
+            self._pgv = Slider("PGV of every record", "m/s", 2, session.pgv, _PGVS, 0.01, put("pgv"))
+            switch_field("As recorded, not scaled", session.as_recorded, put("as_recorded"))
             with more("Treatment and plain files"):
-                switch_field("Remove a linear baseline in velocity", session.baseline, self._set_baseline)
-                parameter_field(_CORNER, session.corner, self._set_corner)
+                switch_field("Remove a linear baseline in velocity", session.baseline, put("baseline"))
+                parameter_field(_CORNER, session.corner, put("corner"))
                 with ui.element("div").classes("pair"):
-                    choice_field("Unit of plain columns", _UNITS, "", self._set_unit)
-                    parameter_field(_TIME_STEP, None, self._set_time_step)
+                    choice_field("Unit of plain columns", _UNITS, "", read_as("units"))
+                    parameter_field(_TIME_STEP, None, read_as("time_step"))
                 Text("p", "K-NET, KiK-net and JMA files are raw: filter them at 0.05 Hz before trusting a PGV.").classes("note")  # fmt: skip
 
     def _choose(self, keys: Any) -> None:
@@ -87,9 +81,7 @@ class RecordsPanel:
             if file.size() > LARGEST_FILE:
                 raise InputError(too_large(file.name))
             content = await file.read()
-            uploads = await asyncio.to_thread(
-                read_upload, content, file.name, units=self._unit, time_step=self._time_step
-            )
+            uploads = await asyncio.to_thread(read_upload, content, file.name, **self._read)
             keys = session.take(uploads)
         except InputError as error:
             self._alert.say(str(error))
@@ -97,26 +89,14 @@ class RecordsPanel:
         self._alert.say("")
         self._records.set_options(session.choices(), value=keys[:1])
 
-    def _set_pgv(self, value: float) -> None:
-        self._session.pgv = value
-        if not self._session.as_recorded:
+    def _put(self, name: str, value: Any) -> None:
+        """Put a value into the session, and say so where the records are other ones by it."""
+        setattr(self._session, name, value)
+        if name == "as_recorded":
+            self._pgv.set_off(value)
+        if name != "pgv" or not self._session.as_recorded:
             self._changed()
 
-    def _set_as_recorded(self, value: bool) -> None:
-        self._session.as_recorded = value
-        self._pgv.set_off(value)
-        self._changed()
-
-    def _set_baseline(self, value: bool) -> None:
-        self._session.baseline = value
-        self._changed()
-
-    def _set_corner(self, value: float | None) -> None:
-        self._session.corner = value
-        self._changed()
-
-    def _set_unit(self, value: str) -> None:
-        self._unit = value or None
-
-    def _set_time_step(self, value: float | None) -> None:
-        self._time_step = value
+    def _read_as(self, name: str, value: Any) -> None:
+        """Say how plain files are read that are sent from now on."""
+        self._read[name] = value or None

@@ -1,37 +1,51 @@
 """The page of the response: fields at the side, and what follows from them."""
 
 import asyncio
+import math
+from dataclasses import replace
+from operator import attrgetter
+from typing import Any, NamedTuple
 
+import numpy as np
 from nicegui import ui
 
 from dcfp.analysis import Response, Status
 from dcfp.analysis.response import PEAKS
-from dcfp.doors.app import downloads
-from dcfp.doors.app.analysis import Predicted, Task, analyse, predict, remarks_on, scenario_text
-from dcfp.doors.app.charts import response as charts
-from dcfp.doors.app.charts.look import chart, rows
-from dcfp.doors.app.elements import Cell, Chart, Grid, Section, Text
+from dcfp.doors.app.analysis import Predicted, Task, figure_png, predict, remarks_on, scenario_text, table_of
+from dcfp.doors.app.charts import chart, colour_of, level, rows, warm_colours
+from dcfp.doors.app.elements import Chart, Grid, Options, Section, Text
 from dcfp.doors.app.fields import card
 from dcfp.doors.app.forms import label_of
 from dcfp.doors.app.records_panel import RecordsPanel
 from dcfp.doors.app.session import Session
 from dcfp.doors.app.tab import Latest, Tab, write_list
+from dcfp.doors.app.units import Units
 from dcfp.errors import DcfpError
+from dcfp.inference import Case
+from dcfp.methods import Prediction
+from dcfp.methods.code import CodeResult
+from dcfp.methods.method import Information, variants
 from dcfp.present import panels
-from dcfp.schema.quantities import NOTHING
+from dcfp.present.tables import write_responses
+from dcfp.schema.nomenclature import quantity
+from dcfp.schema.quantities import NOTHING, Quantity
+from dcfp.schema.table import Table
+from dcfp.schema.units import INCH, MM, NONE
 
 _TONES = {Status.OK: "good", Status.BEYOND_CAPACITY: "bad", Status.STILL_MOVING: "doubt"}
-_CELL_TONES = {status.value: tone for status, tone in _TONES.items()}
+#: Frames of the animation at most, and its least time step [s].
+_MOST_FRAMES, _LEAST_STEP = 3000, 0.02
+_LENGTH = replace(quantity("displacement"), decimals=1)
+_COLOURS = {
+    Information.BLIND: panels.BLUE,
+    Information.INFORMED: panels.GREY,
+    Information.PGV: panels.OCHRE,
+    Information.SPECTRUM: panels.INK,
+}
 
 
 class ResponseTab(Tab):
-    """Fields and results of the response.
-
-    Parameters
-    ----------
-    session
-        Of the visitor.
-    """
+    """Fields and results of the response."""
 
     def __init__(self, session: Session) -> None:
         self._shown = 0
@@ -82,23 +96,21 @@ class ResponseTab(Tab):
 
     def _add_files(self) -> None:
         def figure() -> bytes | None:
-            return downloads.figure_png(self._responses[self._shown].plot()) if self._responses else None
+            return figure_png(self._responses[self._shown].plot()) if self._responses else None
 
-        def histories() -> bytes | None:
-            one = self._responses[self._shown : self._shown + 1]
-            return downloads.responses_file(one, ".csv") if one else None
-
-        def everything() -> bytes | None:
-            return downloads.responses_file(self._responses, ".nc") if self._responses else None
+        def table(kind: str) -> bytes | None:
+            # a table is of what is shown, data are of all
+            part = slice(self._shown, self._shown + 1) if kind == ".csv" else slice(None)
+            return table_of(write_responses, self._responses[part], kind)
 
         self.add_files(
             (
                 ("Scenario (TOML)", "scenario.toml", lambda: scenario_text(self.session).encode()),
-                ("Histories (CSV)", "response.csv", histories),
-                ("All data (NetCDF)", "response.nc", everything),
+                ("Histories (CSV)", "response.csv", lambda: table(".csv")),
+                ("All data (NetCDF)", "response.nc", lambda: table(".nc")),
                 ("Figure (PNG)", "response.png", figure),
-                ("Report (PDF)", "report.pdf", lambda: downloads.report_pdf(Task.of(self.session))),
-                ("Workbook (Excel)", "response.xlsx", lambda: downloads.workbook(Task.of(self.session))),
+                ("Report (PDF)", "report.pdf", lambda: Task.of(self.session).report_pdf()),
+                ("Workbook (Excel)", "response.xlsx", lambda: Task.of(self.session).workbook()),
             )
         )
         Text(
@@ -111,7 +123,7 @@ class ResponseTab(Tab):
         try:
             task = Task.of(self.session)
             self.busy.text = "Calculating …"
-            responses = await asyncio.to_thread(analyse, task)
+            responses = await asyncio.to_thread(task.analysed)
         except DcfpError:
             if not self.is_gone:
                 self.status.text = "of the last valid input"
@@ -156,7 +168,7 @@ class ResponseTab(Tab):
         pgv = PEAKS["peak_ground_velocity"]
         self.title.text = f"{one.motion.name}, PGV {units.text(pgv, one)} {units.name(pgv)}"
         self.status.text = one.status.value
-        self.status.classes(replace=f"status {_TONES[one.status]}")
+        self.status.classes(replace=f"status {_tone_of(one)}")
         self.status.set_visibility(True)
         for name, (value, unit) in self._tiles.items():
             quantity = PEAKS[name]
@@ -164,12 +176,10 @@ class ResponseTab(Tab):
             unit.text = units.name(quantity) if quantity.shown.has_dimension else ""
         write_list(self._remarks, remarks_on(one))
         self._summary_card.set_visibility(len(self._responses) > 1)
-        told = [quantity for quantity in PEAKS.values() if quantity.printed]
-        cells = [[units.text(quantity, each) for quantity in told] for each in self._responses]
-        marked = [[Cell(text, _CELL_TONES.get(text, "")) for text in row] for row in cells]
-        self._summary.fill(units.heads(told), marked, self._shown)
+        peaks = Table(tuple(PEAKS.values()), self._responses)
+        self._summary.show(peaks, units, self._shown, {"status": _tone_of})
         self._loop.draw(chart(panels.loop(one), units))
-        self._section.load(charts.scene(one, units))
+        self._section.load(scene(one, units))
         histories = (panels.velocities, panels.displacement, panels.temperature, panels.friction)
         self._histories.draw(rows([describe(one) for describe in histories], units))
         self._energy.draw(chart(panels.energies(one), units))
@@ -182,10 +192,135 @@ class ResponseTab(Tab):
         """Show predictions and codes beside the analysis."""
         if self._predicted is None:
             return
-        units, case, nominal = self.session.units, self._predicted.case, self._predicted.nominal
+        units, (case, nominal) = self.session.units, self._predicted
         response = self._responses[self._shown]
         self._pulses.draw(chart(panels.pulses(response, case.pulses, case.analysed.pulse), units))
         self._nominal.text = f"The methods take a constant µ of {nominal.value:.4g}: {nominal.source}."
-        self._bars.draw(charts.bars(case, units))
-        self._predictions.fill(charts.prediction_head(units), charts.prediction_rows(case, units), 0)
-        write_list(self._code_remarks, charts.code_remarks(case))
+        self._bars.draw(bars(case, units))
+        self._predictions.show(predictions_of(case), units, 0, {"verdict": attrgetter("tone")})
+        write_list(self._code_remarks, code_remarks(case))
+
+
+def _tone_of(response: Response) -> str:
+    return _TONES[response.status]
+
+
+# Predictions and codes beside the analysis.
+
+
+class _Beside(NamedTuple):
+    """What a method says, with what it knows, beside the analysis; of a code with its verdict."""
+
+    method: str
+    knows: str
+    said: Prediction
+    analysed: Prediction
+    code: CodeResult | None = None
+
+    @property
+    def tone(self) -> str:
+        """Tone of the verdict."""
+        if self.code is None or not self.code.conditions:
+            return ""
+        return {True: "good", False: "bad", None: "doubt"}[self.code.valid]
+
+
+def _over_analysis(name: str) -> Quantity:
+    def ratio(one: _Beside) -> float:
+        analysed = getattr(one.analysed, name)
+        return getattr(one.said, name) / analysed if analysed > 0.0 else math.nan
+
+    return Quantity(
+        f"{name}_ratio", "prediction over analysis", NONE, decimals=2, head="over analysis", get=ratio
+    )
+
+
+_PREDICTIONS = (
+    Quantity("method", "method", head="Method", get="method"),
+    Quantity("knows", "what it knows", head="Knows", get="knows"),
+    Quantity("dy", "largest change of displacement", MM, decimals=1, get="said.displacement_change"),
+    _over_analysis("displacement_change"),
+    Quantity("bound", "largest displacement", MM, decimals=1, head="y_max offered", get="said.bound"),
+    _over_analysis("bound"),
+    Quantity("verdict", "verdict", head="Verdict", get=lambda one: one.code.verdict if one.code else ""),
+)
+
+
+def predictions_of(case: Case) -> Table:
+    """Return a row for the analysis and for every method."""
+    rows = [_Beside("analysis", "everything", case.analysed.whole, case.analysed.whole)]
+    for variant in variants():
+        if variant in case.predicted:
+            method, information = variant
+            beside, code = case.analysed.beside(information), case.codes.get(method)
+            rows.append(_Beside(method, information.value, case.predicted[variant], beside, code))
+    return Table(_PREDICTIONS, rows)
+
+
+def bars(case: Case, units: Units) -> Options:
+    """Draw what each method offers for the largest displacement, and the analysis as a line."""
+    known = [variant for variant in reversed(variants()) if variant in case.predicted]
+    length = units.of(_LENGTH)
+    data = [
+        {"value": round(length.shown(case.predicted[one].bound), 4), "itemStyle": {"color": colour_of(_COLOURS[one.information])}}
+        for one in known
+    ]  # fmt: skip
+    analysed = case.analysed.whole.bound
+    words = f"analysis {units.written(_LENGTH, analysed)} {length.name}"
+    line = level((length.shown(analysed),), "xAxis", words, panels.INK)
+    line["markLine"]["label"] |= {"position": "end", "fontSize": 12}
+    names = [
+        one.method if one.information is Information.SPECTRUM else f"{one.method}, {one.information.value}"
+        for one in known
+    ]
+    return {
+        "xAxis": {"name": f"y_max offered [{length.name}]", "scale": False, "splitLine": {"show": True}},
+        "yAxis": {"type": "category", "data": names, "axisLabel": {"width": 150, "overflow": "truncate"}},
+        "series": [{"type": "bar", "name": "y_max", "data": data, "barWidth": "58%", **line}],
+        "grid": {"left": 162, "right": 24, "top": 30},
+        "tooltip": {"show": False},
+    }
+
+
+def code_remarks(case: Case) -> list[str]:
+    """Return which conditions are broken, and what could not be confirmed."""
+    remarks: list[str] = []
+    for name, result in case.codes.items():
+        broken = [
+            f"{one.name} {one.found_words}, {one.limit_words}"
+            for one in result.conditions
+            if one.verdict.value == "not met"
+        ]
+        remarks += [f"{name}, not met: {'; '.join(broken)}."] if broken else []
+        remarks += [f"{name}, unconfirmed: {'; '.join(result.unconfirmed)}."] if result.unconfirmed else []
+    return remarks
+
+
+def scene(response: Response, units: Units) -> dict[str, Any]:
+    """Return what the animation shows: displacement and temperature at equal steps, and the geometry."""
+    part = panels.shown(response)
+    span = float(response.time[part][-1])
+    step = max(_LEAST_STEP, span / _MOST_FRAMES)
+    time = np.arange(0.0, span + step, step)
+    displacement = np.interp(time, response.time, response.displacement)
+    temperature = np.interp(time, response.time, response.temperature)
+    bearing = response.bearing
+    capacity = bearing.displacement_capacity or 0.0
+    length, heat = units.of(_LENGTH), units.of(quantity("temperature"))
+    bar = 200.0 if length is not INCH else 254.0
+    return {
+        "step": step,
+        "displacement": np.round(displacement, 2).tolist(),
+        "temperature": np.round(temperature, 1).tolist(),
+        "shows": round(float(time[int(np.abs(displacement).argmax())]), 2),
+        "radii": list(bearing.radii if len(bearing.radii) == 2 else bearing.radii * 2),
+        "diameter": bearing.slider_diameter,
+        "tall": 0.35 * bearing.slider_diameter,
+        "reach": max(capacity, response.peak_displacement, 50.0),
+        "low": response.heating.ambient,
+        "high": max(response.peak_temperature, response.heating.ambient + 1.0),
+        "colours": warm_colours(),
+        "length": {"unit": length.name, "size": length.size, "decimals": 1 if length is MM else 2},
+        "heat": {"unit": heat.name, "size": heat.size, "zero": heat.zero},
+        "bar": {"mm": bar, "words": f"{length.shown(bar):.0f} {length.name}"},
+    }  # fmt: skip

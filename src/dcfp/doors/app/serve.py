@@ -3,16 +3,18 @@
 import asyncio
 import ipaddress
 import socket
-from collections.abc import Awaitable, Callable, MutableMapping
 from pathlib import Path
-from typing import Any
 from urllib.parse import urlsplit
 
 from nicegui import app, ui
+from starlette.datastructures import Headers, MutableHeaders
+from starlette.responses import PlainTextResponse
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from dcfp.doors.app.analysis import Task, predict
+from dcfp.doors.app.design_tab import Surveys
 from dcfp.doors.app.page import build_page
-from dcfp.doors.app.session import LARGEST_FILE, named_choices
-from dcfp.doors.app.surveys import Surveys
+from dcfp.doors.app.session import LARGEST_FILE, Session, named_choices
 from dcfp.errors import InputError
 
 #: Time for which a page that has lost its connection is kept [s].
@@ -30,15 +32,7 @@ def is_local(host: str) -> bool:
 
 
 def serve(host: str, port: int, *, show: bool) -> None:
-    """Serve the page until the process is interrupted.
-
-    Parameters
-    ----------
-    host, port
-        Where.
-    show
-        Whether a browser is opened.
-    """
+    """Serve the page until the process is interrupted; `show` opens a browser."""
     surveys = Surveys()
 
     @ui.page("/", title="dcfp", response_timeout=30.0)
@@ -88,22 +82,14 @@ async def _prepare() -> None:
 
 
 def _warm_up() -> None:
-    from dcfp.doors.app.analysis import Task, analyse, predict
-    from dcfp.doors.app.session import Session
-
     named_choices()
     task = Task.of(Session())
-    for response in analyse(task):
+    for response in task.analysed():
         predict(response, task.model)
 
 
 # Who may talk to the server, and how much at once.
 
-
-_Message = MutableMapping[str, Any]
-_Receive = Callable[[], Awaitable[_Message]]
-_Send = Callable[[_Message], Awaitable[None]]
-_Application = Callable[[_Message, _Receive, _Send], Awaitable[None]]
 
 #: Names under which a browser reaches its own machine.
 LOOPBACK = ("127.0.0.1", "localhost", "::1")
@@ -117,11 +103,11 @@ _POLICY = (
     " img-src 'self' data: blob:; font-src 'self' data:; connect-src 'self' data: blob:; object-src 'none';"
     " base-uri 'self'; form-action 'self'; frame-ancestors 'none'"
 )
-_HEADERS = (
-    (b"content-security-policy", _POLICY.encode()),
-    (b"x-content-type-options", b"nosniff"),
-    (b"referrer-policy", b"no-referrer"),
-)
+_HEADERS = {
+    "content-security-policy": _POLICY,
+    "x-content-type-options": "nosniff",
+    "referrer-policy": "no-referrer",
+}
 
 
 class _TooLargeError(Exception):
@@ -132,47 +118,41 @@ class Guard:
     """Refuses requests of other pages in the same browser, and bodies that are too large.
 
     A page that listens on the loopback can still be reached by any page that the browser shows, through its address or through a name
-    that was made to point there; the names of host and origin tell them apart.
-
-    Parameters
-    ----------
-    application
-        What is guarded.
-    local
-        Whether only this machine may be named as the host.
+    that was made to point there; the names of host and origin tell them apart. Where it is `local`, only this machine may be named as the host.
     """
 
-    def __init__(self, application: _Application, *, local: bool) -> None:
+    def __init__(self, application: ASGIApp, *, local: bool) -> None:
         self._application = application
         self._local = local
 
-    async def __call__(self, scope: _Message, receive: _Receive, send: _Send) -> None:
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Pass a request on, or refuse it."""
         if scope["type"] not in ("http", "websocket"):
             await self._application(scope, receive, send)
             return
-        headers = {name.lower(): value.decode("latin-1") for name, value in scope["headers"]}
+        headers = Headers(scope=scope)
+        length = headers.get("content-length", "0")
         if not self._is_welcome(headers, scope.get("scheme", "http")):
-            await _refuse(scope, send, 403, "This page answers its own visitors only.")
-        elif _length(headers) > LARGEST_BODY:
-            await _refuse(scope, send, 413, "The file is too large.")
+            await _refuse(403, "This page answers its own visitors only.")(scope, receive, send)
+        elif length.isdecimal() and int(length) > LARGEST_BODY:
+            await _refuse(413, "The file is too large.")(scope, receive, send)
         else:
             await self._pass_on(scope, receive, send)
 
-    def _is_welcome(self, headers: dict[bytes, str], scheme: str) -> bool:
-        host = headers.get(b"host", "")
+    def _is_welcome(self, headers: Headers, scheme: str) -> bool:
+        host = headers.get("host", "")
         if self._local and _name(host) not in LOOPBACK:
             return False
-        origin = headers.get(b"origin")
+        origin = headers.get("origin")
         if origin is None:
             return True
         own = _place(f"{_SCHEMES.get(scheme, scheme)}://{host}")
         return own is not None and _place(origin) == own
 
-    async def _pass_on(self, scope: _Message, receive: _Receive, send: _Send) -> None:
+    async def _pass_on(self, scope: Scope, receive: Receive, send: Send) -> None:
         taken, started = 0, False
 
-        async def counted() -> _Message:
+        async def counted() -> Message:
             nonlocal taken
             message = await receive()
             taken += len(message.get("body", b"")) if message["type"] == "http.request" else 0
@@ -180,19 +160,20 @@ class Guard:
                 raise _TooLargeError
             return message
 
-        async def with_headers(message: _Message) -> None:
+        async def with_headers(message: Message) -> None:
             nonlocal started
             if message["type"] == "http.response.start":
                 started = True
                 plain = [one for one in message["headers"] if not one[0].startswith(b"access-control-")]
-                message["headers"] = [*plain, *_HEADERS]
+                message["headers"] = plain
+                MutableHeaders(scope=message).update(_HEADERS)
             await send(message)
 
         try:
             await self._application(scope, counted, with_headers)
         except _TooLargeError:
             if not started:
-                await _refuse(scope, send, 413, "The file is too large.")
+                await _refuse(413, "The file is too large.")(scope, receive, send)
 
 
 def _place(origin: str) -> tuple[str, str, int] | None:
@@ -210,16 +191,13 @@ def _name(host: str) -> str:
     return (urlsplit(f"//{host}").hostname or "").lower()
 
 
-def _length(headers: dict[bytes, str]) -> int:
-    text = headers.get(b"content-length", "0")
-    return int(text) if text.isdecimal() else 0
+def _refuse(status: int, words: str) -> ASGIApp:
+    """Return what answers a request with a refusal, and closes a socket."""
 
+    async def refuse(scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] == "websocket":
+            await send({"type": "websocket.close", "code": 1008})
+        else:
+            await PlainTextResponse(words, status, _HEADERS)(scope, receive, send)
 
-async def _refuse(scope: _Message, send: _Send, status: int, words: str) -> None:
-    if scope["type"] == "websocket":
-        await send({"type": "websocket.close", "code": 1008})
-        return
-    body = words.encode()
-    head = [(b"content-type", b"text/plain; charset=utf-8"), (b"content-length", str(len(body)).encode())]
-    await send({"type": "http.response.start", "status": status, "headers": [*head, *_HEADERS]})
-    await send({"type": "http.response.body", "body": body})
+    return refuse

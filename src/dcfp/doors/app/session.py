@@ -44,16 +44,7 @@ class Upload:
 def read_upload(
     content: bytes, name: str, *, units: str | None = None, time_step: float | None = None
 ) -> list[Upload]:
-    """Return the components of a file that was sent.
-
-    Parameters
-    ----------
-    content
-        Of the file.
-    name
-        What its sender calls it; used in words only.
-    units, time_step
-        As for `dcfp.motion.load.read_motions`.
+    """Return the components of a file that was sent, with the name that its sender gave it; `units` and `time_step` are as for `dcfp.motion.load.read_motions`.
 
     Raises
     ------
@@ -72,11 +63,8 @@ def read_upload(
                 f" {MOST_STEPS:,} steps; analyse it in Python or on the command line."
             )
             raise InputError(msg)
-    options: dict[str, str | float] = {}
-    if units is not None:
-        options["units"] = units
-    if time_step is not None:
-        options["time_step"] = time_step
+    given = {"units": units, "time_step": time_step}
+    options = {name: value for name, value in given.items() if value is not None}
     several = len(motions) > 1
     return [
         Upload(motion, f"{shown}::{motion.origin.component}" if several else shown, options)

@@ -16,10 +16,7 @@ from dcfp.errors import DcfpError
 class Latest:
     """Does a piece of work again whenever it is asked to, one at a time; what is asked meanwhile is done once, with the latest values.
 
-    Parameters
-    ----------
-    work
-        Looks up what is wanted, calculates in another thread, and shows it.
+    The work looks up what is wanted, calculates in another thread, and shows it.
     """
 
     def __init__(self, work: Callable[[], Awaitable[None]]) -> None:
@@ -49,19 +46,7 @@ class Latest:
 
 
 class Tab(ABC):
-    """One of the pages.
-
-    Parameters
-    ----------
-    session
-        Of the visitor.
-    asks
-        What the fields are, in words.
-    title
-        Of the results, before there are any.
-    varies
-        Fields of the bearing that this page varies itself.
-    """
+    """One of the pages: `asks` says what its fields are, `title` is of the results before there are any, and it `varies` some fields of the bearing itself."""
 
     def __init__(self, session: Session, asks: str, title: str, varies: Collection[str] = ()) -> None:
         self.session, self._client, self.is_seen = session, ui.context.client, False

@@ -1,11 +1,9 @@
 """Units in which results are shown; what is put in keeps the units beside its fields."""
 
 import math
-from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
-from dcfp.doors.app.elements import Head
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import (
     CM,
@@ -19,6 +17,7 @@ from dcfp.schema.units import (
     KN,
     KN_M,
     M_PER_S,
+    METRE,
     MM,
     MM_PER_S,
     N_MM,
@@ -59,7 +58,8 @@ class Units:
             return KIP_FT if force is KIP else KN_M
         if own is N_PER_MM:
             return Unit(f"{force.name}/{length.name}", force.size / length.size, "N mm-1", base=N_PER_MM)
-        return self.chosen.get(own, one.shown)
+        # what is so long that metres are declared for it stays in metres
+        return one.shown if one.shown is METRE else self.chosen.get(own, one.shown)
 
     def name(self, one: Quantity) -> str:
         """Return the name of the unit in which a quantity is shown; empty for words."""
@@ -78,9 +78,3 @@ class Units:
         finer = round(math.log10(unit.size / one.shown.size))
         more = few[unit] - few[one.shown] if one.shown in few else finer
         return one.written(value, unit, max(0, one.decimals + more))
-
-    def heads(self, columns: Iterable[Quantity]) -> list[Head]:
-        """Return the heads of a table of quantities."""
-        return [
-            Head((one.head or one.title).strip(), self.name(one), number=one.is_number) for one in columns
-        ]

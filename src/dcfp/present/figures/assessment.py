@@ -8,23 +8,8 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from dcfp.errors import InputError
-from dcfp.present.figures.style import (
-    BLUE,
-    DASHED,
-    GREY,
-    INK,
-    OCHRE,
-    PAGE_WIDTH,
-    RED,
-    draw_line,
-    draw_marks,
-    label_axes,
-    legend_above,
-    legend_outside,
-    new_axes,
-    new_figure,
-    styled,
-)  # fmt: skip
+from dcfp.present.figures import style
+from dcfp.present.panels import design
 from dcfp.schema.formulas import metres_per_second, millimetres
 from dcfp.schema.nomenclature import NOMENCLATURE
 from dcfp.study.assessment.selection import described, shown_value
@@ -57,7 +42,7 @@ def _shown(variable: "xarray.DataArray", values: "xarray.DataArray | None" = Non
 # The curves of an incremental dynamic analysis.
 
 
-@styled
+@style.styled
 def plot_ida(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes":
     """Draw the intensity over the result: each record thin and grey, the quantiles bold, the capacity as a line.
 
@@ -70,7 +55,7 @@ def plot_ida(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes":
     axes
         Where to draw; by default new axes.
     """
-    axes = axes or new_axes(0.62 * PAGE_WIDTH, 3.6)
+    axes = axes or style.new_axes(0.62 * style.PAGE_WIDTH, 3.6)
     name = next(str(one) for one in found.data_vars if f"{one}_quantile" in found.data_vars)
     result = found[name]
     intensity = str(result.dims[1])
@@ -79,25 +64,25 @@ def plot_ida(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes":
     if name == "peak_displacement" and capacity is not None:
         line = [float(capacity)] * 2, [0.0, heights[-1]]
         label = f"capacity, {millimetres(float(capacity))}"
-        draw_line(axes, *line, RED, 0.9, linestyle=DASHED, label=label)
+        style.draw_line(axes, *line, style.RED, 0.9, linestyle=style.DASHED, label=label)
     _draw_records(axes, _shown(result), heights, found["beyond_capacity"].to_numpy())
     _draw_quantiles(axes, found, name, heights)
     # room for the names of the quantiles
     ends: dict[str, Any] = {"xlim": (0.0, None), "ylim": (0.0, 1.07 * heights[-1])}
-    label_axes(axes, _axis_label(result), _axis_label(found[intensity]), 6, 6, **ends)
-    legend_above(axes)
+    style.label_axes(axes, _axis_label(result), _axis_label(found[intensity]), 6, 6, **ends)
+    style.legend_above(axes)
     return axes
 
 
 def _draw_records(axes: "Axes", curves: "FloatArray", heights: "FloatArray", beyond: "np.ndarray") -> None:
-    hollow = {"markerfacecolor": "white", "markeredgecolor": INK, "markeredgewidth": 0.6, "zorder": 2}
+    hollow = {"markerfacecolor": "white", "markeredgecolor": style.INK, "markeredgewidth": 0.6, "zorder": 2}
     for i, (curve, outside) in enumerate(zip(curves, beyond, strict=True)):
         label = f"{len(curves)} records" if i == 0 else None
-        draw_line(axes, curve, heights, GREY, 0.4, alpha=0.8, label=label, zorder=1)
+        style.draw_line(axes, curve, heights, style.GREY, 0.4, alpha=0.8, label=label, zorder=1)
         if outside.any():
             first = int(np.argmax(outside))
             label = None if beyond[:i].any() else "first beyond the capacity"
-            draw_marks(axes, curve[first], heights[first], "o", 3.2, INK, label=label, **hollow)
+            style.draw_marks(axes, curve[first], heights[first], "o", 3.2, style.INK, label=label, **hollow)
 
 
 def _draw_quantiles(axes: "Axes", found: "xarray.Dataset", name: str, heights: "FloatArray") -> None:
@@ -105,17 +90,17 @@ def _draw_quantiles(axes: "Axes", found: "xarray.Dataset", name: str, heights: "
     above: dict[str, Any] = {"xytext": (0, 3), "textcoords": "offset points", "ha": "center", "va": "bottom"}
     for part, line in zip(found["quantile"].to_numpy().tolist(), lines, strict=True):
         width, dashes, label = (1.8, "solid", "median") if part == 0.5 else (1.2, (0, (4, 2)), None)
-        draw_line(axes, line, heights, BLUE, width, linestyle=dashes, label=label, zorder=3)
-        axes.annotate(f"{100.0 * part:g} %", (float(line[-1]), float(heights[-1])), color=BLUE, **above)
+        style.draw_line(axes, line, heights, style.BLUE, width, linestyle=dashes, label=label, zorder=3)
+        axes.annotate(f"{100.0 * part:g} %", (float(line[-1]), float(heights[-1])), color=style.BLUE, **above)
 
 
 # Fragility curves.
 
 
-_LOOKS = ((BLUE, "o"), (RED, "s"), (OCHRE, "^"), (INK, "D"))
+_LOOKS = ((style.BLUE, "o"), (style.RED, "s"), (style.OCHRE, "^"), (style.INK, "D"))
 
 
-@styled
+@style.styled
 def plot_fragility(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes":
     """Draw the probability that each capacity is exceeded over the intensity.
 
@@ -128,7 +113,7 @@ def plot_fragility(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes
     axes
         Where to draw; by default new axes.
     """
-    axes = axes or new_axes(0.62 * PAGE_WIDTH, 3.5)
+    axes = axes or style.new_axes(0.62 * style.PAGE_WIDTH, 3.5)
     intensity = str(found.attrs["intensity"])
     grid, points = _shown(found[intensity]), _shown(found[intensity], found[f"{intensity}_of_curve"])
     medians = _shown(found[intensity], found["median"])
@@ -143,12 +128,14 @@ def plot_fragility(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes
             label = rf"{name}: $\theta$ = {medians[place]:.3g}{unit}, $\beta$ = {beta:.2f}"
         low, high = one["probability_bound"].to_numpy()
         axes.fill_between(points, low, high, color=colour, alpha=0.15, linewidth=0.0)
-        draw_line(axes, points, one["probability"].to_numpy(), colour, 1.3, label=label)
-        draw_marks(axes, grid, one["fraction"].to_numpy(), marker, 3.2, colour, clip_on=False, zorder=3)
-        draw_line(axes, [medians[place]] * 2, [0.0, 0.5], colour, 0.7, linestyle=":")
-        draw_marks(axes, medians[place], 0.5, "+", 7, colour, zorder=4)
+        style.draw_line(axes, points, one["probability"].to_numpy(), colour, 1.3, label=label)
+        style.draw_marks(axes, grid, one["fraction"].to_numpy(), marker, 3.2, colour, clip_on=False, zorder=3)
+        style.draw_line(axes, [medians[place]] * 2, [0.0, 0.5], colour, 0.7, linestyle=":")
+        style.draw_marks(axes, medians[place], 0.5, "+", 7, colour, zorder=4)
     ends: dict[str, Any] = {"xlim": (0.0, float(grid[-1])), "ylim": (0.0, 1.0)}
-    label_axes(axes, _axis_label(found[intensity]), "probability that the capacity is exceeded", 6, 5, **ends)
+    style.label_axes(
+        axes, _axis_label(found[intensity]), "probability that the capacity is exceeded", 6, 5, **ends
+    )
     title = rf"$\theta$: median, $\beta$: dispersion; marks: observed in {found.attrs['records']} records;"
     title += f"\nband: {100.0 * found.attrs['confidence']:g} % of draws of earthquakes"
     corner: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.02), "alignment": "left"}
@@ -163,7 +150,7 @@ def plot_fragility(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes
 _MARKERS = ("o", "^", "s", "D", "v", "P", "X", "p", "h", "*")
 
 
-@styled
+@style.styled
 def plot_bounds(found: "xarray.Dataset", part: float | None = None) -> "Figure":
     """Draw the envelope and the nominal line of every result over the intensity, on a new figure.
 
@@ -182,7 +169,7 @@ def plot_bounds(found: "xarray.Dataset", part: float | None = None) -> "Figure":
     looks = dict(zip(_governing(one, names), cycle(_MARKERS), strict=False))
     columns = min(2, len(names))
     rows = -(-len(names) // columns)
-    figure = new_figure(2.2 * rows + 0.7 + 0.15 * (len(looks) // 2))
+    figure = style.new_figure(2.2 * rows + 0.7 + 0.15 * (len(looks) // 2))
     panels: Any = figure.subplots(rows, columns, squeeze=False)
     for axes in panels.flat[len(names) :]:
         axes.set_axis_off()
@@ -207,17 +194,17 @@ def _draw_bounds(axes: "Axes", one: "xarray.Dataset", name: str, looks: dict[str
     least, largest, nominal = (
         _shown(one[name], one[f"{name}_{side}"]) for side in ("least", "largest", "nominal")
     )
-    axes.fill_between(x, least, largest, color=BLUE, alpha=0.15, linewidth=0.0)
-    draw_line(axes, x, nominal, INK, 1.2)
+    axes.fill_between(x, least, largest, color=style.BLUE, alpha=0.15, linewidth=0.0)
+    style.draw_line(axes, x, nominal, style.INK, 1.2)
     for side, line in (("least", least), ("largest", largest)):
-        draw_line(axes, x, line, BLUE, 0.7)
-        face = "white" if side == "least" else BLUE
+        style.draw_line(axes, x, line, style.BLUE, 0.7)
+        face = "white" if side == "least" else style.BLUE
         told = one[f"{name}_{side}_at"].to_numpy().tolist()
         for at, height, combination in zip(x, line, told, strict=True):
             if combination:  # else nothing has been run there
-                draw_marks(axes, at, height, looks[combination], 4.0, BLUE, markerfacecolor=face)
+                style.draw_marks(axes, at, height, looks[combination], 4.0, style.BLUE, markerfacecolor=face)
     axes.set_ylim(bottom=min(0.0, float(np.nanmin(least))))
-    label_axes(axes, _axis_label(one[intensity]), described(one[name]).label)
+    style.label_axes(axes, _axis_label(one[intensity]), described(one[name]).label)
     axes.set_title(described(one[name]).words, loc="left")
 
 
@@ -226,12 +213,12 @@ def _handles(found: "xarray.Dataset", part: float, looks: dict[str, str]) -> "li
         "median of the records" if part == 0.5 else f"what {100.0 * part:g} % of the records do not exceed"
     )
     marks = [
-        Line2D([], [], marker=marker, markersize=4.0, color=BLUE, linestyle="none", label=combination)
+        Line2D([], [], marker=marker, markersize=4.0, color=style.BLUE, linestyle="none", label=combination)
         for combination, marker in looks.items()
     ]
     return [
-        Line2D([], [], color=INK, linewidth=1.2, label=f"nominal, {found.attrs['nominal']}"),
-        Patch(color=BLUE, alpha=0.15, linewidth=0.0, label=f"envelope, {words}"),
+        Line2D([], [], color=style.INK, linewidth=1.2, label=f"nominal, {found.attrs['nominal']}"),
+        Patch(color=style.BLUE, alpha=0.15, linewidth=0.0, label=f"envelope, {words}"),
         *marks,
     ]
 
@@ -241,10 +228,10 @@ def _handles(found: "xarray.Dataset", part: float, looks: dict[str, str]) -> "li
 
 #: Most panels of a figure.
 _MOST = 4
-_BARS = (("S1", "first order", OCHRE, -0.19), ("ST", "total", BLUE, 0.19))
+_BARS = (("S1", "first order", style.OCHRE, -0.19), ("ST", "total", style.BLUE, 0.19))
 
 
-@styled
+@style.styled
 def plot_sensitivity(found: "xarray.Dataset") -> "Figure":
     """Draw first-order and total Sobol indices by factor with their intervals, on a new figure.
 
@@ -266,8 +253,8 @@ def plot_sensitivity(found: "xarray.Dataset") -> "Figure":
         raise InputError(msg)
     number = found.sizes[left[0]] if left else 1
     places = np.unique(np.linspace(0, number - 1, min(number, _MOST)).round().astype(int)).tolist()
-    width = PAGE_WIDTH if len(places) > 1 else 0.55 * PAGE_WIDTH
-    figure = new_figure(1.15 + 0.36 * found.sizes["factor"], width)
+    width = style.PAGE_WIDTH if len(places) > 1 else 0.55 * style.PAGE_WIDTH
+    figure = style.new_figure(1.15 + 0.36 * found.sizes["factor"], width)
     panels: Any = figure.subplots(1, len(places), squeeze=False, sharex=True, sharey=True)
     for axes, place in zip(panels.flat, places, strict=True):
         _draw_indices(axes, found.isel({left[0]: place}) if left else found)
@@ -279,8 +266,8 @@ def plot_sensitivity(found: "xarray.Dataset") -> "Figure":
     low, high = last.get_xlim()
     last.set_xlim(min(0.0, low), max(1.0, high))
     last.set_xticks([0.0, 0.5, 1.0])
-    figure.supxlabel(f"part of the variance of the {_words_of_indices(found)}", fontsize=7.5, color=INK)
-    legend_outside(panels.flat[0], 2, borderaxespad=0.3)
+    figure.supxlabel(f"part of the variance of the {_words_of_indices(found)}", fontsize=7.5, color=style.INK)
+    style.legend_outside(panels.flat[0], 2, borderaxespad=0.3)
     return figure
 
 
@@ -289,9 +276,9 @@ def _draw_indices(axes: "Axes", one: "xarray.Dataset") -> None:
     heights = np.arange(len(names), dtype=np.float64)
     for name, words, colour, shift in _BARS:
         values, error = one[name].to_numpy(), one[f"{name}_confidence"].to_numpy()
-        look = {"elinewidth": 0.7, "capsize": 1.8, "capthick": 0.7, "ecolor": INK}
+        look = {"elinewidth": 0.7, "capsize": 1.8, "capthick": 0.7, "ecolor": style.INK}
         axes.barh(heights + shift, values, 0.34, xerr=error, color=colour, label=words, error_kw=look)
-    axes.axvline(0.0, color=INK, linewidth=0.6)
+    axes.axvline(0.0, color=style.INK, linewidth=0.6)
     axes.set_yticks(heights, names)
     axes.set_ylim(len(names) - 0.45, -0.55)
 
@@ -308,14 +295,9 @@ def _words_of_indices(found: "xarray.Dataset") -> str:
 
 #: Probabilities of the two panels, and how to call them.
 _PARTS = ((0.5, "half of the earthquakes"), (0.95, "95 % of the earthquakes"))
-#: Displacements [mm] and forces over weight [-] at which lines are drawn.
-_DISPLACEMENTS = (25, 50, 75, 100, 150, 200, 300, 400, 500, 600, 800, 1000, 1500, 2000)
-_FORCES = (0.04, 0.06, 0.08, 0.1, 0.125, 0.15, 0.2, 0.25, 0.3, 0.4)
-#: Height at which the numbers of each stand, apart so that none covers another, and how near to the side a number still fits [-].
-_HEIGHT_OF_DISPLACEMENTS, _HEIGHT_OF_FORCES, _SIDE = 0.75, 0.3, 0.03
 
 
-@styled
+@style.styled
 def plot_design_chart(spaces: "Sequence[DesignSpace]", allowed: float) -> "Figure":
     """Draw lines of equal displacement and of equal force over friction and radius, on a new figure.
 
@@ -323,7 +305,7 @@ def plot_design_chart(spaces: "Sequence[DesignSpace]", allowed: float) -> "Figur
     What holds `allowed` [mm] is shaded.
     """
     parts = [one for one in _PARTS if all(one[0] * (space.records + 1) <= space.records for space in spaces)]
-    figure = new_figure(0.7 + 2.6 * len(spaces))
+    figure = style.new_figure(0.7 + 2.6 * len(spaces))
     axes = figure.subplots(len(spaces), len(parts), squeeze=False, sharex=True, sharey=True)
     for row, space in zip(axes, spaces, strict=True):
         for one, (part, words) in zip(row, parts, strict=True):
@@ -333,53 +315,22 @@ def plot_design_chart(spaces: "Sequence[DesignSpace]", allowed: float) -> "Figur
     for one in axes[-1]:
         one.set_xlabel("reference coefficient of friction")
     words = f"Shaded: {millimetres(allowed)} holds.  Blue: $y_{{max}}$ [mm].  Dashed: force over weight.  {spaces[0].records} records"
-    figure.suptitle(words, fontsize=8, color=INK)
+    figure.suptitle(words, fontsize=8, color=style.INK)
     return figure
 
 
 def _draw_design(axes: "Axes", space: "DesignSpace", allowed: float, part: float) -> None:
-    mu, radius = space.coefficients, space.radii / 1e3
-    displacement, force = space.displacement_at(part), space.force_at(part)
-    drawing: Any = axes
-    drawing.contourf(mu, radius, displacement, levels=[0.0, allowed], colors=[BLUE], alpha=0.12)
-    axes.set_xlim(float(mu[0]), float(mu[-1]))
-    axes.set_ylim(float(radius[0]), float(radius[-1]))
-    others = [level for level in _DISPLACEMENTS if level != allowed]
-    at = _HEIGHT_OF_DISPLACEMENTS
-    _draw_lines(axes, space, displacement, others, {"colors": BLUE, "linewidths": 0.8}, 6.5, at)
-    _draw_lines(axes, space, displacement, [allowed], {"colors": RED, "linewidths": 1.4}, 6.5, at)
-    look = {"colors": GREY, "linewidths": 0.7, "linestyles": "dashed"}
-    _draw_lines(axes, space, force, _FORCES, look, 6.0, _HEIGHT_OF_FORCES)
-
-
-def _draw_lines(
-    axes: "Axes",
-    space: "DesignSpace",
-    values: "FloatArray",
-    levels: "Sequence[float]",
-    look: dict[str, Any],
-    size: float,
-    height: float,
-) -> None:
-    """Draw lines of equal values with their numbers near a height of the panel [-], at those levels that are among the values."""
-    inside = [level for level in levels if values.min() < level < values.max()]
-    if inside:
-        drawing: Any = axes
-        lines = drawing.contour(space.coefficients, space.radii / 1e3, values, levels=inside, **look)
-        places = [place for parts in lines.allsegs if (place := _place(axes, parts, height)) is not None]
-        if places:
-            drawing.clabel(lines, fmt="%g", fontsize=size, manual=places)
-
-
-def _place(axes: "Axes", parts: "Sequence[FloatArray]", height: float) -> tuple[float, float] | None:
-    """Return the point of a line that is nearest to a height of the panel [-], not at its sides; None where there is none."""
-    left, right = axes.get_xlim()
-    low, high = axes.get_ylim()
-    found: list[tuple[float, float, float]] = []
-    for part in parts:
-        for (x0, y0), (x1, y1) in zip(part[:-1].tolist(), part[1:].tolist(), strict=True):
-            for share in np.linspace(0.0, 1.0, 9).tolist():
-                x, y = x0 + share * (x1 - x0), y0 + share * (y1 - y0)
-                if _SIDE < (x - left) / (right - left) < 1.0 - _SIDE:
-                    found.append((abs((y - low) / (high - low) - height), x, y))
-    return min(found)[1:] if found else None
+    panel = design(space, allowed, part)
+    x, y = panel.x.display, panel.y.display
+    for area in panel.areas:
+        axes.fill(x(area[:, 0]), y(area[:, 1]), color=style.BLUE, alpha=0.12, linewidth=0.0)
+    for line in panel.lines:
+        colour, dashes = style.COLOURS[line.colour], "dashed" if line.dashed else "solid"
+        style.draw_line(axes, x(line.x), y(line.y), colour, line.width, linestyle=dashes)
+        if line.place is not None and line.level is not None:
+            box = {"boxstyle": "square,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.7}
+            look: dict[str, Any] = {"size": 6.0 if line.dashed else 6.5, "ha": "center", "va": "center"}
+            at = float(x(line.x[line.place])), float(y(line.y[line.place]))
+            axes.text(*at, f"{line.level[1]:g}", color=colour, bbox=box, **look)
+    assert panel.across is not None
+    axes.set(xlim=panel.across, ylim=(y(panel.low), y(panel.high)))

@@ -7,23 +7,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.colors import Normalize
 
 from dcfp.present import panels
-from dcfp.present.figures.style import (
-    COLOURS,
-    DASHED,
-    GREY,
-    INK,
-    PALE,
-    RED,
-    colour_bar_beside,
-    draw_line,
-    draw_marks,
-    label_axes,
-    legend_above,
-    new_axes,
-    styled,
-    time_colours,
-    warm_colours,
-)  # fmt: skip
+from dcfp.present.figures import style
 from dcfp.schema.formulas import millimetres
 from dcfp.schema.nomenclature import quantity
 
@@ -45,31 +29,31 @@ def draw(panel: "Panel", axes: "Axes", norm: Normalize | None = None) -> Any:
     """Draw a panel of histories, and return what its picture is drawn with, if it has one."""
     shown, first = panel.y.display, panel.lines[0]
     axes.set_xlim(float(first.x[0]), float(first.x[-1]))
-    label_axes(axes, panel.x.label, panel.y.label, 8, 4)
+    style.label_axes(axes, panel.x.label, panel.y.label, 8, 4)
     picture = _draw_picture(axes, panel, norm)
     if panel.sliding is not None:
-        look: dict[str, Any] = {"color": PALE, "linewidth": 0.0, "label": "sliding", "zorder": 0}
+        look: dict[str, Any] = {"color": style.PALE, "linewidth": 0.0, "label": "sliding", "zorder": 0}
         axes.fill_between(first.x, 0.0, 1.0, where=panel.sliding, step="post", transform=axes.get_xaxis_transform(), **look)  # fmt: skip
     stack = panel.lines[: panel.stacked]
     if stack:
-        colours, labels = [COLOURS[line.colour] for line in stack], [line.label for line in stack]
+        colours, labels = [style.COLOURS[line.colour] for line in stack], [line.label for line in stack]
         axes.stackplot(
             first.x, *(shown(line.y) for line in stack), colors=colours, labels=labels, linewidth=0.0
         )
     for line in panel.lines[panel.stacked :]:
         label = line.label or None
-        draw_line(axes, line.x, shown(line.y), COLOURS[line.colour], line.width, label=label)
+        style.draw_line(axes, line.x, shown(line.y), style.COLOURS[line.colour], line.width, label=label)
     if panel.peak:
         mark_peak(axes, first.x, first.y, millimetres(float(np.abs(first.y).max())))
     if panel.capacity is not None:
         for side, label in ((panel.capacity, "capacity"), (-panel.capacity, None)):
-            axes.axhline(side, color=RED, linewidth=0.7, linestyle=DASHED, label=label)
+            axes.axhline(side, color=style.RED, linewidth=0.7, linestyle=style.DASHED, label=label)
     if panel.middle:
-        axes.axhline(0.0, color=GREY, linewidth=0.4, zorder=0)
+        axes.axhline(0.0, color=style.GREY, linewidth=0.4, zorder=0)
     if panel.low is not None:
         axes.set_ylim(shown(panel.low), None if panel.high is None else shown(panel.high))
     if axes.get_legend_handles_labels()[1]:
-        legend_above(axes)
+        style.legend_above(axes)
     return picture
 
 
@@ -78,15 +62,15 @@ def _draw_picture(axes: "Axes", panel: "Panel", norm: Normalize | None) -> Any:
     if one is None:
         return None
     scale = norm or Normalize(*one.ends)
-    return axes.pcolormesh(one.x, one.y, one.values, cmap=warm_colours(), norm=scale, shading="nearest", rasterized=True)  # fmt: skip
+    return axes.pcolormesh(one.x, one.y, one.values, cmap=style.warm_colours(), norm=scale, shading="nearest", rasterized=True)  # fmt: skip
 
 
 def _plot(describe: "Callable[[Any], Panel]") -> "Callable[..., Axes]":
     """Return the function that draws a panel of an analysis or a test on given axes, or on a new figure."""
 
-    @styled
+    @style.styled
     def plot(response: "History", axes: "Axes | None" = None) -> "Axes":
-        axes = new_axes(height=1.8) if axes is None else axes
+        axes = style.new_axes(height=1.8) if axes is None else axes
         draw(describe(response), axes)
         return axes
 
@@ -102,7 +86,7 @@ plot_friction = _plot(panels.friction)
 plot_energies = _plot(panels.energies)
 
 
-@styled
+@style.styled
 def plot_loop(
     response: "History",
     axes: "Axes | None" = None,
@@ -129,7 +113,7 @@ def plot_loop(
     thin
         Factor on the width of the line, for small axes [-].
     """
-    axes = new_axes() if axes is None else axes
+    axes = style.new_axes() if axes is None else axes
     panel = panels.loop(response)
     (line,) = panel.lines
     shows = colour or colour_shows([response])
@@ -150,9 +134,9 @@ def plot_loop(
     reach, height = (1.08 * max(float(one), 1e-6) for one in np.abs(path).max(axis=0))
     axes.set_xlim(-reach, reach)
     axes.set_ylim(-height, height)
-    label_axes(axes, panel.x.label, panel.y.label, 5, 6)
+    style.label_axes(axes, panel.x.label, panel.y.label, 5, 6)
     if colour_bar:
-        colour_bar_beside(axes, drawn, quantity(shows).label)
+        style.colour_bar_beside(axes, drawn, quantity(shows).label)
     return axes
 
 
@@ -175,10 +159,10 @@ def colour_shows(histories: "list[Any]") -> str:
 
 def colours_of(shows: str) -> Any:
     """Return the colours of the temperature or of the time."""
-    return warm_colours() if shows == "temperature" else time_colours()
+    return style.warm_colours() if shows == "temperature" else style.time_colours()
 
 
-@styled
+@style.styled
 def plot_profile(
     response: "History",
     axes: "Axes | None" = None,
@@ -208,10 +192,10 @@ def plot_profile(
         If the analysis kept no profiles.
     """
     panel = panels.profile(response, plate)
-    axes = new_axes(height=1.8) if axes is None else axes
+    axes = style.new_axes(height=1.8) if axes is None else axes
     drawn = draw(panel, axes, norm)
     if colour_bar and panel.picture is not None:
-        colour_bar_beside(axes, drawn, panel.picture.shows.label)
+        style.colour_bar_beside(axes, drawn, panel.picture.shows.label)
     return axes
 
 
@@ -220,13 +204,13 @@ def plot_profile(
 
 def draw_cross(axes: "Axes") -> None:
     """Draw thin lines through zero."""
-    axes.axhline(0.0, color=GREY, linewidth=0.4, zorder=0)
-    axes.axvline(0.0, color=GREY, linewidth=0.4, zorder=0)
+    axes.axhline(0.0, color=style.GREY, linewidth=0.4, zorder=0)
+    axes.axvline(0.0, color=style.GREY, linewidth=0.4, zorder=0)
 
 
 def between_equal_limits(axes: "Axes", *drawn: "FloatArray") -> None:
     """Put zero in the middle, and room beyond the largest value that is drawn."""
-    axes.axhline(0.0, color=GREY, linewidth=0.4, zorder=0)
+    axes.axhline(0.0, color=style.GREY, linewidth=0.4, zorder=0)
     largest = max(float(np.abs(values).max(initial=0.0)) for values in drawn)
     limit = 1.3 * largest if largest > 0.0 else 1.0
     axes.set_ylim(-limit, limit)
@@ -237,7 +221,7 @@ def mark_peak(axes: "Axes", time: "FloatArray", values: "FloatArray", words: str
     place = int(np.abs(values).argmax())
     peak = float(values[place])
     later = time[place] > time[0] + 0.75 * (time[-1] - time[0])
-    draw_marks(axes, time[place], peak, "o", 3.0, INK, zorder=4)
+    style.draw_marks(axes, time[place], peak, "o", 3.0, style.INK, zorder=4)
     beside: dict[str, Any] = {
         "xytext": (-4 if later else 4, 2 if peak < 0.0 else -2),
         "textcoords": "offset points",

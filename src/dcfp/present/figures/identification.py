@@ -6,20 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dcfp.present.figures.style import (
-    BLUE,
-    GREY,
-    INK,
-    OCHRE,
-    RED,
-    calm_ticks,
-    draw_line,
-    draw_marks,
-    drawable,
-    label_axes,
-    new_figure,
-    styled,
-)  # fmt: skip
+from dcfp.present.figures import style
 from dcfp.schema.formulas import typeset
 from dcfp.schema.nomenclature import quantity
 
@@ -43,7 +30,7 @@ _MOST_DOTS, _GROUPS = 4000, 15
 _SPEED, _PRESSURE = "relative speed of the plates $|v|$ [mm/s]", "pressure $p$ [N/mm²]"
 
 
-@styled
+@style.styled
 def plot_identification(found: "Identification") -> "Figure":
     """Draw the coefficient of each test over time, the factors of the law, and what is left, on a new figure.
 
@@ -53,7 +40,7 @@ def plot_identification(found: "Identification") -> "Figure":
     columns = min(len(drawn), _COLUMNS)
     rows = math.ceil(len(drawn) / columns)
     heights = [0.64, 1.25 * rows + 0.1, 1.95, 1.6]
-    figure = new_figure(sum(heights))
+    figure = style.new_figure(sum(heights))
     parts: Any = figure.subfigures(4, 1, height_ratios=heights, hspace=0.0)
     head, histories, factors, residuals = parts
     _write_head(head, found)
@@ -89,7 +76,7 @@ def _drawn(found: "Identification") -> list[_Drawn]:
 def _write_head(head: Any, found: "Identification") -> None:
     count = len(found.histories)
     words = f"{found.bearing.name}: friction from {count} test{'' if count == 1 else 's'}"
-    title = head.text(0.012, 0.7, drawable(words), size=10, weight="bold", va="center")
+    title = head.text(0.012, 0.7, style.drawable(words), size=10, weight="bold", va="center")
     title.set_parse_math(False)
     intervals = [_interval(found, one.name) for one in found.estimates]
     first = math.ceil(len(intervals) / 2) if len(intervals) > _IN_ONE_LINE else len(intervals)
@@ -117,14 +104,14 @@ def _draw_histories(drawn: list[_Drawn], panels: "Sequence[Axes]", columns: int)
         used = test.history.used
         _dots(axes, test.history.time[used], test.history.coefficient[used], size=1.8)
         line = np.where(used, test.law, np.nan)
-        colour = RED if test.held_out else BLUE
-        draw_line(axes, test.history.time, line, colour, 0.7, label="law")
+        colour = style.RED if test.held_out else style.BLUE
+        style.draw_line(axes, test.history.time, line, colour, 0.7, label="law")
         low, high = np.quantile(test.history.coefficient[used], (0.005, 0.995))
         # the first peak is narrow, but the law must not leave the panel there
         law = test.law[used]
         ends.append((min(float(low), float(law.min())), max(float(high), float(law.max()))))
         _title_of(test, axes)
-        calm_ticks(axes)
+        style.calm_ticks(axes)
         if i % columns == 0:
             axes.set_ylabel(quantity("friction").label)
         if i + columns >= len(drawn):
@@ -141,7 +128,9 @@ def _title_of(test: _Drawn, axes: "Axes") -> None:
     words = f"{name}{' (held out)' if test.held_out else ''}: {pressure:.0f} N/mm², {speed:.0f} mm/s"
     if not test.held_out:
         words += f", to {float(test.temperature.max()):.0f} °C"
-    title = axes.set_title(drawable(words), loc="left", size=6.5, color=RED if test.held_out else INK)
+    title = axes.set_title(
+        style.drawable(words), loc="left", size=6.5, color=style.RED if test.held_out else style.INK
+    )
     title.set_parse_math(False)
 
 
@@ -161,9 +150,9 @@ def _draw_factors(found: "Identification", panels: "Sequence[Axes]") -> None:
         others = np.prod([one for i, one in enumerate(factors) if i != number], axis=0)
         values = coefficient / (law.reference * others)
         _draw_factor(axes, places[number], values, factor)
-        label_axes(axes, label, symbol, 5)
+        style.label_axes(axes, label, symbol, 5)
         if not fitted & names:
-            axes.set_title("not fitted", loc="left", size=6.5, color=RED)
+            axes.set_title("not fitted", loc="left", size=6.5, color=style.RED)
     panels[0].legend(loc="lower right", markerscale=1.0)
 
 
@@ -175,7 +164,7 @@ def _draw_factor(
     # what hardly differs is not drawn as if it did
     margin = max(0.04 * (last - first), 0.5 * (0.2 * last - (last - first)))
     along = np.linspace(max(first - margin, 1e-3), last + margin, 200)
-    draw_line(axes, along, factor(along), BLUE, 1.1, label="law", zorder=3)
+    style.draw_line(axes, along, factor(along), style.BLUE, 1.1, label="law", zorder=3)
     _means(axes, places, values, (float(along[0]), float(along[-1])))
     low, high = np.quantile(values, (0.002, 0.998))
     room = 0.15 * float(high - low)
@@ -188,10 +177,10 @@ def _draw_residuals(found: "Identification", panels: "Sequence[Axes]") -> None:
     reach = 1.3 * float(np.quantile(np.abs(residual), 0.997))
     known = ((speed, _SPEED), (temperature, quantity("temperature").label))
     for axes, (places, label) in zip(panels, known, strict=True):
-        axes.axhline(0.0, color=BLUE, linewidth=0.9, zorder=2)
+        axes.axhline(0.0, color=style.BLUE, linewidth=0.9, zorder=2)
         _dots(axes, places, residual, name=None)
         _means(axes, places, residual, (float(places.min()), float(places.max())))
-        label_axes(axes, label, "", ylim=(-reach, reach))
+        style.label_axes(axes, label, "", ylim=(-reach, reach))
     panels[0].set_ylabel(r"$\mu$ measured − fitted")
 
 
@@ -210,7 +199,7 @@ def _dots(
 ) -> None:
     every = slice(None, None, max(1, places.size // _MOST_DOTS))
     look: dict[str, Any] = {"markeredgewidth": 0.0, "alpha": 0.6, "rasterized": True, "zorder": 1}
-    draw_marks(axes, places[every], values[every], ".", size, GREY, label=name, **look)
+    style.draw_marks(axes, places[every], values[every], ".", size, style.GREY, label=name, **look)
 
 
 def _means(axes: "Axes", places: "FloatArray", values: "FloatArray", reach: tuple[float, float]) -> None:
@@ -220,5 +209,9 @@ def _means(axes: "Axes", places: "FloatArray", values: "FloatArray", reach: tupl
     edges = np.linspace(*reach, _GROUPS + 1)[1:-1]
     groups = [part for part in np.split(order, np.searchsorted(places[order], edges)) if part.size >= 10]
     at, means = ([float(one[part].mean()) for part in groups] for one in (places, values))
-    look: dict[str, Any] = {"markerfacecolor": OCHRE, "markeredgecolor": INK, "markeredgewidth": 0.4}
-    draw_marks(axes, at, means, "o", 3.0, OCHRE, **look, label="mean of neighbours", zorder=4)
+    look: dict[str, Any] = {
+        "markerfacecolor": style.OCHRE,
+        "markeredgecolor": style.INK,
+        "markeredgewidth": 0.4,
+    }
+    style.draw_marks(axes, at, means, "o", 3.0, style.OCHRE, **look, label="mean of neighbours", zorder=4)

@@ -11,25 +11,9 @@ from matplotlib.image import imread
 from matplotlib.lines import Line2D
 
 from dcfp.errors import InputError
+from dcfp.present.figures import style
 from dcfp.present.figures.drawing import draw_cross
 from dcfp.present.figures.pulses import StrongPart, mark_pulse
-from dcfp.present.figures.style import (
-    BLUE,
-    GREY,
-    INK,
-    OCHRE,
-    PAGE_WIDTH,
-    RED,
-    draw_line,
-    draw_marks,
-    drawable,
-    label_axes,
-    legend_above,
-    legend_outside,
-    new_figure,
-    save_figure,
-    style,
-)
 from dcfp.present.panels import loop
 from dcfp.schema.formulas import metres_per_second
 from dcfp.schema.nomenclature import quantity
@@ -51,7 +35,7 @@ _LOOP_RECORDS = ("JKB", "KNA")
 #: Dashes of a prediction, and of what is dotted beside it.
 _DASHED, _DOTTED = (0, (5, 2)), (0, (1.5, 1.5))
 #: Values of eps that Figure 19 compares [-], with their colours and lines.
-_FALL_RATIOS = ((0.1, OCHRE, _DOTTED), (0.25, INK, "-"), (0.5, BLUE, _DASHED))
+_FALL_RATIOS = ((0.1, style.OCHRE, _DOTTED), (0.25, style.INK, "-"), (0.5, style.BLUE, _DASHED))
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,6 +60,7 @@ class PaperFigure:
     figure: "Figure"
 
 
+@style.styled
 def paper_figures(
     cases: "Sequence[Case]",
     loops: "Mapping[tuple[str, float], tuple[Response, Response]]",
@@ -103,20 +88,19 @@ def paper_figures(
     from dcfp.methods.li_2020 import LI_2020  # late: the package of predictions imports the kernels
 
     marks = marks_of(cases)
-    with style():
-        drawn = [*([_loops(loops)] if loops else ()), *_histories(cases)]
-        for number, title, words, panels in _described(cases, LI_2020 if constants is None else constants):
-            figure = _small_figure(len(panels))
-            for place, panel in enumerate(panels):
-                _draw(figure.add_subplot(1, len(panels), place + 1), panel, cases, marks)
-            _name_records(figure, marks)
-            drawn.append(PaperFigure(number, title, words, figure))
+    drawn = [*([_loops(loops)] if loops else ()), *_histories(cases)]
+    for number, title, words, panels in _described(cases, LI_2020 if constants is None else constants):
+        figure = _small_figure(len(panels))
+        for place, panel in enumerate(panels):
+            _draw(figure.add_subplot(1, len(panels), place + 1), panel, cases, marks)
+        _name_records(figure, marks)
+        drawn.append(PaperFigure(number, title, words, figure))
     return sorted(drawn, key=lambda one: int(one.number))
 
 
 def _small_figure(columns: int) -> "Figure":
     """Return an empty figure as wide as a column of the page, or as the page."""
-    return new_figure(2.8, 3.5 if columns == 1 else PAGE_WIDTH)
+    return style.new_figure(2.8, 3.5 if columns == 1 else style.PAGE_WIDTH)
 
 
 def _loops(loops: "Mapping[tuple[str, float], tuple[Response, Response]]") -> PaperFigure:
@@ -130,15 +114,15 @@ def _loops(loops: "Mapping[tuple[str, float], tuple[Response, Response]]") -> Pa
     axes: Any = figure.subplots(1, len(chosen), squeeze=False)[0]
     for one, pgv, letter in zip(axes, chosen, "ab", strict=False):
         draw_cross(one)
-        looks = ((BLUE, "-", "simplified"), (OCHRE, (0, (4, 2)), "precise"))
+        looks = ((style.BLUE, "-", "simplified"), (style.OCHRE, (0, (4, 2)), "precise"))
         for response, (colour, dashes, label) in zip(loops[record, pgv], looks, strict=True):
             panel = loop(response)
             (path,) = panel.lines
             shown = panel.x.display(path.x), panel.y.display(path.y)
-            draw_line(one, *shown, colour, path.width, linestyle=dashes, label=label)
-            label_axes(one, panel.x.label, panel.y.label, 5, 5)
+            style.draw_line(one, *shown, colour, path.width, linestyle=dashes, label=label)
+            style.label_axes(one, panel.x.label, panel.y.label, 5, 5)
         one.set_title(f"({letter}) PGV {metres_per_second(pgv)}", loc="left")
-    legend_outside(axes[0], 2, "upper right", borderaxespad=0.4)
+    style.legend_outside(axes[0], 2, "upper right", borderaxespad=0.4)
     words = (
         f"Force against displacement under {record} with the simplified and with the precise heating model."
     )
@@ -152,11 +136,11 @@ def _histories(cases: "Sequence[Case]") -> list[PaperFigure]:
     case = min(same, key=lambda case: abs(case.pgv - _HISTORY_PGV))
     part = StrongPart.of(case)
     of_case = f"under {case.record} at a PGV of {metres_per_second(case.pgv)}"
-    figures = [new_figure(height) for height in (4.4, 2.2, 2.2)]
+    figures = [style.new_figure(height) for height in (4.4, 2.2, 2.2)]
     panels: Any = figures[0].subplots(3, 1, sharex=True, height_ratios=[1.15, 1.0, 1.0])
     part.draw_pulses(panels[0], case.pulses)
     if case.analysed.pulse is not None:
-        mark_pulse(panels[0], case.pulses, case.analysed.pulse, BLUE)
+        mark_pulse(panels[0], case.pulses, case.analysed.pulse, style.BLUE)
     part.draw_energy(panels[1])
     part.draw_displacement(panels[2])
     for axes in panels[1:]:
@@ -165,7 +149,7 @@ def _histories(cases: "Sequence[Case]") -> list[PaperFigure]:
     for figure, draw in zip(figures[1:], (part.draw_velocities, part.draw_relative_velocity), strict=True):
         axes = figure.add_subplot()
         draw(axes)
-        legend_above(axes)
+        style.legend_above(axes)
         part.limit_time([axes])
     described = (
         ("13", "Ground velocity, energy and displacement", f"Ground velocity with its pulses, energies and displacement {of_case}; the largest swing and its pulse are marked."),
@@ -239,7 +223,7 @@ def _velocity_change(cases: "Sequence[Case]", constants: "Constants") -> _Panel:
     """Show |dvg| of the governing pulse against the PGV, with Eq. (29): Figure 25."""
     entry, zeta = quantity("ground_velocity_change"), constants.change_ratio
     ends = quantity("peak_ground_velocity").display(np.array([0.0, _largest_pgv(cases)]))
-    line = _Line(ends, zeta * ends, INK, _DASHED, rf"$\zeta={zeta:.3g}$, Eq. (29)")
+    line = _Line(ends, zeta * ends, style.INK, _DASHED, rf"$\zeta={zeta:.3g}$, Eq. (29)")
     label = f"$|{entry.symbol}|$ [{entry.shown.name}]"
     return _against_pgv(cases, "ground_velocity_change", _change, (line,), y=label, legend="lower right")
 
@@ -258,7 +242,7 @@ def _design(cases: "Sequence[Case]", constants: "Constants", name: str, attribut
         pgvs = np.linspace(0.02, 1.0, 100) * 1.04 * _largest_pgv(cases)
         curve = np.array([getattr(predict_from_pgv(float(pgv), constants), attribute) for pgv in pgvs])
         shown = quantity("peak_ground_velocity").display(pgvs), quantity(name).display(curve)
-        lines = [_Line(*shown, RED, _DASHED, label, 1.0)]
+        lines = [_Line(*shown, style.RED, _DASHED, label, 1.0)]
     return _against_pgv(cases, name, lambda case: getattr(case.analysed.whole, attribute), lines)
 
 
@@ -323,7 +307,7 @@ def _input_over_change(cases: "Sequence[Case]", constants: "Constants") -> _Pane
         ends = change.shown.inner(np.array([0.0, across]))
         line = input_velocity(ends, constants.friction_deceleration, constants.average_slope)
         label = rf"Eq. (28), $k_{{g,\mathrm{{ave}}}}={constants.average_slope:.0f}$ mm/s²"
-        lines = [_Line([0.0, across], put_in.display(line), RED, _DASHED, label, 1.0)]
+        lines = [_Line([0.0, across], put_in.display(line), style.RED, _DASHED, label, 1.0)]
         up = 1.05 * max(_farthest(points, 1), float(lines[0].y.max()))
     return _Panel(f"$|{change.symbol}|$ [{change.shown.name}]", put_in.label, points, lines, across, up)
 
@@ -347,9 +331,9 @@ def _accuracy(cases: "Sequence[Case]", method: str, name: str) -> _Panel:
     points = [point(case) for case in cases]
     across, up = (1.08 * (_farthest(points, along) or 1.0) for along in (0, 1))
     ends = np.array([0.0, across])
-    lines = [_Line(ends, ends, GREY, "-", None, 0.6, 1)] if least != 1.0 else []
+    lines = [_Line(ends, ends, style.GREY, "-", None, 0.6, 1)] if least != 1.0 else []
     dotted = _DOTTED if least != 1.0 else "-"
-    for ratio, colour, dashes in ((largest, RED, _DASHED), (least, INK, dotted)):
+    for ratio, colour, dashes in ((largest, style.RED, _DASHED), (least, style.INK, dotted)):
         lines.append(_Line(ends, ratio * ends, colour, dashes, f"ratio {ratio:.1f}", 0.8, 1))
     x, y = (f"${entry.symbol}$ {how} [{entry.shown.name}]" for how in ("analysed", "predicted"))
     return _Panel(x, y, points, lines, across, max(up, across))
@@ -369,15 +353,15 @@ def _draw(axes: "Axes", panel: _Panel, cases: "Sequence[Case]", marks: "Mapping[
         zero = drawn[:, 1] == 0.0
         (x, y), nothing = drawn[~zero].T, drawn[zero, 0]
         full: dict[str, Any] = {"markeredgewidth": 0.0, "alpha": 0.85 if mark.size > 3.0 else 0.55}
-        draw_marks(axes, x, y, *mark, **full, zorder=3)
+        style.draw_marks(axes, x, y, *mark, **full, zorder=3)
         if nothing.size:
             hollow: dict[str, Any] = {"markerfacecolor": "white", "markeredgewidth": 0.8, "clip_on": False}
-            draw_marks(axes, nothing, np.zeros_like(nothing), *mark, **hollow, zorder=3)
+            style.draw_marks(axes, nothing, np.zeros_like(nothing), *mark, **hollow, zorder=3)
     ends: dict[str, Any] = {"xlim": (0.0, panel.across), "ylim": (0.0, panel.up)}
-    label_axes(axes, panel.x, panel.y, 6, panel.ticks, **ends)
+    style.label_axes(axes, panel.x, panel.y, 6, panel.ticks, **ends)
     for one in panel.lines:
         look: dict[str, Any] = {"linestyle": one.dashes, "label": one.label, "zorder": one.order}
-        draw_line(axes, one.x, one.y, one.colour, one.width, **look)
+        style.draw_line(axes, one.x, one.y, one.colour, one.width, **look)
     if panel.lines:
         axes.legend(loc=panel.legend, borderaxespad=0.7)
 
@@ -414,7 +398,7 @@ def marks_of(cases: "Sequence[Case]") -> dict[str, Mark]:
     """Return the mark of every record, in the order of the cases; more records than there are marks look all the same."""
     records = list(dict.fromkeys(case.record for case in cases))
     if len(records) > len(_MARKS):
-        return dict.fromkeys(records, Mark("o", 2.4, BLUE))
+        return dict.fromkeys(records, Mark("o", 2.4, style.BLUE))
     taken = {name: _PAPER_RECORDS.index(name) for name in records if name in _PAPER_RECORDS}
     free = iter([place for place in range(len(_MARKS)) if place not in taken.values()])
     places = {name: taken[name] if name in taken else next(free) for name in records}
@@ -423,7 +407,7 @@ def marks_of(cases: "Sequence[Case]") -> dict[str, Mark]:
 
 def _name_records(figure: "Figure", marks: "Mapping[str, Mark]") -> None:
     """Write the records and their marks above a figure."""
-    entries = {drawable(name): mark for name, mark in marks.items()}
+    entries = {style.drawable(name): mark for name, mark in marks.items()}
     if len(set(marks.values())) < len(marks):
         entries = {f"{len(marks)} records": next(iter(marks.values()))}
     handles = [
@@ -447,6 +431,7 @@ _WIDTH, _GAP, _TITLE = 14.8, 0.2, 0.4
 _TITLE_CHARACTERS = 14
 
 
+@style.styled
 def contact_sheet(figures: "Sequence[PaperFigure]") -> "Figure":
     """Return a new figure that shows all others as images, in rows and in their order, each at its own size below its title."""
     rows: list[list[PaperFigure]] = [[]]
@@ -457,29 +442,28 @@ def contact_sheet(figures: "Sequence[PaperFigure]") -> "Figure":
         rows[-1].append(one)
     heights = [_TITLE + max((one.figure.get_figheight() for one in row), default=1.0) for row in rows]
     height = sum(heights) + _GAP * (len(rows) - 1)
-    with style():
-        sheet = new_figure(height, _WIDTH)
-        sheet.set_layout_engine("none")
-        top = height
-        for row, tallest in zip(rows, heights, strict=True):
-            left = 0.0
-            for one in row:
-                width, tall = one.figure.get_size_inches().tolist()
-                title = f"Figure {one.number}. {one.title}"
-                words = textwrap.fill(title, max(12, int(_TITLE_CHARACTERS * width)))
-                below = top - _TITLE
-                sheet.text(left / _WIDTH, below / height, words, weight="bold", va="bottom", size=8.0)
-                place = (left / _WIDTH, (below - tall) / height, width / _WIDTH, tall / height)
-                axes = sheet.add_axes(place)
-                axes.imshow(_drawn(one.figure), aspect="auto", interpolation="none")
-                axes.set_axis_off()
-                left += width + _GAP
-            top -= tallest + _GAP
+    sheet = style.new_figure(height, _WIDTH)
+    sheet.set_layout_engine("none")
+    top = height
+    for row, tallest in zip(rows, heights, strict=True):
+        left = 0.0
+        for one in row:
+            width, tall = one.figure.get_size_inches().tolist()
+            title = f"Figure {one.number}. {one.title}"
+            words = textwrap.fill(title, max(12, int(_TITLE_CHARACTERS * width)))
+            below = top - _TITLE
+            sheet.text(left / _WIDTH, below / height, words, weight="bold", va="bottom", size=8.0)
+            place = (left / _WIDTH, (below - tall) / height, width / _WIDTH, tall / height)
+            axes = sheet.add_axes(place)
+            axes.imshow(_drawn(one.figure), aspect="auto", interpolation="none")
+            axes.set_axis_off()
+            left += width + _GAP
+        top -= tallest + _GAP
     return sheet
 
 
 def _drawn(figure: "Figure") -> Any:
     stream = io.BytesIO()
-    save_figure(figure, stream, "png")
+    style.save_figure(figure, stream, "png")
     stream.seek(0)
     return imread(stream, format="png")

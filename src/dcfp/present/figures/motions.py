@@ -8,21 +8,8 @@ import numpy as np
 
 from dcfp.errors import InputError
 from dcfp.motion.measures import baseline_warning
+from dcfp.present.figures import style
 from dcfp.present.figures.drawing import between_equal_limits, mark_peak
-from dcfp.present.figures.style import (
-    BLUE,
-    GREY,
-    INK,
-    OCHRE,
-    RED,
-    draw_line,
-    draw_marks,
-    drawable,
-    label_axes,
-    legend_outside,
-    new_figure,
-    styled,
-)  # fmt: skip
 from dcfp.schema.formulas import metres_per_second, millimetres
 from dcfp.schema.nomenclature import quantity
 
@@ -45,7 +32,7 @@ _HEAD_WIDTH = 108
 _COMPARABLE = 4.0
 
 
-@styled
+@style.styled
 def plot_motions(motions: "Sequence[GroundMotion]") -> "Figure":
     """Draw acceleration, velocity and displacement of motions, a column for each, on a new figure.
 
@@ -60,7 +47,7 @@ def plot_motions(motions: "Sequence[GroundMotion]") -> "Figure":
     check_count(len(motions))
     columns = min(len(motions), _COLUMNS)
     blocks = [motions[first : first + columns] for first in range(0, len(motions), columns)]
-    figure = new_figure((3.0 * _ROW_HEIGHT + _HEAD_HEIGHT) * len(blocks))
+    figure = style.new_figure((3.0 * _ROW_HEIGHT + _HEAD_HEIGHT) * len(blocks))
     panels = figure.subplots(3 * len(blocks), columns, squeeze=False)
     for number, block in enumerate(blocks):
         _draw_block(panels[3 * number : 3 * number + 3], block)
@@ -104,15 +91,15 @@ def _draw_column(panels: "np.ndarray", motion: "GroundMotion", columns: int) -> 
     ):
         entry, values = quantity(f"ground_{name}"), getattr(motion, name)
         heights = entry.display(values)
-        draw_line(axes, motion.time, heights, BLUE, width)
-        label_axes(axes, "", entry.label, max(4, 10 // columns), 4, xlim=(0.0, motion.duration))
+        style.draw_line(axes, motion.time, heights, style.BLUE, width)
+        style.label_axes(axes, "", entry.label, max(4, 10 // columns), 4, xlim=(0.0, motion.duration))
         mark_peak(axes, motion.time, heights, words(float(np.abs(values).max())))
         between_equal_limits(axes, heights)
         axes.tick_params(labelbottom=axes is panels[-1])
     panels[-1].set_xlabel(quantity("time").label)
     if baseline_warning(motion) is not None:
         place: Any = {"xy": (0.02, 0.03), "xycoords": "axes fraction"}
-        panels[-1].annotate("baseline in doubt", color=RED, va="bottom", **place)
+        panels[-1].annotate("baseline in doubt", color=style.RED, va="bottom", **place)
 
 
 def _share_limits(row: "list[Axes]") -> None:
@@ -129,9 +116,9 @@ def _write_head(axes: "Axes", motion: "GroundMotion", width: int) -> None:
     origin = motion.origin
     words = [origin.station, origin.event, origin.component]
     lines = textwrap.wrap(
-        ", ".join(drawable(word) for word in words if word), width, max_lines=3, placeholder=" …"
+        ", ".join(style.drawable(word) for word in words if word), width, max_lines=3, placeholder=" …"
     )
-    name = textwrap.shorten(drawable(motion.name), max(width - 4, 12), placeholder=" …")
+    name = textwrap.shorten(style.drawable(motion.name), max(width - 4, 12), placeholder=" …")
     place: dict[str, Any] = {"xytext": (0.0, 4.0), "xycoords": "axes fraction", "textcoords": "offset points"}
     look: dict[str, Any] = {"va": "bottom", "size": 6.5, "color": "#555555", "parse_math": False}
     axes.annotate("\n".join(lines), (0.0, 1.0), **place, **look)
@@ -141,12 +128,12 @@ def _write_head(axes: "Axes", motion: "GroundMotion", width: int) -> None:
 # Response and input energy spectra.
 
 
-_COLOURS = (BLUE, RED, OCHRE, INK, GREY, "#6699CC", "#228833", "#AA3377")
+_COLOURS = (style.BLUE, style.RED, style.OCHRE, style.INK, style.GREY, "#6699CC", "#228833", "#AA3377")
 #: Periods that are named on the axis [s].
 _TICKS = (0.1, 1.0, 10.0)
 
 
-@styled
+@style.styled
 def plot_spectra(spectra: "Sequence[EnergySpectrum]", velocities: "Sequence[float]") -> "Figure":
     """Draw displacement, pseudo-acceleration and equivalent velocity of the input energy over the period, on a new figure.
 
@@ -154,24 +141,24 @@ def plot_spectra(spectra: "Sequence[EnergySpectrum]", velocities: "Sequence[floa
     geometric mean.
     """
     many = len(spectra) > len(_COLOURS)
-    figure = new_figure(2.9)
+    figure = style.new_figure(2.9)
     axes: Any = figure.subplots(1, 3)
     every = [_values(one) for one in spectra]
     for place, (one, pgv) in enumerate(zip(spectra, velocities, strict=True)):
-        label = None if many else f"{drawable(one.name)}, {metres_per_second(pgv)}"
-        colour, width = (GREY, 0.3) if many else (_COLOURS[place], 0.9)
+        label = None if many else f"{style.drawable(one.name)}, {metres_per_second(pgv)}"
+        colour, width = (style.GREY, 0.3) if many else (_COLOURS[place], 0.9)
         for panel, values in zip(axes, every[place], strict=True):
-            draw_line(panel, one.periods, values, colour, width, label=label)
+            style.draw_line(panel, one.periods, values, colour, width, label=label)
     for place, (panel, label) in enumerate(
         zip(axes, ("$S_d$ [mm]", "$S_a$ [m/s²]", "$V_E$ [m/s]"), strict=True)
     ):
         if many and all(np.array_equal(one.periods, spectra[0].periods) for one in spectra):
             mean = np.exp(np.log(np.maximum(np.array([one[place] for one in every]), 1e-12)).mean(axis=0))
             words = f"geometric mean of {len(spectra)}"
-            draw_line(panel, spectra[0].periods, mean, BLUE, 1.4, label=words)
+            style.draw_line(panel, spectra[0].periods, mean, style.BLUE, 1.4, label=words)
         panel.set(xscale="log", xlabel="$T$ [s]", ylabel=label, ylim=(0.0, None))
         panel.set_xticks(_TICKS, [f"{tick:g}" for tick in _TICKS])
-    legend_outside(axes[0], min(4, max(1 if many else len(spectra), 1)))
+    style.legend_outside(axes[0], min(4, max(1 if many else len(spectra), 1)))
     return figure
 
 
@@ -185,19 +172,19 @@ def _values(one: "EnergySpectrum") -> "tuple[np.ndarray, ...]":
 
 #: Periods at which a spectrum is drawn [s].
 _PERIODS = np.geomspace(0.05, 10.0, 300)
-_COLOURS_OF_METHODS = (BLUE, OCHRE, RED, INK, GREY, "#6699CC")
+_COLOURS_OF_METHODS = (style.BLUE, style.OCHRE, style.RED, style.INK, style.GREY, "#6699CC")
 #: Height of a row of panels, and of the legend above [in].
 _ROW, _HEAD = 2.3, 0.5
 
 
-@styled
+@style.styled
 def plot_codes(comparisons: "Sequence[CodeComparison]") -> "Figure":
     """Draw for every demand the results in the displacement spectrum, and their displacements as bars, on a new figure.
 
     Left the spectrum at a damping of 5 % with effective period and displacement of every method that has both; right the displacements beside the
     analysis, a line. What is outside of the limits of its method is hollow, and hatched on the right.
     """
-    figure = new_figure(_HEAD + _ROW * len(comparisons))
+    figure = style.new_figure(_HEAD + _ROW * len(comparisons))
     axes: Any = figure.subplots(len(comparisons), 2, squeeze=False, width_ratios=(1.0, 1.15))
     for row, comparison in zip(axes, comparisons, strict=True):
         _draw_spectrum(row[0], comparison)
@@ -209,14 +196,14 @@ def plot_codes(comparisons: "Sequence[CodeComparison]") -> "Figure":
 
 def _draw_spectrum(axes: "Axes", comparison: "CodeComparison") -> None:
     demand = comparison.inputs.spectrum.acceleration(_PERIODS) * (_PERIODS / (2.0 * np.pi)) ** 2
-    draw_line(axes, _PERIODS, demand, GREY, 1.0)
+    style.draw_line(axes, _PERIODS, demand, style.GREY, 1.0)
     for colour, said in zip(cycle(_COLOURS_OF_METHODS), comparison.results.values(), strict=False):
         if said.period is not None:
             face = "white" if said.valid is False else colour
-            draw_marks(axes, said.period, said.displacement, "o", 4.0, colour, markerfacecolor=face)
+            style.draw_marks(axes, said.period, said.displacement, "o", 4.0, colour, markerfacecolor=face)
     axes.set(ylabel="$S_d$ [mm]", ylim=(0.0, None), xlim=(0.0, float(_PERIODS[-1])))
     pgv = "" if comparison.pgv is None else f",  PGV {metres_per_second(comparison.pgv)}"
-    axes.set_title(f"{drawable(comparison.name)}{pgv}", loc="left", weight="bold", parse_math=False)
+    axes.set_title(f"{style.drawable(comparison.name)}{pgv}", loc="left", weight="bold", parse_math=False)
 
 
 def _draw_bars(axes: "Axes", comparison: "CodeComparison") -> None:
@@ -232,7 +219,7 @@ def _draw_bars(axes: "Axes", comparison: "CodeComparison") -> None:
         axes.annotate(words, end, (4.0, 0.0), **beside).set_bbox(box)
     title = "hollow: outside of its limits"
     if analysed is not None:
-        axes.axvline(analysed, color=INK, linewidth=1.0, linestyle=(0, (4, 2)))
+        axes.axvline(analysed, color=style.INK, linewidth=1.0, linestyle=(0, (4, 2)))
         title = f"analysis {millimetres(analysed)}; {title}"
     axes.set_title(title, loc="left")
     axes.set_yticks(range(len(results)), list(results))

@@ -11,24 +11,9 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from dcfp.present.figures import style
 from dcfp.present.figures.drawing import colour_shows, colours_of, draw_cross, plot_loop
 from dcfp.present.figures.sheets import draw_measured
-from dcfp.present.figures.style import (
-    BLUE,
-    DASHED,
-    GREY,
-    INK,
-    OCHRE,
-    PAGE_WIDTH,
-    RED,
-    calm_ticks,
-    drawable,
-    finish_colour_bar,
-    label_axes,
-    new_figure,
-    styled,
-    write_title,
-)  # fmt: skip
 from dcfp.present.panels import colour_ends
 from dcfp.schema.formulas import metres_per_second, millimetres, typeset
 from dcfp.schema.nomenclature import quantity
@@ -50,7 +35,11 @@ _NUMBERS_HEIGHT = 0.36
 #: Names of tests beyond the first go above pressure and speed, so that they stay clear of the next panel; beyond the second they are cut.
 _SHORT_NAME, _LONGEST_NAME = 6, 24
 #: Colour and line of each model, in their order.
-LINES: "tuple[tuple[str, Any], ...]" = ((BLUE, "-"), (OCHRE, (0, (4, 1.5))), (RED, (0, (1.2, 1.2))))
+LINES: "tuple[tuple[str, Any], ...]" = (
+    (style.BLUE, "-"),
+    (style.OCHRE, (0, (4, 1.5))),
+    (style.RED, (0, (1.2, 1.2))),
+)
 
 
 def _shared_range(histories: "Sequence[Response | Loops]") -> tuple[str, Normalize]:
@@ -73,10 +62,10 @@ def _name_axes(figure: Figure) -> None:
 def _add_scale(figure: Figure, axes: Any, shows: str, norm: Normalize, aspect: float) -> None:
     drawn = ScalarMappable(norm, colours_of(shows))
     bar: Any = figure.colorbar(drawn, ax=axes, pad=0.015, aspect=aspect, fraction=0.03)
-    finish_colour_bar(bar, quantity(shows).label)
+    style.finish_colour_bar(bar, quantity(shows).label)
 
 
-@styled
+@style.styled
 def plot_overview(responses: "Sequence[Response]") -> Figure:
     """Draw the loops of several analyses to the same scales, on a new figure.
 
@@ -85,8 +74,10 @@ def plot_overview(responses: "Sequence[Response]") -> Figure:
     """
     grid = _grid(responses)
     columns = len(grid[0])
-    panel = (PAGE_WIDTH - 0.9) / max(columns, 3)
-    figure = new_figure(0.62 + len(grid) * (0.85 * panel + 0.1), min(PAGE_WIDTH, panel * columns + 0.9))
+    panel = (style.PAGE_WIDTH - 0.9) / max(columns, 3)
+    figure = style.new_figure(
+        0.62 + len(grid) * (0.85 * panel + 0.1), min(style.PAGE_WIDTH, panel * columns + 0.9)
+    )
     axes = figure.subplots(len(grid), columns, squeeze=False)
     shows, norm = _shared_range(responses)
     for panels, row in zip(axes, grid, strict=True):
@@ -122,7 +113,15 @@ def _write_numbers(axes: "Axes", response: "Response") -> None:
     words = f"{millimetres(response.peak_displacement)}\n{typeset(response.peak_temperature)} °C"
     beyond = response.status.value == "beyond capacity"
     box = {"boxstyle": "square,pad=0.05", "facecolor": "white", "edgecolor": "none", "alpha": 0.85}
-    axes.text(0.03, 0.98, words, transform=axes.transAxes, va="top", color=RED if beyond else INK, bbox=box)
+    axes.text(
+        0.03,
+        0.98,
+        words,
+        transform=axes.transAxes,
+        va="top",
+        color=style.RED if beyond else style.INK,
+        bbox=box,
+    )
 
 
 def _name_panels(axes: "np.ndarray", grid: "list[list[Response | None]]") -> None:
@@ -133,7 +132,7 @@ def _name_panels(axes: "np.ndarray", grid: "list[list[Response | None]]") -> Non
         for one, response in zip(panels, responses, strict=True):
             if response is None:
                 continue
-            name = drawable(response.motion.name)
+            name = style.drawable(response.motion.name)
             if not table:
                 one.set_title(_folded(f"{name}, ", response, width), parse_math=False)
             elif row == 0:
@@ -154,23 +153,23 @@ def _share_limits(axes: "np.ndarray", responses: "Sequence[Response]") -> None:
     height = 1.1 * quantity("force").display(max(max(response.peak_force for response in responses), 1e-3))
     columns = axes.shape[1]
     # in small panels the two lines of numbers need a band of their own above the loop
-    band = 0.0 if columns <= _COLUMNS else min(0.5, _NUMBERS_HEIGHT * columns / PAGE_WIDTH)
+    band = 0.0 if columns <= _COLUMNS else min(0.5, _NUMBERS_HEIGHT * columns / style.PAGE_WIDTH)
     capacity = responses[0].bearing.displacement_capacity
     shown = np.array([[one.axison for one in row] for row in axes])
     for (row, column), one in np.ndenumerate(axes):
         one.set(xlim=(-reach, reach), ylim=(-height, height * (1.0 + band) / (1.0 - band)))
-        calm_ticks(one, 4 if columns <= _COLUMNS else 2, 5)
+        style.calm_ticks(one, 4 if columns <= _COLUMNS else 2, 5)
         lowest = row + 1 == len(axes) or not shown[row + 1, column]
         one.tick_params(labelbottom=bool(lowest), labelleft=column == 0)
         if capacity is not None and capacity < reach and one.axison:
             for side in (-capacity, capacity):
-                one.axvline(side, color=RED, linewidth=0.5, linestyle=DASHED, zorder=0)
+                one.axvline(side, color=style.RED, linewidth=0.5, linestyle=style.DASHED, zorder=0)
 
 
 # The loops of several tests, after Figures 6 and 8 of Li et al. (2020).
 
 
-@styled
+@style.styled
 def plot_tests(
     program: "Program", runs: "Mapping[str, Sequence[Loops]]", measured: "Mapping[str, Measurement]"
 ) -> Figure:
@@ -188,10 +187,12 @@ def plot_tests(
     tests = list(zip(*runs.values(), strict=True))
     columns = min(_TEST_COLUMNS, math.ceil(math.sqrt(len(tests))))
     rows = math.ceil(len(tests) / columns)
-    panel = (PAGE_WIDTH - 0.6) / max(columns, 2)
+    panel = (style.PAGE_WIDTH - 0.6) / max(columns, 2)
     first = next(iter(runs.values()))
     shows, norm = _shared_range(first)
-    figure = new_figure(0.55 + rows * (0.8 * panel + 0.22), min(PAGE_WIDTH, panel * columns + 0.9))
+    figure = style.new_figure(
+        0.55 + rows * (0.8 * panel + 0.22), min(style.PAGE_WIDTH, panel * columns + 0.9)
+    )
     axes: Any = figure.subplots(rows, columns, squeeze=False)
     for one, test in zip(axes.flat, tests, strict=False):
         if test[0].test.name in measured:
@@ -204,14 +205,14 @@ def plot_tests(
     for one in axes.flat[len(tests) :]:
         one.set_axis_off()
     _name_axes(figure)
-    title = f"{drawable(program.name)},  {drawable(first[0].bearing.name)}"
+    title = f"{style.drawable(program.name)},  {style.drawable(first[0].bearing.name)}"
     if len(runs) > 1:
         title += ":  first cycles"
         name_models(figure, list(runs), with_measured=bool(measured))
     else:
         title += f",  {first[0].friction_law.name},  {first[0].heating.name} heating"
         _add_scale(figure, axes, shows, norm, 40)
-    write_title(figure, title)
+    style.write_title(figure, title)
     return figure
 
 
@@ -232,12 +233,12 @@ def draw_model(axes: "Axes", test: "Loops", look: "tuple[str, Any]", part: Any, 
 def _name_panel(axes: "Axes", test: "Loops") -> None:
     """Write what a panel shows above it."""
     pressure = float(np.mean(test.load)) / test.bearing.slider_area
-    name = drawable(test.test.name)
+    name = style.drawable(test.test.name)
     name = name if len(name) <= _LONGEST_NAME else f"{name[: _LONGEST_NAME - 1]}…"
     gap = " " if len(name) <= _SHORT_NAME else "\n"
     words = f"{name}:{gap}{pressure:.0f} N/mm², {test.test.waveform.peak_velocity:.0f} mm/s"
     axes.set_title(words, loc="left", parse_math=False, size=6.2)
-    label_axes(axes, "", "", 3, 5)
+    style.label_axes(axes, "", "", 3, 5)
 
 
 def name_models(figure: Figure, names: "Sequence[str]", *, with_measured: bool) -> None:
@@ -246,5 +247,5 @@ def name_models(figure: Figure, names: "Sequence[str]", *, with_measured: bool) 
         Line2D([], [], color=colour, linestyle=line, label=name)
         for name, (colour, line) in zip(names, cycle(LINES), strict=False)
     ]
-    handles += [Line2D([], [], color=GREY, label="measured")] if with_measured else []
+    handles += [Line2D([], [], color=style.GREY, label="measured")] if with_measured else []
     figure.legend(handles=handles, loc="upper right", ncols=4, frameon=False)

@@ -7,22 +7,7 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from dcfp.errors import InputError
-from dcfp.present.figures.style import (
-    BLUE,
-    GREY,
-    INK,
-    PALE,
-    calm_ticks,
-    draw_line,
-    draw_marks,
-    drawable,
-    label_axes,
-    legend_outside,
-    looks,
-    new_figure,
-    plain_numbers,
-    styled,
-)  # fmt: skip
+from dcfp.present.figures import style
 from dcfp.schema.formulas import metres_per_second, typeset
 from dcfp.schema.nomenclature import quantity
 
@@ -56,7 +41,7 @@ class _Drawn:
     of_codes: bool = False
 
 
-@styled
+@style.styled
 def plot_comparison(cases: "Sequence[Case]") -> "Figure":
     """Draw what every blind method predicts against what the analysis gives, on a new figure.
 
@@ -80,7 +65,7 @@ def plot_comparison(cases: "Sequence[Case]") -> "Figure":
         raise InputError(msg)
     drawn = _drawn(cases)
     rows = (len(drawn) + 1) // 2
-    figure = new_figure(3.95 * rows)
+    figure = style.new_figure(3.95 * rows)
     panels: Any = figure.subplots(rows, 2)
     for axes in panels.flat[len(drawn) :]:
         axes.set_axis_off()
@@ -118,7 +103,7 @@ def _drawn(cases: "Sequence[Case]") -> list[_Drawn]:
 def _draw_panel(axes: "Axes", cases: "Sequence[Case]", drawn: _Drawn) -> None:
     from dcfp.methods.pulses import NOTHING, value_of
 
-    which, entry, known = drawn.quantity, quantity(drawn.name), looks()
+    which, entry, known = drawn.quantity, quantity(drawn.name), style.looks()
     few = len(cases) <= _FEW
     size = 4.5 if few else 3.0 if len(cases) <= _MANY else 2.2
     analysed = entry.display(np.array([value_of(case.analysed.whole, which) for case in cases]))
@@ -128,8 +113,8 @@ def _draw_panel(axes: "Axes", cases: "Sequence[Case]", drawn: _Drawn) -> None:
     ]
     low, high = _limits(analysed, predicted)
     ends = np.array([low, high])
-    axes.fill_between(ends, 0.5 * ends, 2.0 * ends, color=PALE, linewidth=0.0, zorder=0)
-    draw_line(axes, ends, ends, INK, zorder=1)
+    axes.fill_between(ends, 0.5 * ends, 2.0 * ends, color=style.PALE, linewidth=0.0, zorder=0)
+    style.draw_line(axes, ends, ends, style.INK, zorder=1)
     for variant, values in zip(drawn.variants, predicted, strict=True):
         look = known[variant.method]
         outside = np.array([_is_outside(case, variant.method) for case in cases])
@@ -141,11 +126,11 @@ def _draw_panel(axes: "Axes", cases: "Sequence[Case]", drawn: _Drawn) -> None:
         _draw_marks(axes, look, size + 1.5, analysed, edge, inside & (values == 0.0), **hollow)
         open_: dict[str, Any] = {"markerfacecolor": "none", "markeredgewidth": 0.5, "alpha": 0.8}
         _draw_marks(axes, look, size, analysed, values, outside & np.isfinite(analysed + values), **open_)
-    calm_ticks(axes)
+    style.calm_ticks(axes)
     axes.set(xscale="log", yscale="log", xlim=(low, high), ylim=(low, high), box_aspect=1.0)
     axes.set_xlabel(f"${entry.symbol}$ analysed [{entry.shown.name}]")
     axes.set_ylabel(f"${entry.symbol}$ predicted [{entry.shown.name}]")
-    plain_numbers(axes)
+    style.plain_numbers(axes)
     _add_legend(axes, cases, drawn)
 
 
@@ -167,7 +152,7 @@ def _draw_marks(
     axes: "Axes", look: "Look", size: float, x: "FloatArray", y: "FloatArray", where: Any, **more: Any
 ) -> None:
     if where.any():
-        draw_marks(
+        style.draw_marks(
             axes, x[where], y[where], look.marker, look.scale * size, look.colour, zorder=look.order, **more
         )
 
@@ -175,7 +160,7 @@ def _draw_marks(
 def _add_legend(axes: "Axes", cases: "Sequence[Case]", drawn: _Drawn) -> None:
     from dcfp.inference.statistics import scatters
 
-    found, known = scatters(cases), looks()
+    found, known = scatters(cases), style.looks()
     handles: list[Line2D] = []
     for variant in drawn.variants:
         if (variant, drawn.quantity) in found:
@@ -215,27 +200,27 @@ _EDGE = "#C5D0DC"
 _ROW, _FRAME, _TALLEST = 0.21, 1.1, 11.0
 
 
-@styled
+@style.styled
 def plot_forecasts(forecasts: "Sequence[Forecast]") -> "Figure":
     """Draw dy of every method, and y_max of the march, a row for each record and PGV, on a new figure; intervals where there are any."""
     height = _FRAME + _ROW * len(forecasts)
     few = height <= _TALLEST
-    figure = new_figure(min(height, _TALLEST))
+    figure = style.new_figure(min(height, _TALLEST))
     change, displacement = figure.subplots(1, 2, sharey=True)
     _draw_forecasts(change, forecasts, "dy")
     _draw_forecasts(displacement, forecasts, "y")
     change.set_xlabel(f"{quantity('displacement_change').label}, largest")
     displacement.set_xlabel(f"{quantity('displacement').label}, largest")
-    records = [drawable(one.motion.name) if one.motion else "" for one in forecasts]
+    records = [style.drawable(one.motion.name) if one.motion else "" for one in forecasts]
     names = [f"{name}  {metres_per_second(one.pgv)}" for name, one in zip(records, forecasts, strict=True)]
     change.set_yticks(np.arange(len(forecasts)) if few else [], names if few else [], parse_math=False)
     change.invert_yaxis()
-    legend_outside(change, 6)
+    style.legend_outside(change, 6)
     return figure
 
 
 def _draw_forecasts(axes: "Axes", forecasts: "Sequence[Forecast]", shown: str) -> None:
-    for method, look in looks().items():
+    for method, look in style.looks().items():
         places: list[int] = []
         values: list[float] = []
         for place, one in enumerate(forecasts):
@@ -246,7 +231,7 @@ def _draw_forecasts(axes: "Axes", forecasts: "Sequence[Forecast]", shown: str) -
                     values.append(value)
         if values:
             size = 3.5 * look.scale
-            draw_marks(
+            style.draw_marks(
                 axes, values, places, look.marker, size, look.colour, markeredgewidth=0.0, label=method
             )
     _draw_intervals(axes, forecasts, shown)
@@ -255,18 +240,18 @@ def _draw_forecasts(axes: "Axes", forecasts: "Sequence[Forecast]", shown: str) -
 
 
 def _draw_intervals(axes: "Axes", forecasts: "Sequence[Forecast]", shown: str) -> None:
-    own = looks()[_WITH_INTERVAL].colour
-    for words, colour in (("90 %, from the PGV", GREY), ("90 %, from the march", own)):
+    own = style.looks()[_WITH_INTERVAL].colour
+    for words, colour in (("90 %, from the PGV", style.GREY), ("90 %, from the march", own)):
         if any(one.intervals for one in forecasts):
-            draw_line(axes, [], [], colour, 1.0, label=words)
+            style.draw_line(axes, [], [], colour, 1.0, label=words)
     for place, one in enumerate(forecasts):
         for variant, intervals in one.intervals.items():
             if variant is not None and variant.method != _WITH_INTERVAL:
                 continue
-            colour, shift = (GREY, -0.3) if variant is None else (own, 0.3)
+            colour, shift = (style.GREY, -0.3) if variant is None else (own, 0.3)
             for kind, interval in intervals.items():
                 if kind.name == shown:
-                    draw_line(axes, [interval.low, interval.high], [place + shift] * 2, colour, 1.0)
+                    style.draw_line(axes, [interval.low, interval.high], [place + shift] * 2, colour, 1.0)
 
 
 # What the PGV alone tells, with how far the analyses of a set of records lie apart.
@@ -280,7 +265,7 @@ DRAWN = {
 }
 
 
-@styled
+@style.styled
 def plot_pgv_prediction(
     pgvs: "Sequence[float]",
     predictions: "Sequence[Prediction]",
@@ -301,7 +286,7 @@ def plot_pgv_prediction(
     given = np.asarray(pgvs, dtype=np.float64)
     order, along = np.argsort(given), quantity("peak_ground_velocity")
     velocity = along.display(given[order])
-    figure = new_figure(2.7)
+    figure = style.new_figure(2.7)
     panels: Any = figure.subplots(1, 3)
     for axes, (key, (name, attribute)) in zip(panels, DRAWN.items(), strict=True):
         entry = quantity(name)
@@ -310,11 +295,11 @@ def plot_pgv_prediction(
             _draw_interval(axes, velocity, limits)
         values = entry.display(np.array([getattr(one, attribute) for one in predictions], dtype=np.float64))
         look: dict[str, Any] = {"marker": "o", "markersize": 3.0, "label": "design method", "zorder": 4}
-        draw_line(axes, velocity, values[order], BLUE, 1.1, **look)
+        style.draw_line(axes, velocity, values[order], style.BLUE, 1.1, **look)
         if velocity.size == 1:
             axes.set_xlim(0.5 * float(velocity[0]), 1.5 * float(velocity[0]))
-        label_axes(axes, along.label, entry.label, 5, 5, ylim=(0.0, None))
-    legend_outside(panels[0], 3, "upper right", borderaxespad=0.4)
+        style.label_axes(axes, along.label, entry.label, 5, 5, ylim=(0.0, None))
+    style.legend_outside(panels[0], 3, "upper right", borderaxespad=0.4)
     return figure
 
 
@@ -323,10 +308,10 @@ def _draw_interval(axes: "Axes", velocity: "FloatArray", limits: "FloatArray") -
     band, middle = "5 to 95 % of the analyses", "their median"
     if velocity.size == 1:
         look: dict[str, Any] = {"label": band, "solid_capstyle": "butt", "zorder": 1}
-        draw_line(axes, [velocity[0]] * 2, [low[0], high[0]], _EDGE, 6.0, **look)
-        draw_marks(axes, velocity, median, "_", 9.0, INK, label=middle)
+        style.draw_line(axes, [velocity[0]] * 2, [low[0], high[0]], _EDGE, 6.0, **look)
+        style.draw_marks(axes, velocity, median, "_", 9.0, style.INK, label=middle)
         return
-    axes.fill_between(velocity, low, high, color=PALE, linewidth=0.0, label=band, zorder=0)
+    axes.fill_between(velocity, low, high, color=style.PALE, linewidth=0.0, label=band, zorder=0)
     for side in (low, high):
-        draw_line(axes, velocity, side, _EDGE, 0.6, zorder=1)
-    draw_line(axes, velocity, median, INK, 0.9, linestyle=(0, (4, 2)), label=middle, zorder=3)
+        style.draw_line(axes, velocity, side, _EDGE, 0.6, zorder=1)
+    style.draw_line(axes, velocity, median, style.INK, 0.9, linestyle=(0, (4, 2)), label=middle, zorder=3)

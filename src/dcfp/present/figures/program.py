@@ -6,22 +6,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeGuard
 import numpy as np
 
 from dcfp.errors import InputError
+from dcfp.present.figures import style
 from dcfp.present.figures.drawing import draw_cross
 from dcfp.present.figures.overviews import LINES, draw_model, name_models, plot_tests
 from dcfp.present.figures.sheets import draw_measured, plot_test
-from dcfp.present.figures.style import (
-    DASHED,
-    GREY,
-    INK,
-    RED,
-    draw_line,
-    draw_marks,
-    drawable,
-    label_axes,
-    new_figure,
-    styled,
-    write_title,
-)  # fmt: skip
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:
@@ -69,7 +57,7 @@ def dependency_tests(program: "Program") -> DependencyTests | None:
     return DependencyTests(velocity[0], tuple(pressures)) if velocity and len(pressures) > 1 else None
 
 
-@styled
+@style.styled
 def plot_dependency(
     program: "Program", runs: "Mapping[str, Sequence[Loops]]", measured: "Mapping[str, Measurement]"
 ) -> "Figure":
@@ -89,15 +77,17 @@ def plot_dependency(
         msg = f"{program.name} has no tests for both 'velocity dependency' and 'pressure dependency'."
         raise InputError(msg)
     drawn = _Dependency(places, runs, measured)
-    figure = new_figure(5.4)
+    figure = style.new_figure(5.4)
     axes: Any = figure.subplots(2, 2)
     drawn.pressure(axes[0, 0])
     drawn.velocity(axes[0, 1])
     drawn.friction(axes[1, 0])
     drawn.loops(axes[1, 1])
     first = drawn.first[0]
-    title = f"{drawable(program.name)},  {drawable(first.bearing.name)},  {first.friction_law.name}"
-    write_title(figure, title)
+    title = (
+        f"{style.drawable(program.name)},  {style.drawable(first.bearing.name)},  {first.friction_law.name}"
+    )
+    style.write_title(figure, title)
     name_models(figure, list(runs), with_measured=bool(measured))
     return figure
 
@@ -119,7 +109,7 @@ class _Dependency:
             (loops, colour) for loops, (colour, _) in zip(runs.values(), cycle(LINES), strict=False)
         ]
         if measured:
-            self.all.append(([measured.get(test.test.name) for test in self.first], GREY))
+            self.all.append(([measured.get(test.test.name) for test in self.first], style.GREY))
 
     def pressure(self, axes: "Axes") -> None:
         """Draw the factor of the pressure."""
@@ -128,11 +118,11 @@ class _Dependency:
         middle = sorted(slow, key=lambda i: pressures[i])[len(slow) // 2]
         sigma = np.linspace(0.5 * min(pressures), 1.25 * max(pressures), 200)
         curve = self.law.pressure_factor(sigma) / self.law.pressure_factor(pressures[middle])
-        draw_line(axes, sigma, curve, INK, 1.0, label=r"$\gamma$ of the law")
+        style.draw_line(axes, sigma, curve, style.INK, 1.0, label=r"$\gamma$ of the law")
         self._points(axes, pressures, slow, middle, 2)
         axes.set_ylim(0.0, 1.15 * float(curve.max()))
         label = rf"$\mu\,/\,\mu$ at {pressures[middle]:.0f} N/mm²"
-        label_axes(axes, "pressure on the slider [N/mm²]", label, 6, 5)
+        style.label_axes(axes, "pressure on the slider [N/mm²]", label, 6, 5)
         axes.set_title("(a) pressure: slow tests, reduced by their heat", loc="left")
         axes.legend(loc="lower left")
 
@@ -143,12 +133,12 @@ class _Dependency:
         share = min(self.first[0].bearing.shares) if law.speed_is_of_surface else 1.0
         speed = np.linspace(0.0, 1.1 * speeds[fast], 300)
         curve = law.velocity_factor(speed * share) / law.velocity_factor(speeds[fast] * share)
-        draw_line(axes, speed, curve, INK, 1.0, label=r"$\alpha$ of the law")
+        style.draw_line(axes, speed, curve, style.INK, 1.0, label=r"$\alpha$ of the law")
         pressure = float(self.first[fast].load[0])
         same = [i for i in self.places.pressures if abs(float(self.first[i].load[0]) / pressure - 1.0) < 0.01]
         self._points(axes, speeds, (fast, *same), fast, 1)
         label = rf"$\mu\,/\,\mu$ at {speeds[fast]:.0f} mm/s"
-        label_axes(axes, "relative velocity [mm/s]", label, 6, 5, ylim=(0.0, 1.3))
+        style.label_axes(axes, "relative velocity [mm/s]", label, 6, 5, ylim=(0.0, 1.3))
         axes.set_title("(b) velocity: first cycle, reduced by its heat", loc="left")
         axes.legend(loc="lower right")
 
@@ -163,7 +153,9 @@ class _Dependency:
             scale = _friction_in(base, number)
             for i, one in enumerate(histories):
                 if one is not None and i in chosen:
-                    draw_marks(axes, at[i], _friction_in(one, number) / scale, "o", 4, colour, alpha=0.85)
+                    style.draw_marks(
+                        axes, at[i], _friction_in(one, number) / scale, "o", 4, colour, alpha=0.85
+                    )
 
     def friction(self, axes: "Axes") -> None:
         """Draw the friction at zero displacement over time."""
@@ -172,16 +164,16 @@ class _Dependency:
             if fast is not None:
                 crossings = fast.crossings
                 friction = np.abs(crossings[:, 1]) / crossings[:, 2]
-                draw_line(axes, crossings[:, 0], friction, colour, 0.7, marker="o", markersize=3.5)
+                style.draw_line(axes, crossings[:, 0], friction, colour, 0.7, marker="o", markersize=3.5)
         # late: the package of bearings imports the kernels
         from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
 
-        axes.axhline(NOMINAL_COEFFICIENT, color=RED, linewidth=0.7, linestyle=DASHED)
-        look: dict[str, Any] = {"color": RED, "ha": "right", "va": "bottom"}
+        axes.axhline(NOMINAL_COEFFICIENT, color=style.RED, linewidth=0.7, linestyle=style.DASHED)
+        look: dict[str, Any] = {"color": style.RED, "ha": "right", "va": "bottom"}
         words = r"$\mu_n = 0.043$, tests of Li et al."
         axes.text(0.985, 1.08 * NOMINAL_COEFFICIENT, words, transform=axes.get_yaxis_transform(), **look)
         ends: dict[str, Any] = {"xlim": (0.0, None), "ylim": (0.0, 1.25 * self.law.reference)}
-        label_axes(axes, quantity("time").label, r"$\mu$ at zero displacement", 6, 5, **ends)
+        style.label_axes(axes, quantity("time").label, r"$\mu$ at zero displacement", 6, 5, **ends)
         name = self.first[self.places.velocity].test.name
         axes.set_title(f"(c) {name}: friction at zero displacement", loc="left")
 
@@ -195,7 +187,7 @@ class _Dependency:
             draw_model(axes, test, look, slice(None), 0.8)
         _mark_second_cycle(axes, tests[0])
         draw_cross(axes)
-        label_axes(axes, quantity("displacement").label, quantity("force").label, 5, 5)
+        style.label_axes(axes, quantity("displacement").label, quantity("force").label, 5, 5)
         axes.set_title(f"(d) {name}: loops, c and d in the second cycle", loc="left")
 
 
@@ -223,6 +215,6 @@ def _mark_second_cycle(axes: "Axes", test: "Loops") -> None:
     times, forces = test.crossings[:, 0], quantity("force").display(test.crossings[:, 1])
     first, last = test.cycle_times[1:3] - 1e-9 * test.time[-1]
     for height, letter in zip(forces[(times >= first) & (times < last)].tolist(), "cd", strict=False):
-        draw_marks(axes, 0.0, height, "o", 4, INK, zorder=4)
+        style.draw_marks(axes, 0.0, height, "o", 4, style.INK, zorder=4)
         beside = (4, 4 if height > 0.0 else -9)
         axes.annotate(letter, (0.0, height), xytext=beside, textcoords="offset points", weight="bold")

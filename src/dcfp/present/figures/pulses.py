@@ -7,22 +7,8 @@ import numpy as np
 from matplotlib.patches import Patch
 
 from dcfp.errors import InputError
+from dcfp.present.figures import style
 from dcfp.present.figures.drawing import between_equal_limits
-from dcfp.present.figures.style import (
-    BLUE,
-    GREY,
-    INK,
-    OCHRE,
-    RED,
-    calm_ticks,
-    draw_line,
-    draw_marks,
-    drawable,
-    legend_above,
-    new_figure,
-    styled,
-    write_title,
-)  # fmt: skip
 from dcfp.present.panels import shown, values_of
 from dcfp.schema.formulas import metres_per_second, millimetres
 from dcfp.schema.nomenclature import quantity
@@ -44,10 +30,10 @@ if TYPE_CHECKING:
 #: Part of the hysteretic energy before and after the strong part of a response [-].
 _WEAK = 0.02
 #: How strongly pulses and swings are shaded in each colour [-].
-_SHADES = {BLUE: 0.16, OCHRE: 0.3}
+_SHADES = {style.BLUE: 0.16, style.OCHRE: 0.3}
 
 
-@styled
+@style.styled
 def plot_pulses(
     case: "Case",
     march: "PulseMarch | None" = None,
@@ -74,21 +60,25 @@ def plot_pulses(
         If there is no analysis to draw.
     """
     part = StrongPart.of(case, response)
-    figure = new_figure(5.6)
+    figure = style.new_figure(5.6)
     panels: Any = figure.subplots(3, 1, sharex=True, height_ratios=[1.25, 1.0, 1.0])
     part.draw_pulses(panels[0], case.pulses)
     _name_pulses(panels[0], case, constants)
     part.draw_velocities(panels[1])
     part.draw_displacement(panels[2])
     part.shade(panels[2])
-    legend_above(panels[1])
+    style.legend_above(panels[1])
     if march is not None:
         label = rf"pulse march, $\Delta y$ {millimetres(march.prediction.displacement_change)}"
-        draw_line(panels[2], march.time, march.displacement, RED, 0.8, linestyle=(0, (4, 2)), label=label)
+        style.draw_line(
+            panels[2], march.time, march.displacement, style.RED, 0.8, linestyle=(0, (4, 2)), label=label
+        )
         between_equal_limits(panels[2], part.response.displacement, march.displacement)
-        legend_above(panels[2])
+        style.legend_above(panels[2])
     part.limit_time(list(panels))
-    write_title(figure, f"{drawable(case.record)},  PGV {metres_per_second(case.pgv)}", weight="bold")
+    style.write_title(
+        figure, f"{style.drawable(case.record)},  PGV {metres_per_second(case.pgv)}", weight="bold"
+    )
     return figure
 
 
@@ -100,11 +90,11 @@ def _name_pulses(axes: "Axes", case: "Case", constants: "Constants | None") -> N
     predicted = li_2020.predict_from_pulses(case.pulses, used)
     governs, found = predicted.governing, case.analysed.pulse
     if governs is not None and governs == found:
-        marked = [(governs, BLUE, "governs by the pulse method and in the analysis")]
+        marked = [(governs, style.BLUE, "governs by the pulse method and in the analysis")]
     else:
         marked = [
-            (governs, BLUE, "governs by the pulse method"),
-            (found, OCHRE, "behind the largest swing of the analysis"),
+            (governs, style.BLUE, "governs by the pulse method"),
+            (found, style.OCHRE, "behind the largest swing of the analysis"),
         ]
     handles: list[Patch] = []
     for number, colour, what in marked:
@@ -138,7 +128,7 @@ def mark_pulse(axes: "Axes", pulses: "Pulses", number: int, colour: str) -> None
     times = pulses.times[places]
     _shade(axes, float(times[0]), float(times[-1]), colour)
     velocities = quantity("ground_velocity").display(pulses.velocities[places])
-    draw_line(axes, times, velocities, colour, 1.2, marker="o", markersize=3.0, zorder=4)
+    style.draw_line(axes, times, velocities, colour, 1.2, marker="o", markersize=3.0, zorder=4)
 
 
 def _shade(axes: "Axes", start: float, end: float, colour: str) -> None:
@@ -202,7 +192,7 @@ class StrongPart:
         for name, colour in colours.items():
             drawn.append(quantity(name).display(values_of(self.response, name)))
             symbol = f"${quantity(name).symbol}$"
-            draw_line(axes, self.response.time, drawn[-1], colour, width, label=words or symbol)
+            style.draw_line(axes, self.response.time, drawn[-1], colour, width, label=words or symbol)
         axes.set_ylabel(quantity(label).label)
         if middle:
             between_equal_limits(axes, *drawn)
@@ -210,23 +200,23 @@ class StrongPart:
 
     def draw_pulses(self, axes: "Axes", pulses: "Pulses") -> None:
         """Draw the ground velocity and its peaks, joined by straight lines."""
-        self.draw(axes, "ground_velocity", {"ground_velocity": GREY})
+        self.draw(axes, "ground_velocity", {"ground_velocity": style.GREY})
         peaks = quantity("ground_velocity").display(pulses.velocities)
-        draw_line(axes, pulses.times, peaks, BLUE, 0.6, marker="o", markersize=2.4, zorder=3)
+        style.draw_line(axes, pulses.times, peaks, style.BLUE, 0.6, marker="o", markersize=2.4, zorder=3)
 
     def draw_velocities(self, axes: "Axes") -> None:
         """Draw the velocities of ground and structure; the area between them is the displacement, that of the swing filled."""
-        drawn = self.draw(axes, "velocity", {"ground_velocity": GREY, "structure_velocity": BLUE})
+        drawn = self.draw(axes, "velocity", {"ground_velocity": style.GREY, "structure_velocity": style.BLUE})
         self._fill(axes, *drawn)
 
     def draw_relative_velocity(self, axes: "Axes") -> None:
         """Draw the relative velocity; the area below it is the displacement, that of the swing filled."""
-        (velocity,) = self.draw(axes, "velocity", {"velocity": BLUE})
+        (velocity,) = self.draw(axes, "velocity", {"velocity": style.BLUE})
         self._fill(axes, np.zeros_like(velocity), velocity)
 
     def draw_displacement(self, axes: "Axes") -> None:
         """Draw the displacement, with the change of the swing from peak to peak."""
-        (displacement,) = self.draw(axes, "displacement", {"displacement": BLUE}, "analysis")
+        (displacement,) = self.draw(axes, "displacement", {"displacement": style.BLUE}, "analysis")
         if self.swing is not None:
             swing = self.swing
             ends = np.interp((swing.start, swing.end), self.response.time, displacement)
@@ -235,7 +225,7 @@ class StrongPart:
 
     def draw_energy(self, axes: "Axes") -> None:
         """Draw hysteretic and input energy, with what is put in from the start of the swing to its largest."""
-        names = {"hysteretic_energy": GREY, "input_energy": INK}
+        names = {"hysteretic_energy": style.GREY, "input_energy": style.INK}
         _, energy = self.draw(axes, "input_energy", names, middle=False)
         if self.swing is not None:
             time, inside = self.during(energy)
@@ -251,7 +241,7 @@ class StrongPart:
         if self.swing is not None:
             area = rf"area $=\Delta y=$ {millimetres(abs(self.swing.change))}"
             time, low, high = self.during(below, above)
-            axes.fill_between(time, low, high, color=OCHRE, alpha=0.7, linewidth=0.0, label=area)
+            axes.fill_between(time, low, high, color=style.OCHRE, alpha=0.7, linewidth=0.0, label=area)
 
     def during(self, *histories: "FloatArray") -> "tuple[FloatArray, ...]":
         """Return time and histories from the start of the swing to its end, both of which lie between samples."""
@@ -264,7 +254,7 @@ class StrongPart:
     def shade(self, axes: "Axes") -> None:
         """Shade the time of the swing."""
         if self.swing is not None:
-            _shade(axes, self.swing.start, self.swing.end, OCHRE)
+            _shade(axes, self.swing.start, self.swing.end, style.OCHRE)
 
     def name_swing(self, axes: "Axes", words: str) -> None:
         """Write words at the top of the panel, above the swing."""
@@ -277,7 +267,7 @@ class StrongPart:
         """Give panels above each other the same times, and only the lowest the name of the axis."""
         for axes in panels:
             axes.set_xlim(*self.limits)
-            calm_ticks(axes, 8, 4)
+            style.calm_ticks(axes, 8, 4)
         panels[-1].set_xlabel(quantity("time").label)
         figure: Any = panels[0].get_figure()
         figure.align_ylabels(list(panels))
@@ -286,7 +276,7 @@ class StrongPart:
 def mark_change(axes: "Axes", times: tuple[float, float], values: tuple[float, float]) -> None:
     """Mark two points of a history, and with an arrow the difference of their values."""
     (_, end), (first, last) = times, values
-    draw_marks(axes, times, values, "o", 2.6, INK, zorder=4)
-    draw_line(axes, times, (first, first), INK, 0.5, linestyle=(0, (2, 2)), zorder=3)
-    arrow = {"arrowstyle": "<->", "color": INK, "linewidth": 0.7, "shrinkA": 0.0, "shrinkB": 0.0}
+    style.draw_marks(axes, times, values, "o", 2.6, style.INK, zorder=4)
+    style.draw_line(axes, times, (first, first), style.INK, 0.5, linestyle=(0, (2, 2)), zorder=3)
+    arrow = {"arrowstyle": "<->", "color": style.INK, "linewidth": 0.7, "shrinkA": 0.0, "shrinkB": 0.0}
     axes.annotate("", (end, last), (end, first), arrowprops=arrow)

@@ -16,6 +16,85 @@ function coloured(value, style) {
   return value;
 }
 
+// What every chart looks like; options say only what is different, and what is drawn.
+const TEXT = { color: "var(--muted)", fontSize: 12 };
+const SHORT = { show: true, lineStyle: { color: "var(--muted)" } };
+const AXIS = { type: "value", scale: true, splitNumber: 4 };
+const AXES = {
+  x: {
+    ...AXIS, nameLocation: "middle", nameGap: 26, nameTextStyle: TEXT,
+    axisLine: { ...SHORT, onZero: false }, axisTick: SHORT, splitLine: { show: false },
+  },
+  y: {
+    ...AXIS, nameTextStyle: { ...TEXT, align: "left", padding: [0, 0, 0, -36] },
+    axisLine: { show: false, onZero: false }, axisTick: { show: false }, splitLine: { show: true },
+  },
+};
+const WORDS = { axisLabel: TEXT, axisTick: { show: false }, axisLine: SHORT };
+const LINE = { type: "line", showSymbol: false, symbol: "none", emphasis: { disabled: true }, lineStyle: { width: 1.3 }, z: 3 };
+const QUIET = { silent: true, animation: false };
+const MARKS = {
+  markLine: {
+    ...QUIET, symbol: "none", lineStyle: { type: "dashed", width: 1 },
+    label: { fontSize: 11, position: "insideEndTop" },
+  },
+  markPoint: {
+    ...QUIET, symbol: "circle", symbolSize: 5, itemStyle: { color: "var(--ink)" },
+    label: { show: true, color: "var(--ink)", fontSize: 11, position: "right", distance: 6 },
+  },
+  markArea: { ...QUIET, itemStyle: { color: "var(--pale)" } },
+};
+const LEGEND = { show: true, top: 0, right: 4, itemWidth: 16, itemHeight: 8, itemGap: 12, textStyle: TEXT };
+const TOOLTIP = {
+  trigger: "axis", confine: true, transitionDuration: 0, backgroundColor: "var(--card)", borderColor: "var(--faint)",
+  textStyle: { color: "var(--ink)", fontSize: 12 },
+  axisPointer: { lineStyle: { color: "var(--muted)" }, label: { show: false } },
+};
+const GRID = { left: 52, right: 16, top: 34, bottom: 42 };
+
+const isParts = (value) => value !== null && typeof value === "object" && !Array.isArray(value);
+
+// What is given over what is usual, part by part; arrays are taken whole.
+function over(usual, given) {
+  if (given === undefined) return usual;
+  if (!isParts(usual) || !isParts(given)) return given;
+  const names = new Set([...Object.keys(usual), ...Object.keys(given)]);
+  return Object.fromEntries([...names].map((name) => [name, over(usual[name], given[name])]));
+}
+
+function axisOf(place, axis) {
+  if (axis.type === "category") return over(WORDS, axis);
+  // the ends of an axis are where its data end, seldom at a round number
+  const ends = { showMinLabel: axis.min === undefined, showMaxLabel: axis.max === undefined };
+  const usual = { ...AXES[place], axisLabel: { ...TEXT, hideOverlap: true, ...ends } };
+  return over(over(usual, { splitLine: { lineStyle: { color: "var(--line)" } } }), axis);
+}
+
+function seriesOf({ color, ...series }) {
+  const found = series.type === undefined ? over(over(LINE, { lineStyle: { color }, itemStyle: { color } }), series) : { ...series };
+  for (const [name, usual] of Object.entries(MARKS)) {
+    if (series[name] !== undefined) found[name] = over(usual, series[name]);
+  }
+  return { animation: false, ...found };
+}
+
+function dressed(options) {
+  const each = (part, dress) => (Array.isArray(part) ? part.map(dress) : dress(part));
+  const found = {
+    ...options,
+    animation: false,
+    xAxis: each(options.xAxis, (axis) => axisOf("x", axis)),
+    yAxis: each(options.yAxis, (axis) => axisOf("y", axis)),
+    // panels above each other have the heights that are given
+    grid: each(options.grid ?? {}, (grid) => (grid.height ? { left: GRID.left, right: GRID.right, ...grid } : { ...GRID, ...grid })),
+    series: options.series.map(seriesOf),
+    tooltip: over(TOOLTIP, options.tooltip),
+  };
+  if (options.legend) found.legend = each(options.legend, (legend) => over(LEGEND, legend));
+  if (options.visualMap) found.visualMap = over({ textStyle: TEXT }, options.visualMap);
+  return found;
+}
+
 // An image that spans a part of the axes: { url, x: [from, to], y: [from, to] }.
 function pictureSeries(picture) {
   return {
@@ -101,7 +180,7 @@ export default {
       if (!this.stale || !this.inSight || this.$el.clientWidth === 0) return;
       this.stale = false;
       this.chart ??= echarts.init(this.$el, null, { renderer: "canvas" });
-      const { pictures = [], areas = [], ...plain } = this.latest;
+      const { pictures = [], areas = [], ...plain } = dressed(this.latest);
       const fitted = this.$el.clientWidth < 430 ? narrowed(plain) : plain;
       const options = coloured(fitted, getComputedStyle(document.body));
       const shapes = coloured(areas, getComputedStyle(document.body)).map(areaSeries);

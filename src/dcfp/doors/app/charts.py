@@ -1,0 +1,213 @@
+"""Charts as options of ECharts: panels in the visitor's units, with little more than what is drawn; what every chart looks like is in ``static/chart.js``."""
+
+import base64
+import io
+from collections.abc import Sequence
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from dcfp.arrays import FloatArray
+from dcfp.doors.app.elements import Options
+from dcfp.doors.app.thinning import kept, kept_of_path, points
+from dcfp.doors.app.units import Units
+from dcfp.present.panels import Line, Panel
+from dcfp.schema.quantities import Quantity
+
+#: Colours of a scale.
+_COLOURS = 64
+#: Height of one of several panels above each other, and the gap between two of them [%].
+_ROW_HEIGHT, _GAP = 16.0, 7.4
+
+
+def chart(panel: Panel, units: Units, parts: int = 420, **more: Any) -> Options:
+    """Draw one panel; of a history the extremes of each of some `parts` are drawn."""
+    quiet = panel.path or panel.picture is not None
+    grid = {"left": 58, "right": 20} if panel.path else {"right": 84} if panel.picture else {}
+    options: Options = {
+        "grid": grid,
+        "xAxis": _x_axis(panel, units),
+        "yAxis": _y_axis(panel, units),
+        "series": _series(panel, units, _places(panel.lines, parts, path=panel.path)),
+        "tooltip": {"show": not quiet},
+    }
+    if len([line for line in panel.lines if line.words]) > 1:
+        options["legend"] = {}
+    if panel.areas:
+        x, y = units.of(panel.x), units.of(panel.y)
+        polygons = [np.column_stack((x.shown(one[:, 0]), y.shown(one[:, 1]))).tolist() for one in panel.areas]
+        options["areas"] = [{"points": one, "color": colour_of("blue"), "opacity": 0.14} for one in polygons]
+    return options | (_picture(panel, units) if panel.picture else {}) | more
+
+
+def rows(panels: Sequence[Panel], units: Units) -> Options:
+    """Draw panels of histories over the same time above each other."""
+    lines = [line for panel in panels for line in panel.lines]
+    place = _places(lines, 420, path=False)[0]
+    tops = [5.0 + row * (_ROW_HEIGHT + _GAP) for row in range(len(panels))]
+    options: Options = {"axisPointer": {"link": [{"xAxisIndex": "all"}]}}
+    options |= {key: [] for key in ("grid", "xAxis", "yAxis", "series", "legend")}
+    for row, (panel, top) in enumerate(zip(panels, tops, strict=True)):
+        options["grid"].append({"top": f"{top:.1f}%", "height": f"{_ROW_HEIGHT}%"})
+        options["xAxis"].append(_x_axis(panel, units, named=panel is panels[-1]) | {"gridIndex": row})
+        options["yAxis"].append(_y_axis(panel, units, gridIndex=row, nameGap=13, splitNumber=3))
+        places = [place] * len(panel.lines)
+        options["series"] += _series(panel, units, places, xAxisIndex=row, yAxisIndex=row)
+        if len(panel.lines) > 1:
+            words = [line.words for line in panel.lines]
+            options["legend"].append({"data": words, "top": f"{max(top - 4.6, 0.0):.1f}%"})
+    return options
+
+
+def colour_of(name: str) -> str:
+    """Return a colour of panels as the style sheet has it, so that it follows the theme."""
+    return name if name == "white" else f"var(--{name})"
+
+
+def label(words: str, one: Quantity, units: Units) -> str:
+    """Return the name of an axis: words, and the visitor's unit."""
+    return f"{words[:1].upper()}{words[1:]} [{units.of(one).name}]"
+
+
+def _x_axis(panel: Panel, units: Units, *, named: bool = True) -> Options:
+    name, unit = label(panel.x.words.partition(" of the ")[0], panel.x, units), units.of(panel.x)
+    if panel.across is not None:
+        low, high = panel.across
+        return {"name": name, "min": float(unit.shown(low)), "max": float(unit.shown(high))}
+    if panel.path:
+        return {"name": name}
+    first = min(float(line.x[0]) for line in panel.lines)
+    last = max(float(line.x[-1]) for line in panel.lines)
+    look = {"show": named, "showMaxLabel": False, "showMinLabel": first == 0.0}
+    return {"name": name if named else "", "min": round(first, 3), "max": round(last, 3), "axisLabel": look}
+
+
+def _y_axis(panel: Panel, units: Units, **more: Any) -> Options:
+    unit, found = units.of(panel.y), {"name": label(panel.words, panel.y, units)}
+    if panel.limit is not None:
+        return found | {"scale": False} | more
+    whole = panel.picture is not None or bool(panel.areas)
+    ends: Options = {"min": float(unit.shown(panel.low))} if whole or panel.low == 0.0 else {}
+    if whole:
+        ends["max"] = float(unit.shown(panel.high))
+    return found | ends | more
+
+
+def _places(lines: Sequence[Line], parts: int, *, path: bool) -> list[Any]:
+    """Return which points are enough to draw each line; histories over the same time have the same ones."""
+    if path:
+        return [kept_of_path(line.x, line.y) for line in lines]
+    size = lines[0].x.size
+    together = kept([line.y for line in lines if line.x.size == size], parts)
+    return [together if line.x.size == size else kept((line.y,), parts) for line in lines]
+
+
+def _series(panel: Panel, units: Units, places: Sequence[Any], **more: Any) -> list[Options]:
+    x, y = units.of(panel.x), units.of(panel.y)
+    found: list[Options] = []
+    for i, (one, place) in enumerate(zip(panel.lines, places, strict=True)):
+        width = {"width": 1.3 if one.width < 1.0 else one.width, "opacity": one.opacity}
+        look: Options = {"lineStyle": width | ({"type": "dashed"} if one.dashed else {}), **more}
+        if one.opacity < 1.0:
+            look["itemStyle"] = {"opacity": one.opacity}
+        if i < panel.stacked:
+            look |= {"stack": "stack", "areaStyle": {"color": colour_of(one.colour), "opacity": 0.28}}
+        if one.marked:
+            look |= {"showSymbol": True, "symbol": "circle", "symbolSize": 6}
+        if one.level is not None and one.place is not None:
+            at = float(x.shown(one.x[one.place])), float(y.shown(one.y[one.place]))
+            look |= _named_level(at, f"{units.of(one.level[0]).shown(one.level[1]):.4g}", one.colour)
+        if i == 0:
+            look |= _of_first(panel, units)
+        data = points(x.shown(one.x[place]), y.shown(one.y[place]))
+        found.append(line(one.words or panel.words, data, one.colour, **look))
+    return found
+
+
+def _of_first(panel: Panel, units: Units) -> Options:
+    """Return what a panel shows beside its first line: the capacity, when the bearing slides, and the largest value with its number."""
+    x, y, one = units.of(panel.x), units.of(panel.y), panel.lines[0]
+    found: Options = {}
+    if panel.capacity is not None:
+        # where the displacement is along the horizontal axis, so is the capacity
+        along, side = ("xAxis", x) if panel.path else ("yAxis", y)
+        shown = float(side.shown(panel.capacity))
+        found |= level((-shown, shown), along, "capacity")
+    if panel.limit is not None:
+        found |= level((float(y.shown(panel.limit)),), "yAxis", "allowed", width=2, type="solid")
+    if panel.sliding is not None:
+        edges = np.flatnonzero(np.diff(panel.sliding, prepend=False, append=False))
+        ends = x.shown(one.x)[np.minimum(edges, one.x.size - 1)].reshape(-1, 2).tolist()
+        found["markArea"] = {"data": [[{"xAxis": first}, {"xAxis": last}] for first, last in ends]}
+    if panel.peak:
+        top = int(np.abs(one.y).argmax())
+        words = f"{panel.y.written(abs(one.y[top]), y, 0 if y.size > 0.5 else 1)} {y.name}"
+        at = [float(x.shown(one.x[top])), float(y.shown(one.y[top]))]
+        found["markPoint"] = {"data": [{"coord": at}], "label": {"formatter": words}}
+    return found
+
+
+def _named_level(at: tuple[float, float], words: str, colour: str) -> Options:
+    """Return words in place of a point of a line, as an entry of it."""
+    look = {"position": "inside", "backgroundColor": "var(--card)", "padding": [1, 3]}
+    named = {"formatter": words, "color": colour_of(colour), **look}
+    return {"markPoint": {"data": [{"coord": list(at)}], "symbolSize": 1, "label": named}}
+
+
+def _picture(panel: Panel, units: Units) -> Options:
+    one = panel.picture
+    assert one is not None
+    unit, (low, high) = units.of(one.shows), one.ends
+    first, last = panel.lines[0].x[[0, -1]]
+    inside = (one.x >= first) & (one.x <= last)
+    shares = np.flipud((one.values[:, inside] - low) / (high - low))
+    y = units.of(panel.y).shown(one.y[[0, -1]])
+    return {
+        "visualMap": {
+            "type": "continuous", "seriesIndex": [], "min": float(unit.shown(low)), "max": float(unit.shown(high)),
+            "inRange": {"color": warm_colours()},
+            "text": [f"{unit.shown(end):.0f} {unit.name}" for end in (high, low)],
+            "right": 8, "top": "middle", "itemHeight": 120, "itemWidth": 12, "calculable": False,
+        },
+        "pictures": [{"url": _image(shares), "x": one.x[inside][[0, -1]].tolist(), "y": y.tolist()}],
+    }  # fmt: skip
+
+
+def _image(shares: FloatArray) -> str:
+    """Return shares from 0 to 1, shape (rows, columns), as an image in the colours of temperatures: the address of a PNG."""
+    from matplotlib import image  # late: Matplotlib takes long to import
+
+    from dcfp.present.figures import style
+
+    stream = io.BytesIO()
+    writer: Any = image
+    writer.imsave(stream, style.warm_colours()(np.clip(shares, 0.0, 1.0), bytes=True), format="png")
+    return f"data:image/png;base64,{base64.b64encode(stream.getvalue()).decode()}"
+
+
+@cache
+def warm_colours() -> list[str]:
+    """Return the colours of temperatures."""
+    from matplotlib.colors import to_hex  # late: Matplotlib takes long to import
+
+    from dcfp.present.figures import style
+
+    return [to_hex(style.warm_colours()(i / (_COLOURS - 1.0))) for i in range(_COLOURS)]
+
+
+def line(name: str, data: list[Any], colour: str, **more: Any) -> Options:
+    """Return a line without marks."""
+    return {"name": name, "data": data, "color": colour_of(colour), **more}
+
+
+def level(values: Sequence[float], along: str, words: str, colour: str = "red", **look: Any) -> Options:
+    """Return straight lines at values of an axis, ``"xAxis"`` or ``"yAxis"``, as an entry of a line."""
+    tone = colour_of(colour)
+    return {
+        "markLine": {
+            "lineStyle": {"color": tone, **look},
+            "label": {"formatter": words, "color": tone},
+            "data": [{along: value} for value in values],
+        }
+    }
