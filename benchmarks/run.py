@@ -11,7 +11,18 @@ from figure import Figure, table
 for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS"):
     os.environ[variable] = "1"  # read when the parts import numpy
 
-PARTS = ("opensees", "handwritten", "heating", "rig", "prediction", "spectrum", "study", "length", "startup")
+PARTS = (
+    "opensees",
+    "handwritten",
+    "heating",
+    "rig",
+    "prediction",
+    "spectrum",
+    "study",
+    "length",
+    "laws",
+    "startup",
+)
 
 
 def measure(part: str) -> list[Figure]:

@@ -1,0 +1,48 @@
+"""Run code in a process that has imported numba and nothing else yet: what a new process does, without the second that the import takes."""
+
+import contextlib
+import io
+import multiprocessing
+import os
+import sys
+import traceback
+import warnings
+from multiprocessing.connection import Connection
+from pathlib import Path
+
+_CONTEXT = multiprocessing.get_context("forkserver")
+_CONTEXT.set_forkserver_preload(["numba", "numba.core.caching", "numba.core.typing.templates"])
+
+
+def output(code: str, folder: Path, environment: dict[str, str]) -> str:
+    """Return what the code prints, run in a folder from which it imports; fail with its traceback if it fails."""
+    here, there = _CONTEXT.Pipe(duplex=False)
+    process = _CONTEXT.Process(target=_run, args=(code, folder, environment, there))
+    process.start()
+    there.close()
+    failed, text = here.recv()
+    process.join(60.0)
+    process.close()
+    here.close()
+    assert not failed, text
+    return text
+
+
+def _run(code: str, folder: Path, environment: dict[str, str], pipe: Connection) -> None:
+    from numba.core import config
+
+    os.environ.clear()
+    os.environ.update(environment)
+    os.chdir(folder)
+    sys.path.insert(0, str(folder))
+    sys.dont_write_bytecode = True
+    warnings.simplefilter("error")
+    config.reload_config()
+    printed = io.StringIO()
+    try:
+        with contextlib.redirect_stdout(printed):
+            exec(compile(code, "<call>", "exec"), {"__name__": "__main__"})
+    except BaseException:
+        pipe.send((True, traceback.format_exc()))
+    else:
+        pipe.send((False, printed.getvalue()))
