@@ -5,6 +5,7 @@ import subprocess
 import sys
 import tomllib
 from collections.abc import Iterator
+from functools import lru_cache
 from pathlib import Path
 
 import pytest
@@ -21,7 +22,7 @@ settings.load_profile("dcfp")
 
 #: Folders whose tests share what is dear (a server and a browser, OpenSees in a process), and stay in one process;
 #: elsewhere the tests of a file do. What takes longest begins first.
-TOGETHER = ("doors/app", "verify", "frozen", "study", "docs")
+TOGETHER = ("doors/app", "study", "verify", "frozen", "present/report", "docs")
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -50,7 +51,13 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 @pytest.fixture(scope="session", autouse=True)
 def coarse_figures() -> Iterator[None]:
-    """Draw figures with a quarter of their resolution: what is tested is what is in them."""
+    """Draw figures with a quarter of their resolution: what is tested is what is in them; and read each formula in them once."""
+    from matplotlib.mathtext import MathTextParser
+
+    read = lru_cache(maxsize=None)(
+        MathTextParser._parse_cached.__wrapped__
+    )  # of matplotlib's own they are 50
     with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(MathTextParser, "_parse_cached", read)
         patch.setattr("dcfp.present.figures.style.RESOLUTION", 60)
         yield

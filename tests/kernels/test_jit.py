@@ -1,6 +1,6 @@
 """The compiled kernels' cache: never a stale answer, and never a failure on its account.
 
-Each test writes a miniature package around a copy of the decorator's module and calls it in new processes, as users do.
+Each test writes a miniature package around a copy of the decorator's module and calls it in processes that have not seen it, as users do.
 """
 
 import os
@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from forked import output
 
 import dcfp.kernels
 
@@ -84,26 +85,29 @@ class Mini:
     def write_law(self, factor: float) -> None:
         (self.kernels / "law.py").write_text(LAW.format(factor=factor))
 
-    def start(self, code: str, **environment: str) -> subprocess.Popen[str]:
+    def environment(self, **more: str) -> dict[str, str]:
         inherited = {name: value for name, value in os.environ.items() if not name.startswith("NUMBA_")}
+        return {
+            **inherited,
+            "DCFP_CACHE_DIR": str(self.cache),
+            "PYTHONPATH": str(self.root),
+            # no bytecode: Python tells an edited source by its second and size, which a quick edit may keep
+            "PYTHONDONTWRITEBYTECODE": "1",
+            **more,
+        }
+
+    def start(self, code: str) -> subprocess.Popen[str]:
         return subprocess.Popen(
             [sys.executable, "-W", "error", "-c", code],
             cwd=self.root,
-            # no bytecode: Python tells an edited source by its second and size, which a quick edit may keep
-            env={
-                **inherited,
-                "DCFP_CACHE_DIR": str(self.cache),
-                "PYTHONPATH": str(self.root),
-                "PYTHONDONTWRITEBYTECODE": "1",
-                **environment,
-            },
+            env=self.environment(),
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
         )
 
     def output(self, code: str, **environment: str) -> list[str]:
-        return finish(self.start(code, **environment))
+        return output(code, self.root, self.environment(**environment)).splitlines()
 
     def call(self, course: str = RISING, **environment: str) -> Answer:
         value, hits = self.output(CALL.format(course=course), **environment)

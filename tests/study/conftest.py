@@ -8,7 +8,7 @@ import pytest
 
 from dcfp import GroundMotion
 from dcfp.motion.ground_motion import Origin
-from dcfp.study import Study
+from dcfp.study import Study, run_study
 
 
 def _motion(name: str, seconds: float, period: float) -> GroundMotion:
@@ -17,13 +17,16 @@ def _motion(name: str, seconds: float, period: float) -> GroundMotion:
     return GroundMotion(wave - wave.mean(), 0.01, name, Origin(event=f"Event of {name}"))
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def motions() -> list[GroundMotion]:
     return [_motion("short", 3.0, 0.8), _motion("long", 6.0, 1.5), _motion("middle", 4.0, 1.1)]
 
 
-@pytest.fixture
-def study(motions: list[GroundMotion]) -> Study:
+#: Blocks of the grid below: more cost time, and show nothing more.
+BLOCKS = 24
+
+
+def grid(motions: list[GroundMotion]) -> Study:
     """A grid of 3 records, 8 PGVs, 3 coefficients and 2 temperatures."""
     factors = {
         "pgv": np.linspace(100.0, 800.0, 8),
@@ -34,15 +37,30 @@ def study(motions: list[GroundMotion]) -> Study:
 
 
 @pytest.fixture
+def study(motions: list[GroundMotion], monkeypatch: pytest.MonkeyPatch) -> Study:
+    """The grid, in fewer blocks than it would have."""
+    monkeypatch.setattr("dcfp.study.plan.FEWEST_BLOCKS", BLOCKS)
+    return grid(motions)
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
+@pytest.fixture(scope="session")
 def content() -> Callable[[Path], dict[str, bytes]]:
     """Every file of a folder, by its name in it."""
-
-    def files(folder: Path) -> dict[str, bytes]:
-        return {
-            str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()
-        }
-
     return files
+
+
+@pytest.fixture(scope="session")
+def whole(motions: list[GroundMotion], tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
+    """Every file of the store of the grid, run at one go."""
+    place = tmp_path_factory.mktemp("whole") / "whole.zarr"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("dcfp.study.plan.FEWEST_BLOCKS", BLOCKS)
+        run_study(grid(motions), place)
+    return files(place)
 
 
 @pytest.fixture

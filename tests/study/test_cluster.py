@@ -13,6 +13,7 @@ import dcfp
 from dcfp.errors import InputError
 from dcfp.study import Study, run_study
 from dcfp.study.cluster import run_on_cluster
+from dcfp.study.results import open_store
 
 psutil = pytest.importorskip("psutil")
 pytest.importorskip("distributed")
@@ -24,8 +25,16 @@ pytestmark = pytest.mark.filterwarnings("default")  # what Dask warns of is its 
 def large() -> Study:
     """Some seconds of work in 64 blocks."""
     motions = [dcfp.load_motion(name) for name in ("NCC", "KNA")]
-    factors = {"pgv": np.linspace(100.0, 2000.0, 32), "mu": np.linspace(0.02, 0.12, 100)}
+    factors = {"pgv": np.linspace(100.0, 2000.0, 32), "mu": np.linspace(0.02, 0.12, 50)}
     return Study(motions=motions, factors=factors)
+
+
+@pytest.fixture(scope="module")
+def on_threads(large: Study, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Its store, by the threads of this process."""
+    place = tmp_path_factory.mktemp("large") / "threads.zarr"
+    run_study(large, place)
+    return place
 
 
 def workers() -> list[psutil.Process]:
@@ -35,9 +44,8 @@ def workers() -> list[psutil.Process]:
 
 
 def test_two_processes_give_the_same_bits_and_a_dead_worker_costs_its_block_alone(
-    large: Study, tmp_path: Path, content
+    large: Study, on_threads: Path, tmp_path: Path, content
 ) -> None:
-    whole = run_study(large, tmp_path / "threads.zarr")
     place = tmp_path / "processes.zarr"
     reported: list[int] = []
     times: dict[str, int] = {}
@@ -56,14 +64,15 @@ def test_two_processes_give_the_same_bits_and_a_dead_worker_costs_its_block_alon
 
     dataset = run_on_cluster(large, place, processes=2, report=kill_once)
     assert len(times) == 8
-    assert dataset.identical(whole)
-    assert content(place) == content(tmp_path / "threads.zarr")
+    assert dataset.identical(open_store(on_threads))
+    assert content(place) == content(on_threads)
     assert len(reported) == 64  # every block came in once
     assert all(Path(name).stat().st_mtime_ns == written for name, written in times.items())
 
 
-def test_a_store_begun_on_threads_is_finished_on_processes(large: Study, tmp_path: Path, content) -> None:
-    run_study(large, tmp_path / "whole.zarr")
+def test_a_store_begun_on_threads_is_finished_on_processes(
+    large: Study, on_threads: Path, tmp_path: Path, content
+) -> None:
     place = tmp_path / "s.zarr"
     left = [20]
 
@@ -75,7 +84,7 @@ def test_a_store_begun_on_threads_is_finished_on_processes(large: Study, tmp_pat
     with pytest.raises(KeyboardInterrupt):
         run_study(large, place, report=stop)
     run_on_cluster(large, place, processes=1, resume=True)
-    assert content(place) == content(tmp_path / "whole.zarr")
+    assert content(place) == content(on_threads)
 
 
 def test_a_scheduler_that_is_not_there(study: Study, tmp_path: Path, monkeypatch) -> None:

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+from dcfp.study import read_study, run_study
 from dcfp.study.results import open_store, share_done
 
 KILLS = int(os.environ.get("DCFP_KILLS", "3"))
@@ -20,7 +21,7 @@ TEXT = """
 [factors]
 record = ["NCC", "KNA", "LPG"]
 pgv = { from = 0.1, to = 2.0, count = 32, unit = "m/s" }
-mu = { from = 0.02, to = 0.12, count = 60 }
+mu = { from = 0.02, to = 0.12, count = 16 }
 """
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="kill -9 is of POSIX")
@@ -46,19 +47,19 @@ def wait_for_blocks(process: subprocess.Popen[bytes], place: Path, blocks: int) 
     folder = place / "status" / "c"
     before = len([one for one in folder.rglob("*") if one.is_file()])
     while process.poll() is None and len([o for o in folder.rglob("*") if o.is_file()]) < before + blocks:
-        time.sleep(0.005)
+        time.sleep(0.01)
 
 
 def test_killed_again_and_again(tmp_path: Path, content) -> None:
     file = tmp_path / "study.toml"
     file.write_text(TEXT, encoding="utf-8")
-    assert start(file, tmp_path / "whole.zarr").wait() == 0
+    run_study(read_study(file), tmp_path / "whole.zarr")
     whole = content(tmp_path / "whole.zarr")
     chance = random.Random(4)
     kills = 0
     for attempt in range(20 * KILLS):
         place = tmp_path / f"{attempt}.zarr"
-        for _ in range(4):
+        for _ in range(min(KILLS, 4)):
             process = start(file, place)
             wait_for_blocks(process, place, chance.randrange(1, 12))
             time.sleep(chance.uniform(0.0, 0.05))

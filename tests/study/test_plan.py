@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import dcfp
@@ -25,6 +25,7 @@ def plan_of(pgvs: int, mus: int, ambients: int) -> Plan:
     return Plan(Study(motions=[NCC], factors=factors))
 
 
+@settings(max_examples=40)
 @given(st.integers(1, 300), st.integers(1, 70), st.integers(1, 40))
 def test_blocks_tile_the_grid(pgvs: int, mus: int, ambients: int) -> None:
     plan = plan_of(pgvs, mus, ambients)

@@ -1,14 +1,14 @@
 """A law that a user writes: called by address, kept on the disk where it is safe, and refused at once where it gives no number."""
 
 import math
+import os
 import pickle
-import subprocess
-import sys
 from pathlib import Path
 
 import numba
 import numpy as np
 import pytest
+from forked import output
 
 import dcfp
 from dcfp import AnalysisError, UserFriction
@@ -124,9 +124,7 @@ def mu(pressure, speed, temperature):
 
 def answers(folder: Path, module: str = "laws") -> tuple[float, int]:
     """Return what a new process says of the law in a module, and how often its code came from the disk."""
-    command = [sys.executable, "-B", "-c", SCRIPT.format(module=module)]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=True)
-    value, hits = done.stdout.split()
+    value, hits = output(SCRIPT.format(module=module), folder, dict(os.environ)).split()
     return float(value), int(hits)
 
 
