@@ -87,9 +87,9 @@ MUTATIONS = (
     # formulas
     Mutation(
         "energy of the ground's own motion",
-        "analysis/energy.py",
-        "(0.5 * ground_velocity + velocity)",
-        "(ground_velocity + velocity)",
+        "analysis/response.py",
+        "(0.5 * ground + velocity)",
+        "(ground + velocity)",
         ("analysis/test_respond.py",),
     ),
     Mutation(
@@ -123,7 +123,7 @@ MUTATIONS = (
     ),
     Mutation(
         "at the capacity is beyond it, in a batch",
-        "analysis/batch/respond.py",
+        "analysis/batch.py",
         'extremes["displacement"] > capacity',
         'extremes["displacement"] >= capacity',
         ("analysis/test_batch.py",),

@@ -9,12 +9,13 @@ tests. Nothing was calibrated; which effects would reduce the difference is in :
 """
 
 import dcfp
-from dcfp.analysis.rig.run import paper_models, run_models
+from dcfp.analysis.rig.run import paper_models
 from dcfp.present.figures.program import plot_dependency
 from dcfp.system import PreciseHeating, System
 
 program = dcfp.load_program("dependency")
-runs = run_models(program, paper_models(System(heating=PreciseHeating())))
+models = paper_models(System(heating=PreciseHeating()))
+runs = {name: dcfp.run_program(program, model) for name, model in models.items()}
 figure = plot_dependency(program, runs, {})
 
 for model, tests in runs.items():

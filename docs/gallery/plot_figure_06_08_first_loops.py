@@ -10,13 +10,14 @@ model dissipates a few per cent less than the precise one, which the paper does 
 """
 
 import dcfp
-from dcfp.analysis.rig.run import paper_models, run_models
+from dcfp.analysis.rig.run import paper_models
 from dcfp.present.figures.overviews import plot_tests
 from dcfp.system import PreciseHeating, System
 
 program = dcfp.load_program("asce")
 program = program.only(["T01", "T02"])
-runs = run_models(program, paper_models(System(heating=PreciseHeating())))
+models = paper_models(System(heating=PreciseHeating()))
+runs = {name: dcfp.run_program(program, model) for name, model in models.items()}
 figure = plot_tests(program, runs, {})
 
 for number, test in enumerate(program.tests):

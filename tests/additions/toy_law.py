@@ -3,7 +3,6 @@
 from typing import Annotated, ClassVar
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.kernels.law import Law, law_by_address
@@ -32,19 +31,13 @@ class Toy(FrictionLaw):
         float, Parameter("speed that halves the toy's friction", MM_PER_S, 10.0, 1e5, symbol="v_h")
     ] = 800.0
 
-    @property
-    def reference(self) -> float:
-        """Coefficient at rest [-]."""
-        return self.slow
-
-    def velocity_factor(self, speed: ArrayLike) -> FloatArray:
-        """Fall with the speed [mm/s]."""
-        return 1.0 / (1.0 + np.abs(speed) / self.halving_speed)
-
     def factors(self) -> tuple[Factor, ...]:
-        """The fall, as a report works it out."""
+        """The fall with the speed."""
         fall = Expression("1 / (1 + {x} / {halving})", "v", {"halving": ("v_h", f"{self.halving_speed:g}")})
-        return (Factor("speed", "k_v", fall),)
+        return (Factor("speed", "k_v", fall, self._fall),)
+
+    def _fall(self, speed: FloatArray) -> FloatArray:
+        return 1.0 / (1.0 + np.abs(speed) / self.halving_speed)
 
     def at_pressure(self, pressure: float) -> Law:
         """What the kernels take."""

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import dcfp
-from dcfp.analysis.batch import GroundSet, Lanes, Peaks, respond_in_batch
+from dcfp.analysis.batch import GroundSet, Lanes, respond_in_batch
 from dcfp.analysis.integration import Integration
 from dcfp.analysis.response import FAILED, NUMBERS, Status
 from dcfp.errors import InputError
@@ -24,13 +24,13 @@ def motions() -> list[dcfp.GroundMotion]:
     return [dcfp.load_motion(name) for name in ("NCC", "LPG")]
 
 
-def batch(motions, scales, models, *, tail=None, step=None, tolerance=0.02) -> Peaks:
+def batch(motions, scales, models, *, tail=None, step=None, tolerance=0.02) -> dict[str, np.ndarray]:
     grounds = GroundSet.of(motions, Integration(tail=tail, step=step, tolerance=tolerance))
     return respond_in_batch(grounds, Lanes.grid(len(motions), scales, models))
 
 
-def assert_same(peaks: Peaks, lane: int, response: dcfp.Response) -> None:
-    for name, values in peaks.arrays().items():
+def assert_same(peaks: dict[str, np.ndarray], lane: int, response: dcfp.Response) -> None:
+    for name, values in peaks.items():
         if name == "force_ratio":
             expected = response.peak_force / response.bearing.vertical_force
         elif name == "status":
@@ -75,7 +75,7 @@ def test_every_kind_of_model_in_one_batch_is_as_alone(motions: list[dcfp.GroundM
                 )
                 assert_same(peaks, lane, alone)
                 lane += 1
-    assert lane == len(peaks.status)
+    assert lane == len(peaks["status"])
 
 
 def test_what_is_at_the_capacity_is_not_beyond_it(motions: list[dcfp.GroundMotion]) -> None:
@@ -126,7 +126,7 @@ def test_a_lane_that_never_slides_has_the_friction_at_rest(motions: list[dcfp.Gr
     weak = motions[0].scaled(1e-3)
     peaks = batch([weak], np.array([[1.0]]), [System()])
     assert_same(peaks, 0, dcfp.respond(weak))
-    assert peaks.peak_temperature[0] == 20.0
+    assert peaks["peak_temperature"][0] == 20.0
 
 
 def bad_law(pressure: float, speed: float, temperature: float) -> float:
@@ -136,9 +136,9 @@ def bad_law(pressure: float, speed: float, temperature: float) -> float:
 def test_an_analysis_that_fails_leaves_the_others_alone(motions: list[dcfp.GroundMotion]) -> None:
     models = [System(friction=dcfp.UserFriction(bad_law)), System()]
     peaks = batch(motions[:1], np.array([[2.0]]), models)
-    assert peaks.status[0] == FAILED
-    assert np.isnan(peaks.peak_displacement[0])
-    assert np.isnan(peaks.force_ratio[0])
+    assert peaks["status"][0] == FAILED
+    assert np.isnan(peaks["peak_displacement"][0])
+    assert np.isnan(peaks["force_ratio"][0])
     assert_same(peaks, 1, dcfp.respond(motions[0].scaled(2.0)))
 
 
@@ -153,8 +153,8 @@ def test_the_order_of_lanes_does_not_matter(order: list[int]) -> None:
     models = [System(), System(friction=dcfp.Li2020(mu_0=0.04))]
     there = respond_in_batch(grounds, Lanes(record, scale, model, models))
     moved = respond_in_batch(grounds, Lanes(record[order], scale[order], model[order], models))
-    for name, values in there.arrays().items():
-        assert np.array_equal(values[order], moved.arrays()[name]), name
+    for name, values in there.items():
+        assert np.array_equal(values[order], moved[name]), name
 
 
 @pytest.mark.parametrize("tolerance", [0.0, 1.0, float("nan")])

@@ -18,7 +18,7 @@ from dcfp.system import (
     UserFriction,
     friction_law,
 )
-from dcfp.system.friction import kumar_2015, li_2020
+from dcfp.system.friction import li_2020
 
 
 def test_li_2020_factors_at_the_printed_points():
@@ -29,9 +29,10 @@ def test_li_2020_factors_at_the_printed_points():
 
 
 def test_kumar_2015_factors_are_one_at_their_references():
-    assert kumar_2015.pressure_factor(50.0, 50.0) == 1.0
-    assert kumar_2015.velocity_factor(1e4) == pytest.approx(1.0, abs=1e-12)
-    assert kumar_2015.velocity_factor(0.0) == 0.5
+    law = Kumar2015(reference_pressure=50.0)
+    assert law.pressure_factor(50.0) == 1.0
+    assert law.velocity_factor(1e4) == pytest.approx(1.0, abs=1e-12)
+    assert law.velocity_factor(0.0) == 0.5
 
 
 @pytest.mark.parametrize(

@@ -10,16 +10,18 @@ from dcfp.analysis.rig import Program, RigTest, Sine, Triangle, VerticalLoad, lo
 from dcfp.errors import InputError
 from dcfp.kernels.friction import coefficient, with_reference
 from dcfp.system import LI_2020, Li2020, Lomiento2013, NoHeating, PreciseHeating
-from dcfp.system.friction import lomiento_2013
 
 
 def test_factors_at_their_references():
-    assert lomiento_2013.load_factor(0.0, 300.0) == 1.0
-    assert lomiento_2013.load_factor(300.0, 300.0) == pytest.approx(np.exp(-1.0))
-    assert lomiento_2013.velocity_factor(0.0, 2.0, 25.0) == 1.0
-    assert lomiento_2013.velocity_factor(1e6, 2.0, 25.0) == pytest.approx(2.0)
-    assert lomiento_2013.cycling_factor(0.0, 1e7, 0.3) == 1.0
-    assert lomiento_2013.cycling_factor(1e7, 1e7, 0.3) == pytest.approx(np.exp(-1.0))
+    law = Lomiento2013(
+        reference_pressure=300.0, velocity_ratio=2.0, reference_speed=25.0, reference_dose=1e7, dose_power=0.3
+    )
+    assert law.pressure_factor(0.0) == 1.0
+    assert law.pressure_factor(300.0) == pytest.approx(np.exp(-1.0))
+    assert law.velocity_factor(0.0) == 1.0
+    assert law.velocity_factor(1e6) == pytest.approx(2.0)
+    assert law.dose_factor(0.0) == 1.0
+    assert law.dose_factor(1e7) == pytest.approx(np.exp(-1.0))
 
 
 @given(

@@ -1,13 +1,12 @@
 """What an analysis or a test assumes and what it ought to keep to, each checked once: remarks, reports and the page all read these checks."""
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dcfp.motion.measures import DRIFT_THRESHOLD, baseline_drift
 from dcfp.schema.check import Check, Verdict, at_most
-from dcfp.schema.formulas import number
+from dcfp.schema.formulas import true_minus, typeset
 from dcfp.schema.registry import Registry
 
 if TYPE_CHECKING:
@@ -42,86 +41,59 @@ OF_RESPONSE: "Registry[Callable[[Response], Iterable[Check]]]" = Registry("check
 
 def _capacity(response: "Response") -> list[Check]:
     bearing, found = response.bearing, response.peak_displacement
-    capacity = bearing.displacement_capacity
+    capacity, note = bearing.displacement_capacity, bearing.capacity_note
+    name, words = "largest displacement within the capacity", f"{_fixed(found)} mm"
     if capacity is None:
-        source, limit, beyond = "scenario", "no capacity given", False
-    else:
-        source = bearing.capacity_note or "capacity of the scenario"
-        limit, beyond = f"at most {_short(capacity)} mm", found > capacity
-    note = f" ({bearing.capacity_note})" if bearing.capacity_note else ""
-    remark = f"{response.name}: the displacement of {found:.0f} mm exceeds the capacity of {capacity or 0.0:.0f} mm{note}."
+        return [Check(name, Verdict.NOT_KNOWN, words, "no capacity given", "scenario")]
+    remark = (
+        f"{response.name}: the displacement of {found:.0f} mm exceeds the capacity of {capacity:.0f} mm"
+        f"{f' ({note})' if note else ''}."
+    )
     # as the status of the analysis has it, to the last digit
-    verdict = Verdict.of(None if capacity is None else not beyond)
-    name = "largest displacement within the capacity"
-    return [Check(name, verdict, f"{_fixed(found)} mm", limit, source, remark=remark if beyond else "")]
+    verdict, limit = Verdict.of(found <= capacity), f"at most {_short(capacity)} mm"
+    return [_judged(name, verdict, words, limit, note or "capacity of the scenario", remark)]
 
 
 def _angle(response: "Response") -> list[Check]:
     found, far = response.peak_displacement, LARGEST_ANGLE * response.bearing.effective_radius
-    return [
-        _judged(
-            "largest displacement in the linear range of the pendulum",
-            at_most(found, far),
-            f"{_fixed(found)} mm",
-            f"at most {_fixed(far)} mm, half of the effective radius",
-            _MODEL,
-            f"{response.name}: the displacement of {found:.0f} mm exceeds {far:.0f} mm, half of the effective radius,"
-            " where the pendulum's force is no longer linear and a plate is hardly as large.",
-        )
-    ]
+    remark = (
+        f"{response.name}: the displacement of {found:.0f} mm exceeds {far:.0f} mm, half of the effective radius,"
+        " where the pendulum's force is no longer linear and a plate is hardly as large."
+    )
+    name = "largest displacement in the linear range of the pendulum"
+    limit = f"at most {_fixed(far)} mm, half of the effective radius"
+    return [_judged(name, at_most(found, far), f"{_fixed(found)} mm", limit, remark=remark)]
 
 
 def _rest(response: "Response") -> list[Check]:
-    return [
-        _judged(
-            "at rest at the end",
-            Verdict.of(response.rests),
-            "at rest" if response.rests else "still moving",
-            "no sliding can come any more",
-            "analysis",
-            f"{response.name}: it still moves at the end, so the residual displacement is not final.",
-        )
-    ]
+    found = "at rest" if response.rests else "still moving"
+    limit = "no sliding can come any more"
+    remark = f"{response.name}: it still moves at the end, so the residual displacement is not final."
+    return [_judged("at rest at the end", Verdict.of(response.rests), found, limit, "analysis", remark)]
 
 
 def _residual(response: "Response") -> list[Check]:
     most = float(response.friction[-1]) * response.bearing.effective_radius
     found = response.residual_displacement
-    return [
-        Check(
-            "residual displacement one that friction can hold",
-            at_most(abs(found), most),
-            f"{_fixed(found)} mm of {_fixed(most)} mm",
-            "at most the coefficient of friction at the end times the effective radius",
-            "mechanics; no code's limit is set",
-        )
-    ]
+    name = "residual displacement one that friction can hold"
+    words = f"{_fixed(found)} mm of {_fixed(most)} mm"
+    limit = "at most the coefficient of friction at the end times the effective radius"
+    return [Check(name, at_most(abs(found), most), words, limit, "mechanics; no code's limit is set")]
 
 
 def _energy(response: "Response") -> list[Check]:
-    found = response.energy.relative_residual
-    return [
-        Check(
-            "energy balance, residual over the largest input",
-            at_most(found, LARGEST_RESIDUAL),
-            _power(found),
-            f"at most {_power(LARGEST_RESIDUAL)}",
-            "Li et al. (2020), Eq. (6)",
-        )
-    ]
+    found, most = response.energy.relative_residual, LARGEST_RESIDUAL
+    name = "energy balance, residual over the largest input"
+    limit = f"at most {_power(most)}"
+    return [Check(name, at_most(found, most), _power(found), limit, "Li et al. (2020), Eq. (6)")]
 
 
 def _baseline(response: "Response") -> list[Check]:
-    drift = baseline_drift(response.motion)
-    return [
-        Check(  # what is to be said of it, the motion says itself
-            "baseline of the record: velocity at its end over PGV",
-            at_most(drift, DRIFT_THRESHOLD),
-            f"{100.0 * drift:.1f} %",
-            f"at most {100.0 * DRIFT_THRESHOLD:.0f} %",
-            "hundred records of FEMA P-695",
-        )
-    ]
+    drift, most = baseline_drift(response.motion), DRIFT_THRESHOLD
+    name = "baseline of the record: velocity at its end over PGV"
+    found, limit = f"{100.0 * drift:.1f} %", f"at most {100.0 * most:.0f} %"
+    # what is to be said of it, the motion says itself
+    return [Check(name, at_most(drift, most), found, limit, "hundred records of FEMA P-695")]
 
 
 # Of every result.
@@ -130,15 +102,10 @@ def _baseline(response: "Response") -> list[Check]:
 def _sliding(result: "Result") -> list[Check]:
     if not result.velocity.any():
         return []
+    found = "it slides" if result.slides else "it never slides"
+    remark = f"{result.name}: it never slides, so that forces, stiffness and friction are those of spring (b) alone."
     return [
-        _judged(
-            "it slides",
-            Verdict.of(result.slides),
-            "it slides" if result.slides else "it never slides",
-            "friction is that of sliding",
-            _MODEL,
-            f"{result.name}: it never slides, so that forces, stiffness and friction are those of spring (b) alone.",
-        )
+        _judged("it slides", Verdict.of(result.slides), found, "friction is that of sliding", remark=remark)
     ]
 
 
@@ -152,83 +119,69 @@ def _law(result: "Result") -> list[Check]:
     ]
 
 
-def _tested(result: "Result") -> list[Check]:
+def _tests(result: "Result") -> list[Check]:
     """Return checks of speed, pressure and temperature against the tests behind the law; the first that is not met has the remark on all of them."""
-    law = result.friction_law
-    tested = law.tests()
-    speed, ambient = result.peak_velocity, result.heating.ambient
+    law, tested = result.friction_law, result.friction_law.tests()
     pressure = result.load / result.bearing.slider_area
+    speed, ambient = result.peak_velocity, result.heating.ambient
     low, high = float(pressure.min()), float(pressure.max())
-    source = "no tests known of this law" if tested is None else tested.source
-    checks = [
-        Check("speed within the tests of the friction law", Verdict.NOT_KNOWN, f"{_fixed(speed)} mm/s", "not known", source),
-        Check(
-            "pressure within the tests of the friction law", Verdict.NOT_KNOWN,
-            f"{_short(low)} N/mm²" if low == high else f"{low:.4g} to {high:.4g} N/mm²", "not known", source,
-        ),
-        Check("temperature at the start as in the tests", Verdict.NOT_KNOWN, f"{_short(ambient)} °C", "not known", source),
-    ]  # fmt: skip
-    beyond: list[str] = []
+    at = f"{_short(low)} N/mm²" if low == high else f"{low:.4g} to {high:.4g} N/mm²"
+    limits: list[str | None] = [None, None, None]
+    beyond: list[list[str]] = [[], [], []]
     if tested is not None:
-        least, most = tested.pressure
-        faster = speed > tested.speed[1] * (1.0 + SLACK)
-        above, below = high > most * (1.0 + SLACK), low < least * (1.0 - SLACK)
-        beyond += [f"faster than {tested.speed[1]:.4g} mm/s"] if faster else []
-        beyond += [f"above {most:.4g} N/mm2"] if above else []
-        beyond += [f"below {least:.4g} N/mm2"] if below else []
-        checks[0] = replace(checks[0], verdict=Verdict.of(not faster), limit=f"at most {_short(tested.speed[1])} mm/s")  # fmt: skip
-        checks[1] = replace(checks[1], verdict=Verdict.of(not (above or below)), limit=f"{_short(least)} to {_short(most)} N/mm²")  # fmt: skip
-        if tested.ambient is not None:
-            colder = abs(ambient - tested.ambient) > LARGEST_AMBIENT_CHANGE
-            beyond += (
-                [f"on plates of {ambient:g} °C at the start, not {tested.ambient:g} °C"] if colder else []
-            )
-            limit = f"{_short(tested.ambient)} ± {_short(LARGEST_AMBIENT_CHANGE)} °C"
-            checks[2] = replace(checks[2], verdict=Verdict.of(not colder), limit=limit)
-    if beyond:
-        first = next(i for i, one in enumerate(checks) if one.verdict is Verdict.NOT_MET)
-        remark = (
-            f"{result.name}: outside of the tests behind the law {law.name} ({source}): {', '.join(beyond)}."
-        )
-        checks[first] = replace(checks[first], remark=remark)
+        fastest, (least, most) = tested.speed[1], tested.pressure
+        limits[:2] = f"at most {_short(fastest)} mm/s", f"{_short(least)} to {_short(most)} N/mm²"
+        if speed > fastest * (1.0 + SLACK):
+            beyond[0].append(f"faster than {fastest:.4g} mm/s")
+        if high > most * (1.0 + SLACK):
+            beyond[1].append(f"above {most:.4g} N/mm2")
+        if low < least * (1.0 - SLACK):
+            beyond[1].append(f"below {least:.4g} N/mm2")
+    if tested is not None and tested.ambient is not None:
+        limits[2] = f"{_short(tested.ambient)} ± {_short(LARGEST_AMBIENT_CHANGE)} °C"
+        if abs(ambient - tested.ambient) > LARGEST_AMBIENT_CHANGE:
+            beyond[2].append(f"on plates of {ambient:g} °C at the start, not {tested.ambient:g} °C")
+    source = "no tests known of this law" if tested is None else tested.source
+    words = ", ".join(one for some in beyond for one in some)
+    remark = f"{result.name}: outside of the tests behind the law {law.name} ({source}): {words}."
+    names = ("speed within", "pressure within", "temperature at the start as in")
+    checks: list[Check] = []
+    for name, found, limit, some in zip(
+        names, (f"{_fixed(speed)} mm/s", at, f"{_short(ambient)} °C"), limits, beyond, strict=True
+    ):
+        of_law = f"{name} the tests" + (" of the friction law" if name.endswith("within") else "")
+        verdict = Verdict.of(None if limit is None else not some)
+        said = remark if some and all(one.verdict is not Verdict.NOT_MET for one in checks) else ""
+        checks.append(Check(of_law, verdict, found, limit or "not known", source, remark=said))
     hottest = f"{_fixed(result.peak_temperature)} °C"
     limit = "the temperatures of the tests are not given"
-    return [*checks, Check("temperature of the contact within the tests", Verdict.NOT_KNOWN, hottest, limit, source)]  # fmt: skip
+    name = "temperature of the contact within the tests"
+    return [*checks, Check(name, Verdict.NOT_KNOWN, hottest, limit, source)]
 
 
-def _stiff_spring(result: "Result") -> list[Check]:
+def _spring(result: "Result") -> list[Check]:
     stretch = float((result.friction * result.load / result.bearing.elastic_stiffness).max())
     remark = (
         f"{result.name}: spring (b) is soft, it stretches {stretch:.1f} mm before sliding; the heat of friction is taken"
         " from the whole relative velocity, so temperatures are uncertain."
     )
-    return [
-        _judged(
-            "spring (b) stiff: its stretch before sliding",
-            at_most(stretch, LARGEST_YIELD_RADIUS),
-            f"{stretch:.2f} mm",
-            f"at most {_short(LARGEST_YIELD_RADIUS)} mm",
-            _MODEL,
-            "" if result.heating.name == "none" else remark,
-        )
-    ]
+    name, verdict = "spring (b) stiff: its stretch before sliding", at_most(stretch, LARGEST_YIELD_RADIUS)
+    limit = f"at most {_short(LARGEST_YIELD_RADIUS)} mm"
+    said = "" if result.heating.name == "none" else remark
+    return [_judged(name, verdict, f"{stretch:.2f} mm", limit, remark=said)]
 
 
-def _equal_plates(result: "Result") -> list[Check]:
+def _plates(result: "Result") -> list[Check]:
     if result.plate_temperatures.shape[1] == 1:
         return []
     ratio = _largest_ratio(result)
-    return [
-        _judged(
-            "coefficients of the two plates alike",
-            at_most(ratio, LARGEST_RATIO),
-            f"{100.0 * (ratio - 1.0):.0f} % apart",
-            f"at most {100.0 * (LARGEST_RATIO - 1.0):.0f} %",
-            _MODEL,
-            f"{result.name}: the coefficients of the two plates differ by up to {100.0 * (ratio - 1.0):.0f} %, but the travel"
-            " is shared as with equal ones.",
-        )
-    ]
+    apart, most = 100.0 * (ratio - 1.0), 100.0 * (LARGEST_RATIO - 1.0)
+    remark = (
+        f"{result.name}: the coefficients of the two plates differ by up to {apart:.0f} %, but the travel"
+        " is shared as with equal ones."
+    )
+    name, verdict = "coefficients of the two plates alike", at_most(ratio, LARGEST_RATIO)
+    return [_judged(name, verdict, f"{apart:.0f} % apart", f"at most {most:.0f} %", remark=remark)]
 
 
 def _half_space(result: "Result") -> list[Check]:
@@ -241,16 +194,14 @@ def _half_space(result: "Result") -> list[Check]:
         f"{result.name}: so long after the plates were cold their thickness counts, but they are taken as endlessly thick; give their thickness"
         " and what their back does."
     )
+    forgotten = f"{result.name}: the motion is longer than {result.memory:.0f} s; heat from longer ago fades too fast in the model."
     met = age <= LONGEST_HALF_SPACE and not result.cooled
     limit = f"at most {_short(LONGEST_HALF_SPACE)} s"
-    checks = [_judged(name, Verdict.of(met), found, limit, _MODEL, remark if result.slides else "")]
+    checks = [_judged(name, Verdict.of(met), found, limit, remark=remark if result.slides else "")]
     if age > result.memory:
-        forgotten = f"{result.name}: the motion is longer than {result.memory:.0f} s; heat from longer ago fades too fast in the model."
-        limit = f"at most {result.memory:.0f} s"
-        name = "heat remembered by the model: duration"
-        checks.append(
-            _judged(name, Verdict.NOT_MET, found, limit, _MODEL, forgotten if result.slides else "")
-        )
+        name, limit = "heat remembered by the model: duration", f"at most {result.memory:.0f} s"
+        said = forgotten if result.slides else ""
+        checks.append(_judged(name, Verdict.NOT_MET, found, limit, remark=said))
     return checks
 
 
@@ -259,12 +210,14 @@ for _name, _check in {
 }.items():  # fmt: skip
     OF_RESPONSE.add(_name, _check)
 for _name, _of_model in {
-    "sliding": _sliding, "law": _law, "tests": _tested, "spring": _stiff_spring, "plates": _equal_plates, "half-space": _half_space,
+    "sliding": _sliding, "law": _law, "tests": _tests, "spring": _spring, "plates": _plates, "half-space": _half_space,
 }.items():  # fmt: skip
     OF_MODEL.add(_name, _of_model)
 
 
-def _judged(name: str, verdict: Verdict, found: str, limit: str, source: str, remark: str) -> Check:
+def _judged(
+    name: str, verdict: Verdict, found: str, limit: str, source: str = _MODEL, remark: str = ""
+) -> Check:
     """Return a check that has its remark only where it is not met."""
     return Check(name, verdict, found, limit, source, remark=remark if verdict is Verdict.NOT_MET else "")
 
@@ -281,12 +234,12 @@ def _largest_ratio(result: "Result") -> float:
 
 
 def _fixed(value: float) -> str:
-    return number(value, 1).replace("-", "−")
+    return typeset(value, 1)
 
 
 def _short(value: float) -> str:
-    return f"{value:.10g}".replace("-", "−")
+    return true_minus(f"{value:.10g}")
 
 
 def _power(value: float) -> str:
-    return f"{value:.1e}".replace("-", "−") if value else "0"
+    return true_minus(f"{value:.1e}") if value else "0"

@@ -7,7 +7,6 @@ import numpy as np
 
 from dcfp.arrays import FloatArray
 from dcfp.schema.notebook import fields_card
-from dcfp.system import Bearing
 
 
 @dataclass(frozen=True)
@@ -38,30 +37,6 @@ class EnergyBalance:
     hysteretic: FloatArray
     storeys: FloatArray | float = 0.0
     damping: FloatArray | float = 0.0
-
-    @classmethod
-    def of(
-        cls,
-        bearing: Bearing,
-        displacement: FloatArray,
-        velocity: FloatArray,
-        elongation: FloatArray,
-        ground_velocity: FloatArray,
-        input_energy: FloatArray,
-        hysteretic_energy: FloatArray,
-    ) -> "EnergyBalance":
-        """Complete the two integrals of the analysis with the energies that follow from the state."""
-        mass = bearing.mass
-        # E_abs - E = m v_g^2 / 2 + m v v_g, for a motion that starts from rest
-        ground = mass * ground_velocity * (0.5 * ground_velocity + velocity)
-        return cls(
-            input=input_energy,
-            absolute_input=input_energy + ground,
-            kinetic=0.5 * mass * velocity**2,
-            pendulum=0.5 * bearing.restoring_stiffness * displacement**2,
-            spring=0.5 * bearing.elastic_stiffness * elongation**2,
-            hysteretic=hysteretic_energy,
-        )
 
     @property
     def strain(self) -> FloatArray:

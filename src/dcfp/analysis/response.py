@@ -4,25 +4,19 @@ import json
 import math
 from dataclasses import asdict, dataclass
 from enum import Enum
-from functools import cached_property
 from operator import attrgetter
 from typing import Any, ClassVar
 
 from dcfp.analysis.assumptions import OF_RESPONSE
-from dcfp.analysis.energy import EnergyBalance, equivalent_velocity
 from dcfp.analysis.integration import Integration
 from dcfp.analysis.kernel_input import State
-from dcfp.analysis.result import Result
+from dcfp.analysis.result import MotionResult
 from dcfp.arrays import FloatArray
-from dcfp.kernels import integrate as k
-from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import motion_remarks
 from dcfp.schema.check import Check
 from dcfp.schema.nomenclature import Quantities
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import KN, M_PER_S
-from dcfp.system import System
-from dcfp.system.plates import Profiles, mean_temperature
 
 
 class Status(Enum):
@@ -71,68 +65,31 @@ for _name in ("input", "absolute_input", "kinetic", "strain", "hysteretic"):
 HISTORIES.tell("energy_residual", get=attrgetter("energy.residual"))
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Response(Result):
-    """Histories, peaks and energies of a rigid structure on a bearing, and what they came from.
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Response(MotionResult):
+    """Histories, peaks and energies of a rigid structure on a bearing, and what they came from: a `MotionResult` with more.
 
     Attributes
     ----------
-    motion
-        What shook it.
-    system
-        What was shaken.
     integration
         How finely and how far.
-    time, ground_acceleration, ground_velocity
-        Histories [s, mm/s2, mm/s], shape (n,).
-    lines
-        What the kernels wrote, a row for each time.
     final_state
         Where it can be gone on with.
-    rests
-        Whether no more sliding can come.
-    profiles
-        Temperature along the plates, where it was kept.
-    elapsed
-        Computing time [s].
     """
 
     quantities: ClassVar[Quantities] = PEAKS
     histories: ClassVar[Quantities] = HISTORIES
+    columns: ClassVar[tuple[str, ...]] = (
+        "displacement", "velocity", "elongation", "friction", "sliding", "input", "hysteretic",
+    )  # fmt: skip
 
-    motion: GroundMotion
-    system: System
     integration: Integration
-    time: FloatArray
-    ground_acceleration: FloatArray
-    ground_velocity: FloatArray
-    lines: FloatArray
     final_state: State
-    rests: bool
-    profiles: Profiles | None
-    elapsed: float
-
-    @property
-    def name(self) -> str:
-        """Name of the ground motion."""
-        return self.motion.name
 
     @property
     def title(self) -> str:
         """What it is, in words."""
         return f"Response to {self.motion.name}"
-
-    # ----- histories, shape (n,) -----
-
-    @property
-    def displacement(self) -> FloatArray:
-        """Relative displacement y [mm]."""
-        return self._line(k.DISPLACEMENT)
-
-    @property
-    def velocity(self) -> FloatArray:
-        """Relative velocity v [mm/s]."""
-        return self._line(k.VELOCITY)
 
     @property
     def structure_velocity(self) -> FloatArray:
@@ -140,56 +97,13 @@ class Response(Result):
         return self.velocity + self.ground_velocity
 
     @property
-    def elongation(self) -> FloatArray:
-        """Elongation of spring (b), y - O_Y [mm]."""
-        return self._line(k.ELONGATION)
-
-    @property
-    def friction(self) -> FloatArray:
-        """Coefficient of friction [-]: the one at work while sliding, the one to overcome while sticking."""
-        return self._line(k.FRICTION)
-
-    @property
-    def sliding(self) -> FloatArray:
-        """Side on which it slides: 1, -1, or 0 while sticking."""
-        return self._line(k.SLIP_SIGN)
-
-    @property
-    def temperature(self) -> FloatArray:
-        """Temperature of the contact [degC]; of two different plates the mean by their share of the travel."""
-        return mean_temperature(self.bearing, self.plate_temperatures)
-
-    @property
-    def plate_temperatures(self) -> FloatArray:
-        """Temperature of the contact on each plate that differs [degC], shape (n, plates)."""
-        return self.lines[:, k.TEMPERATURE :]
-
-    @property
-    def force(self) -> FloatArray:
-        """Horizontal force of the bearing [N]."""
-        pendulum = self.bearing.restoring_stiffness * self.displacement
-        return pendulum + self.bearing.elastic_stiffness * self.elongation
-
-    @property
     def structure_acceleration(self) -> FloatArray:
         """Absolute acceleration of the structure [mm/s2]."""
         return -self.force / self.bearing.mass
 
-    @cached_property
-    def energy(self) -> EnergyBalance:
-        """Energies [N mm]."""
-        return EnergyBalance.of(
-            self.bearing,
-            self.displacement,
-            self.velocity,
-            self.elongation,
-            self.ground_velocity,
-            self._line(k.INPUT) * self.bearing.mass,
-            self._line(k.HYSTERETIC) * self.bearing.mass,
-        )
-
-    def _line(self, column: int) -> FloatArray:
-        return self.lines[:, column]
+    def _energies(self) -> tuple[FloatArray, FloatArray, dict[str, FloatArray]]:
+        mass, velocity, ground = self.bearing.mass, self.velocity, self.ground_velocity
+        return mass * ground * (0.5 * ground + velocity), 0.5 * mass * velocity**2, {}
 
     # ----- peaks -----
 
@@ -235,16 +149,6 @@ class Response(Result):
         stuck = float(self.displacement[-1] - self.elongation[-1])
         elastic = self.bearing.elastic_stiffness
         return stuck * elastic / (elastic + self.bearing.restoring_stiffness)
-
-    @property
-    def input_velocity(self) -> float:
-        """Equivalent velocity V_E of the input energy up to the end [mm/s]; an analysis that was taken up again counts on."""
-        return equivalent_velocity(float(self.energy.input[-1]), self.bearing.mass)
-
-    @property
-    def hysteretic_velocity(self) -> float:
-        """Equivalent velocity V_Eh of the hysteretic energy up to the end [mm/s], counted as `input_velocity`."""
-        return equivalent_velocity(float(self.energy.hysteretic[-1]), self.bearing.mass)
 
     @property
     def steps(self) -> int:

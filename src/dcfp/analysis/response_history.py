@@ -10,8 +10,8 @@ import numpy as np
 from dcfp.analysis.integration import DEFAULT, NOTHING, Integration, Keep
 from dcfp.analysis.kernel_input import State, heat_of, state_at_rest
 from dcfp.analysis.response import Response
-from dcfp.arrays import FloatArray, freeze
-from dcfp.errors import AnalysisError, InputError
+from dcfp.arrays import FloatArray, freeze, integral
+from dcfp.errors import InputError
 from dcfp.kernels import integrate as k
 from dcfp.kernels.heat_state import MOST_HALVINGS
 from dcfp.kernels.motion import AT_REST, NO_NUMBER, NO_PROGRESS, OUT_OF_CELLS, StepControl
@@ -124,7 +124,7 @@ def analyse(
         if run is None:  # the slider left the line of cells
             first = first.with_room(first.plates.cells.shape[1])
     samples = run.done + 1
-    ground = first.ground_velocity + _ground_velocity(acceleration[:samples], interval)
+    ground = first.ground_velocity + integral(acceleration[:samples], interval)
     return Response(
         motion=motion,
         system=system,
@@ -143,12 +143,6 @@ def analyse(
 def halvings(interval: float) -> int:
     """Return how often a sample interval [s] must be halved not to exceed the longest step."""
     return min(max(0, math.ceil(math.log2(interval / LONGEST_STEP * (1.0 - 1e-9)))), MOST_HALVINGS)
-
-
-def _ground_velocity(acceleration: FloatArray, interval: float) -> FloatArray:
-    velocity = np.zeros_like(acceleration)
-    np.cumsum(0.5 * interval * (acceleration[1:] + acceleration[:-1]), out=velocity[1:])
-    return velocity
 
 
 @cache
@@ -184,11 +178,7 @@ def _integrated(
         if status == NO_NUMBER:
             raise state.system.friction.no_number(name, done * interval)
         if status == NO_PROGRESS:
-            msg = (
-                f"{name}: the analysis makes no progress at {done * interval:.4g} s;"
-                " look at the friction law, or try a shorter step."
-            )
-            raise AnalysisError(msg)
+            raise state.system.friction.no_progress(name, done * interval)
         if every is not None:
             _, velocity, _, coefficient, slip_sign = lines[done, : k.SLIP_SIGN + 1]
             flux = model.system.pressure * abs(slip_sign * coefficient * velocity)

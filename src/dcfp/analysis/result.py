@@ -4,22 +4,25 @@ import json
 import textwrap
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
+from functools import cached_property
 from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
 from dcfp.analysis.assumptions import OF_MODEL
+from dcfp.analysis.energy import EnergyBalance, equivalent_velocity
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
+from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.check import Check
 from dcfp.schema.citations import citations_of
 from dcfp.schema.nomenclature import Quantities, quantity
 from dcfp.schema.notebook import card, told
 from dcfp.schema.parameters import unknown
 from dcfp.system import Bearing, FrictionLaw, Heating, System
-from dcfp.system.plates import Profiles, profile_variables
+from dcfp.system.plates import Profiles, mean_temperature, profile_variables
 from dcfp.version import version
 
 if TYPE_CHECKING:
@@ -35,6 +38,7 @@ _WIDTH = 100
 LONGEST_MEMORY = 600.0
 
 
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Result(ABC):
     """A result: histories over time of a system, and what is told of them.
 
@@ -44,6 +48,8 @@ class Result(ABC):
         What was analysed.
     time
         Of the histories [s], shape (n,).
+    lines
+        What the kernels wrote, a row for each time: `columns`, and the temperatures of the plates.
     elapsed
         Computing time [s].
     profiles
@@ -57,11 +63,13 @@ class Result(ABC):
     quantities: ClassVar[Quantities]
     histories: ClassVar[Quantities]
     dimensions: ClassVar[Mapping[str, str]] = {}
+    columns: ClassVar[tuple[str, ...]]
 
     system: System
     time: FloatArray
+    lines: FloatArray
     elapsed: float
-    profiles: Profiles | None
+    profiles: Profiles | None = None
 
     # ----- what it is of -----
 
@@ -90,27 +98,57 @@ class Result(ABC):
         """Heating model of the system."""
         return self.system.heating
 
-    # ----- histories that every assumption is looked at in -----
+    # ----- histories, shape (n,) -----
+
+    def line(self, name: str) -> FloatArray:
+        """Return a history that the kernels wrote, by its name among `columns`."""
+        return self.lines[:, self._first_column + self.columns.index(name)]
 
     @property
-    @abstractmethod
+    def _first_column(self) -> int:
+        """Place of the first of `columns`."""
+        return 0
+
+    @property
+    def displacement(self) -> FloatArray:
+        """Displacement y of the isolation layer [mm]."""
+        return self.line("displacement")
+
+    @property
     def velocity(self) -> FloatArray:
-        """Relative velocity of the plates [mm/s], shape (n,)."""
+        """Relative velocity v of the plates [mm/s]; at a corner of the displacement the one before it."""
+        return self.line("velocity")
 
     @property
-    @abstractmethod
+    def elongation(self) -> FloatArray:
+        """Elongation of spring (b), y - O_Y [mm]."""
+        return self.line("elongation")
+
+    @property
     def friction(self) -> FloatArray:
-        """Coefficient of friction [-], shape (n,): the one at work while sliding, the one to overcome while sticking."""
+        """Coefficient of friction [-]: the one at work while sliding, the one to overcome while sticking."""
+        return self.line("friction")
 
     @property
-    @abstractmethod
     def sliding(self) -> FloatArray:
-        """Side on which it slides: 1, -1, or 0 while sticking; shape (n,)."""
+        """Side on which it slides: 1, -1, or 0 while sticking."""
+        return self.line("sliding")
 
     @property
-    @abstractmethod
     def plate_temperatures(self) -> FloatArray:
         """Temperature of the contact on each plate that differs [degC], shape (n, plates)."""
+        return self.lines[:, self._first_column + len(self.columns) :]
+
+    @property
+    def temperature(self) -> FloatArray:
+        """Temperature of the contact [degC]; of two different plates the mean by their share of the travel."""
+        return mean_temperature(self.bearing, self.plate_temperatures)
+
+    @property
+    def force(self) -> FloatArray:
+        """Horizontal force of the bearing [N]."""
+        pendulum = self.bearing.restoring_stiffness * self.displacement
+        return pendulum + self.bearing.elastic_stiffness * self.elongation
 
     @property
     def load(self) -> FloatArray:
@@ -232,3 +270,57 @@ class Result(ABC):
 
     def _repr_html_(self) -> str:
         return card(self.title, told(self.quantities.values(), self), remarks=self.remarks)
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class MotionResult(Result):
+    """A result of a ground motion: a `Result` with more.
+
+    Attributes
+    ----------
+    motion
+        What shook it.
+    ground_acceleration, ground_velocity
+        Histories [mm/s2, mm/s], shape (n,).
+    rests
+        Whether no more sliding can come.
+    """
+
+    motion: GroundMotion
+    ground_acceleration: FloatArray
+    ground_velocity: FloatArray
+    rests: bool
+
+    @property
+    def name(self) -> str:
+        """Name of the ground motion."""
+        return self.motion.name
+
+    @cached_property
+    def energy(self) -> EnergyBalance:
+        """Energies [N mm]."""
+        bearing, put_in = self.bearing, self.line("input") * self.bearing.mass
+        ground, kinetic, of_storeys = self._energies()
+        return EnergyBalance(
+            input=put_in,
+            absolute_input=put_in + ground,
+            kinetic=kinetic,
+            pendulum=0.5 * bearing.restoring_stiffness * self.displacement**2,
+            spring=0.5 * bearing.elastic_stiffness * self.elongation**2,
+            hysteretic=self.line("hysteretic") * bearing.mass,
+            **of_storeys,
+        )
+
+    @abstractmethod
+    def _energies(self) -> tuple[FloatArray, FloatArray, dict[str, FloatArray]]:
+        """Return E_abs - E, for a motion that starts from rest, the kinetic energy, and what only storeys have [N mm]."""
+
+    @property
+    def input_velocity(self) -> float:
+        """Equivalent velocity V_E of the input energy up to the end, with all of the mass [mm/s]; an analysis that was taken up again counts on."""
+        return equivalent_velocity(float(self.energy.input[-1]), self.bearing.mass)
+
+    @property
+    def hysteretic_velocity(self) -> float:
+        """Equivalent velocity V_Eh of the hysteretic energy up to the end [mm/s], counted as `input_velocity`."""
+        return equivalent_velocity(float(self.energy.hysteretic[-1]), self.bearing.mass)

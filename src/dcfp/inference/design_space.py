@@ -4,11 +4,11 @@ import math
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from dcfp.analysis.batch import GroundSet, Lanes, Peaks, available_threads, respond_in_batch
+from dcfp.analysis.batch import GroundSet, Lanes, available_threads, respond_in_batch
 from dcfp.analysis.response import FAILED
 from dcfp.arrays import FloatArray
 from dcfp.errors import AnalysisError, InputError
@@ -158,12 +158,12 @@ def survey(
     scales = np.array([[pgv / motion.peak_velocity] for motion in motions])
     laws = [system.friction.with_reference(coefficient) for coefficient in coefficients.tolist()]
 
-    def analyse(radius: float) -> Peaks:
+    def analyse(radius: float) -> dict[str, Any]:
         plates = (radius,) * len(system.bearing.radii)
         bearing = replace(system.bearing, radii=plates, displacement_capacity=None, capacity_note="")
         models = [System(bearing, law, system.heating) for law in laws]
         peaks = respond_in_batch(grounds, Lanes.grid(len(motions), scales, models))
-        if (peaks.status == FAILED).any():
+        if (peaks["status"] == FAILED).any():
             msg = f"An analysis with a radius of {radius:g} mm cannot be finished; look at the friction law {system.friction.title}."
             raise AnalysisError(msg)
         return peaks
@@ -172,8 +172,8 @@ def survey(
     force = np.empty_like(displacement)
     with ThreadPoolExecutor(available_threads()) as pool:
         for i, peaks in enumerate(pool.map(analyse, radii.tolist())):
-            displacement[i] = peaks.peak_displacement.reshape(len(motions), -1).T
-            force[i] = peaks.force_ratio.reshape(len(motions), -1).T
+            displacement[i] = peaks["peak_displacement"].reshape(len(motions), -1).T
+            force[i] = peaks["force_ratio"].reshape(len(motions), -1).T
             if report is not None:
                 report()
     return DesignSpace(pgv, radii, coefficients, displacement, force, tuple(map(event_of, motions)))

@@ -12,7 +12,6 @@ from dcfp.methods.method import METHODS, Information, Method
 from dcfp.methods.pulses import MARCH_THRESHOLD, THRESHOLD, Prediction, PulsePrediction, Pulses, find_pulses
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.formulas import Formula
-from dcfp.schema.notebook import fields_card
 from dcfp.schema.parameters import Declared, Parameter, declared
 from dcfp.schema.units import FRACTION
 from dcfp.system import LI_2020 as PAPER_BEARING
@@ -69,9 +68,6 @@ class Methods(Declared):
                 f"Spring (b) stretches {stretch:.1f} mm before the bearing slides; the predictions take it as rigid."
             )
         return tuple(remarks)
-
-    def _repr_html_(self) -> str:
-        return fields_card(self, "How records are predicted")
 
 
 @dataclass(frozen=True, eq=False)

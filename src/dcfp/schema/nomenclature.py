@@ -41,6 +41,11 @@ class Quantities(Registry[Quantity]):
         """Add a quantity of the nomenclature, under a key of JSON and with other changes."""
         return self.add(name, replace(NOMENCLATURE[name], key=key or name, **changes))
 
+    def take(self, other: "Quantities", *names: str) -> None:
+        """Add quantities of another kind of result as they are there."""
+        for name in names:
+            self.add(name, other[name])
+
 
 def quantity(name: str) -> Quantity:
     """Return one quantity by its name."""

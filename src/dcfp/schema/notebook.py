@@ -12,7 +12,7 @@ from typing import Any, cast
 import numpy as np
 
 from dcfp.schema.nomenclature import NOMENCLATURE
-from dcfp.schema.parameters import Declared, parameters
+from dcfp.schema.parameters import parameters
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import WORDS, Unit
 
@@ -71,7 +71,7 @@ def fields_card(
 
 def _unit_of(thing: object, item: "Field[Any]") -> Unit:
     """Return the unit of a field: of its parameter, as its metadata say, or of the quantity of that name if it is one."""
-    if isinstance(thing, Declared) and item.name in parameters(type(thing)):
+    if "_parameters" in type(thing).__dict__ and item.name in parameters(type(thing)):
         return parameters(type(thing))[item.name].unit.inner_unit
     is_number = isinstance(getattr(thing, item.name), (int, float, np.ndarray))
     usual = NOMENCLATURE[item.name].unit if is_number and item.name in NOMENCLATURE else WORDS

@@ -7,7 +7,7 @@ forms, reports and documentation all loop over the same declarations, so that th
 import dataclasses
 import inspect
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from typing import (
@@ -25,6 +25,7 @@ from typing import (
 )
 
 from dcfp.errors import InputError
+from dcfp.schema.docstring import with_parameters
 from dcfp.schema.units import M_PER_S, WORDS, Unit, convert, split_number
 
 T = TypeVar("T")
@@ -203,6 +204,14 @@ class Parameter:
         return f"{numbers} {self.unit.name}" if self.unit.has_dimension else numbers
 
     @property
+    def sentence(self) -> str:
+        """Words for a docstring, with the symbol and the package's unit."""
+        symbol = f", :math:`{self.symbol}`" if self.symbol else ""
+        unit = f" {self.unit.inner_unit.heading}" if self.is_number else ""
+        without = f"; None: {self.absent}" if self.optional and self.absent else ""
+        return f"{self.words[:1].upper()}{self.words[1:]}{symbol}{unit}{without}."
+
+    @property
     def help(self) -> str:
         """Words for a list of options, with the unit and the default."""
         parts = [
@@ -274,6 +283,16 @@ class Declared:
 
     def check_relations(self) -> None:
         """Refuse values that are allowed each, but not together."""
+
+    def card_facts(self) -> dict[str, Any]:
+        """Return what its card in a notebook says besides the parameters, by labels with units."""
+        return {}
+
+    def _repr_html_(self) -> str:
+        from dcfp.schema.notebook import fields_card  # late: it knows the parameters
+
+        words = f"{(self.noun or type(self).__name__).removeprefix('the ').removeprefix('a ')} {getattr(self, 'name', '')}"
+        return fields_card(self, words[0].upper() + words[1:].strip(), self.card_facts())
 
     @classmethod
     def from_table(cls, table: Mapping[str, Any], where: str, base: Self | None = None) -> Self:
@@ -358,7 +377,7 @@ def described(kind: type[Declared]) -> str:
     return f"{kind.noun or kind.__name__} {name}".strip()
 
 
-def build(kind: type[T], values: Mapping[str, Any], where: str, base: T | None = None) -> T:
+def build(kind: Callable[..., T], values: Mapping[str, Any], where: str, base: T | None = None) -> T:
     """Return an object with those values; a complaint about how they go together begins with `where`."""
     try:
         return kind(**values) if base is None else replace(cast("Any", base), **values)
@@ -421,6 +440,8 @@ def declared(kind: type[T]) -> type[T]:
         elif name in inherited:
             found[name] = replace(inherited[name], default=default)
     cast("Any", made)._parameters = found
+    sentences = {name: found[name].sentence if name in found else None for name in defaults}
+    made.__doc__ = with_parameters(kind.__doc__ or "", sentences)
     return made
 
 

@@ -34,7 +34,7 @@ def work_off(plan: Plan, block: Block) -> Results:
             continue
         if name == ANALYSIS:
             lanes = _part(cases.lanes, chosen)
-            found = respond_in_batch(plan.grounds, lanes).arrays()
+            found = respond_in_batch(plan.grounds, lanes)
         else:
             found = _predicted(plan, cases, chosen, name)
         for quantity, values in found.items():

@@ -6,7 +6,6 @@ from typing import Annotated, Any
 
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
-from dcfp.schema.notebook import fields_card
 from dcfp.schema.parameters import Declared, Parameter, declared
 from dcfp.schema.units import KN_PER_MM, MM, N_PER_MM2
 
@@ -27,18 +26,8 @@ class Bearing(Declared):
     radii
         Effective spherical radius of each concave plate [mm]: two for a double concave bearing, in the
         order lower, upper; one for a single concave one. A plain number is that of both plates.
-    slider_diameter
-        phi [mm].
-    pressure
-        sigma, vertical force over the slider's area [N/mm2].
     elastic_stiffness
         kf of spring (b), the whole bearing before it slides [N/mm].
-    displacement_capacity
-        Displacement that the bearing must not exceed [mm]; None where it is not known.
-    capacity_note
-        Where the capacity comes from.
-    name
-        Name in tables.
 
     Raises
     ------
@@ -166,9 +155,9 @@ class Bearing(Declared):
             f" capacity {'not given' if capacity is None else f'{capacity:g} mm'}"
         )
 
-    def _repr_html_(self) -> str:
-        facts = {"vertical_force [N]": self.vertical_force, "mass [t]": self.mass, "period [s]": self.period}
-        return fields_card(self, f"Bearing {self.name}", facts)
+    def card_facts(self) -> dict[str, Any]:
+        """Return what follows from the parameters."""
+        return {"vertical_force [N]": self.vertical_force, "mass [t]": self.mass, "period [s]": self.period}
 
 
 #: The bearing of Li et al. (2020), sections 4 and 5.1. The paper prints no displacement capacity; its largest test

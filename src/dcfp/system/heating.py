@@ -10,7 +10,6 @@ from numpy.typing import ArrayLike
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.kernels.heat_state import LINE, NO_HEATING, POINT
-from dcfp.schema.notebook import fields_card
 from dcfp.schema.parameters import Declared, Parameter, declared
 from dcfp.schema.registry import Registry
 from dcfp.schema.units import CONDUCTIVITY as CONDUCTIVITY_UNIT
@@ -32,12 +31,6 @@ class Heating(Declared):
     ----------
     conductivity
         Thermal conductivity k of the plates [N/(s degC)]; 16 is 0.016 W/(mm degC), and 1 W is 1000 N mm/s: steel, section 4.2.
-    diffusivity
-        Thermal diffusivity D of the plates [mm2/s]: steel, section 4.2.
-    ambient
-        Temperature at the start [degC].
-    thickness
-        Of the plates [mm]; None for the half-space of the paper.
     back
         What the back of a plate of finite thickness does: ``"insulated"`` lets no heat through, ``"ambient"`` stays at the ambient
         temperature. A real one is in between.
@@ -94,9 +87,6 @@ class Heating(Declared):
     def rise_factor(self) -> float:
         """Factor before the integral of Eq. (11), sqrt(D) / (k sqrt(pi)) [degC mm s^(1/2) / N]."""
         return math.sqrt(self.diffusivity / math.pi) / self.conductivity
-
-    def _repr_html_(self) -> str:
-        return fields_card(self, f"Heating model {self.name}")
 
 
 @declared

@@ -8,21 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
+from dcfp.kernels import heat_state as h
 from dcfp.kernels.friction import BearingModel
-from dcfp.kernels.heat_state import (
-    CYCLING_PARAMETER,
-    LEFT_CELL,
-    MODE_ROWS,
-    PLATE_ENTRIES,
-    PLATE_ENTRY,
-    PRESENT,
-    RATES,
-    RATIO,
-    STEP_ENTRY,
-    WEIGHTS,
-    WORKSPACE_SIZE,
-    Heat,
-)
 from dcfp.kernels.motion import SystemConstants
 from dcfp.kernels.plate import write_profile
 from dcfp.kernels.sum_of_exponentials import HORIZON, MODES, finite_plate_modes, half_space_modes
@@ -61,7 +48,7 @@ class PlateHeat:
     @property
     def temperature(self) -> FloatArray:
         """Temperature of the contact on each plate that differs [degC], shape (plates,)."""
-        return self.workspace[PRESENT : PRESENT + self.cells.shape[0]]
+        return self.workspace[h.PRESENT : h.PRESENT + self.cells.shape[0]]
 
     def copy(self) -> "PlateHeat":
         """Return a copy that shares no array with this one."""
@@ -74,7 +61,7 @@ class PlateHeat:
         wider = self.copy()
         blank = np.zeros((self.cells.shape[0], cells, self.cells.shape[2]))
         for plate in range(self.cells.shape[0]):
-            wider.workspace[PLATE_ENTRY + plate * PLATE_ENTRIES + LEFT_CELL] += cells
+            wider.workspace[h.PLATE_ENTRY + plate * h.PLATE_ENTRIES + h.LEFT_CELL] += cells
         return replace(wider, cells=np.concatenate((blank, wider.cells, blank), axis=1))
 
 
@@ -139,13 +126,13 @@ def cold_plates(system: System, *, reach: float = FIRST_REACH, horizon: float = 
     """
     heating, plates = system.heating, len(set(system.bearing.radii))
     rates, weights, instant = modes_of(heating, horizon)
-    modes = np.zeros((MODE_ROWS, MODES))
-    modes[RATES] = rates
-    modes[WEIGHTS] = weights * heating.rise_factor
+    modes = np.zeros((h.MODE_ROWS, MODES))
+    modes[h.RATES] = rates
+    modes[h.WEIGHTS] = weights * heating.rise_factor
     workspace = cold_workspace(heating.ambient)
     margin = margin_for(system, reach)
     for i in range(plates):
-        workspace[PLATE_ENTRY + i * PLATE_ENTRIES + LEFT_CELL] = margin
+        workspace[h.PLATE_ENTRY + i * h.PLATE_ENTRIES + h.LEFT_CELL] = margin
     return PlateHeat(modes, workspace, no_heat(plates, heating, margin), instant)
 
 
@@ -159,10 +146,10 @@ def modes_of(heating: Heating, horizon: float = HORIZON) -> tuple[FloatArray, Fl
 
 def cold_workspace(ambient: float) -> FloatArray:
     """Return the workspace of plates at an ambient temperature [degC], without the place of the slider."""
-    workspace = np.zeros(WORKSPACE_SIZE)
-    workspace[PRESENT:CYCLING_PARAMETER] = ambient
-    workspace[RATIO:PLATE_ENTRY] = 1.0
-    workspace[STEP_ENTRY:] = math.nan  # no step is prepared
+    workspace = np.zeros(h.WORKSPACE_SIZE)
+    workspace[h.PRESENT : h.CYCLING_PARAMETER] = ambient
+    workspace[h.RATIO : h.PLATE_ENTRY] = 1.0
+    workspace[h.STEP_ENTRY :] = math.nan  # no step is prepared
     return workspace
 
 
@@ -183,10 +170,10 @@ def no_heat(plates: int, heating: Heating, margin: int) -> FloatArray:
     return np.zeros((plates, cells_across(heating) + 1 + 2 * margin, MODES + 1))
 
 
-def heat_of(plates: PlateHeat, system: System) -> Heat:
+def heat_of(plates: PlateHeat, system: System) -> h.Heat:
     """Return the kernels' view of the heat in `plates`, which they will change."""
     heating = system.heating
-    return Heat(
+    return h.Heat(
         kind=heating.kind,
         ambient=heating.ambient,
         half_contact=system.bearing.contact_half_side,
@@ -198,7 +185,7 @@ def heat_of(plates: PlateHeat, system: System) -> Heat:
     )
 
 
-def kernel_model(system: System, heat: Heat) -> BearingModel:
+def kernel_model(system: System, heat: h.Heat) -> BearingModel:
     """Return the kernels' view of a bearing under its own load, with the heat in its plates."""
     law = system.friction.at_pressure(system.bearing.pressure)
     return BearingModel(law, system_constants(system), heat)
@@ -235,7 +222,7 @@ class Profiles:
         return cls(freeze(np.array([t for t, _ in kept])), freeze(position), freeze(temperature))
 
 
-def profile_now(heat: Heat, constants: SystemConstants, time: float, flux: float) -> FloatArray:
+def profile_now(heat: h.Heat, constants: SystemConstants, time: float, flux: float) -> FloatArray:
     """Return the temperature along the plates [degC] at a time [s], shape (plates, cells).
 
     `flux` is mu p |v| [N/(mm s)], zero while sticking.
@@ -243,7 +230,7 @@ def profile_now(heat: Heat, constants: SystemConstants, time: float, flux: float
     rises = np.zeros((constants.plates, heat.cells.shape[1]))
     shares = (constants.first_share, constants.second_share)
     for i in range(constants.plates):
-        write_profile(heat, i, time, shares[i] * float(heat.workspace[RATIO + i]) * flux, rises[i])
+        write_profile(heat, i, time, shares[i] * float(heat.workspace[h.RATIO + i]) * flux, rises[i])
     return rises + heat.ambient
 
 

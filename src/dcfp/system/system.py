@@ -10,9 +10,10 @@ from dcfp.errors import InputError
 from dcfp.schema.notebook import fields_card
 from dcfp.schema.parameters import Parameter, build, described, parameters, read_table, refuse_other, unknown
 from dcfp.schema.reading import read_toml
-from dcfp.schema.units import FRACTION, NONE
+from dcfp.schema.units import NONE
 from dcfp.system.bearing import LI_2020, Bearing
 from dcfp.system.friction import FRICTION_LAWS, FrictionLaw, Li2020
+from dcfp.system.friction.law import coefficient_parameter
 from dcfp.system.heating import HEATINGS, Heating, SimplifiedHeating, plates_of
 
 Part = TypeVar("Part", FrictionLaw, Heating)
@@ -21,7 +22,7 @@ Part = TypeVar("Part", FrictionLaw, Heating)
 OF_LAW = "friction."
 #: The radius of one of two plates, by its place.
 _RADII = {"lower_radius": 0, "upper_radius": 1}
-_MU = Parameter("reference coefficient of the friction law", FRACTION, 0.0, 0.9999, symbol=r"\mu_0", key="mu", above=True, step=0.005)  # fmt: skip
+_MU = replace(coefficient_parameter("reference coefficient of the friction law"), key="mu")
 _LAMBDA = Parameter("property factor on the reference coefficient", NONE, 0.05, 20.0, symbol=r"\lambda", key="lambda", option=False)  # fmt: skip
 
 
@@ -56,19 +57,14 @@ class System:
         heating: Heating | str | None = None,
     ) -> "System":
         """Return the system of parts or of their names; what is None is that of Li et al. (2020), or of the bearing file."""
-        if bearing is not None:
-            refuse_other(
-                bearing,
-                (System, Bearing, str, Path),
-                "bearing",
-                "a Bearing, a System or the path of a bearing file",
-            )
-        if friction is not None:
-            wanted = f"a friction law or its name ({', '.join(FRICTION_LAWS)})"
-            refuse_other(friction, (FrictionLaw, str), "friction", wanted)
-        if heating is not None:
-            wanted = f"a heating model or its name ({', '.join(HEATINGS)})"
-            refuse_other(heating, (Heating, str), "heating", wanted)
+        bearings, laws, models = "Bearing, a System or the path of a bearing file", FRICTION_LAWS, HEATINGS
+        for name, part, kinds, wanted in (
+            ("bearing", bearing, (System, Bearing, str, Path), bearings),
+            ("friction", friction, (FrictionLaw, str), f"friction law or its name ({', '.join(laws)})"),
+            ("heating", heating, (Heating, str), f"heating model or its name ({', '.join(models)})"),
+        ):
+            if part is not None:
+                refuse_other(part, kinds, name, f"a {wanted}")
         if isinstance(bearing, (str, Path)):
             bearing = read_bearing(bearing)
         base = bearing if isinstance(bearing, System) else cls(bearing or LI_2020)
@@ -102,9 +98,9 @@ class System:
         law = friction_law(
             tables["friction"].pop("law", Li2020.name), tables["friction"], f"{where}: [friction]"
         )
-        kind = tables["heating"].pop("model", SimplifiedHeating.name)
-        heating = heating_from(kind, tables["heating"], f"{where}: [heating]")
-        bearing = build(Bearing, {}, where, LI_2020) if not values else _changed(values, where)
+        kind = HEATINGS.find(tables["heating"].pop("model", SimplifiedHeating.name), f"{where}: [heating]")
+        heating = kind.from_table(tables["heating"], f"{where}: [heating]")
+        bearing = build(LI_2020.changed, values, where)
         return cls(replace(bearing, name=values.get("name", name or LI_2020.name)), law, heating)
 
     def to_table(self) -> dict[str, Any]:
@@ -177,16 +173,6 @@ def _change_of_bearing(radii: tuple[float, ...], name: str, value: Any) -> dict[
     return {fields[name]: value}
 
 
-@cache
-def _parameters_of_bearing() -> dict[str, Parameter]:
-    plates = {
-        name: replace(parameters(Bearing)["radii"], words=f"effective radius of the {name.partition('_')[0]} plate", key=name, counts=(), option=False)
-        for name in _RADII
-    }  # fmt: skip
-    of_bearing = {one.key: one for one in parameters(Bearing).values()}
-    return {"radius": of_bearing.pop("radius"), **plates, **of_bearing}
-
-
 def system_parameters() -> dict[str, Parameter]:
     """Return every parameter of a system by its key, in the order in which they are applied: bearing, law, what changes a law, heating."""
     return _system_parameters(tuple(FRICTION_LAWS.items()), tuple(HEATINGS.items()))
@@ -214,8 +200,14 @@ def _system_parameters(
                     more=f"{known.more}, {name}",
                 )
             )
+    of_bearing = {one.key: one for one in parameters(Bearing).values()}
+    radius = of_bearing.pop("radius")
+    plates = {
+        name: replace(radius, words=f"effective radius of the {name.partition('_')[0]} plate", key=name, counts=(), option=False)
+        for name in _RADII
+    }  # fmt: skip
     of_heatings = {one.key: one for _, kind in heatings for one in parameters(kind).values()}
-    first = {**_parameters_of_bearing(), "law": law, "mu": _MU, "lambda": _LAMBDA}
+    first = {"radius": radius, **plates, **of_bearing, "law": law, "mu": _MU, "lambda": _LAMBDA}
     return {**first, **of_laws, "heating": heating, **of_heatings}
 
 
@@ -257,22 +249,9 @@ def friction_law(name: object, table: Mapping[str, Any] | None = None, where: st
     return FRICTION_LAWS.find(name, where).from_table(table or {}, where or f"friction law {name}")
 
 
-def heating_from(name: object, table: Mapping[str, Any], where: str = "") -> Heating:
-    """Return a heating model by name, with parameters as a file holds them; raises as `friction_law`."""
-    return HEATINGS.find(name, where).from_table(table, where or f"heating model {name}")
-
-
 def heating_model(name: object, values: Mapping[str, Any] | None = None) -> Heating:
     """Return a heating model by name, with values by the names of its fields, in the package's units; raises as `friction_law`."""
     return HEATINGS.find(name)(**(values or {}))
-
-
-def _changed(values: dict[str, Any], where: str) -> Bearing:
-    try:
-        return LI_2020.changed(**values)
-    except InputError as error:
-        msg = f"{where}: {error}"
-        raise InputError(msg) from error
 
 
 def _table(content: Mapping[str, Any], key: str, where: str) -> dict[str, Any]:

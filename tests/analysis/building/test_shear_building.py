@@ -74,13 +74,16 @@ def test_a_rigid_motion_feels_neither_storeys_nor_dampers(damping):
     [
         (lambda: ShearBuilding((1.0,), ()), "at least one storey"),
         (lambda: ShearBuilding((1.0, 1.0), (1.0, 1.0)), "needs 3 masses"),
-        (lambda: ShearBuilding((1.0, -1.0), (1.0,)), "mass of a floor must be a positive number"),
-        (lambda: ShearBuilding((1.0, 1.0), (math.nan,)), "stiffness of a storey must be a positive number"),
-        (lambda: StiffnessProportional(0.0), "damping ratio must lie between 0 and 1"),
-        (lambda: Rayleigh((0.02, math.nan), (1, 2)), "damping ratio must lie between 0 and 1"),
+        (lambda: ShearBuilding((1.0, -1.0), (1.0,)), "mass of a floor must be a number of t above 0"),
+        (
+            lambda: ShearBuilding((1.0, 1.0), (math.nan,)),
+            "stiffness of a storey must be a number of N/mm above 0",
+        ),
+        (lambda: StiffnessProportional(0.0), "must be a number above 0 and up to 0.9999"),
+        (lambda: Rayleigh((0.02, math.nan), (1, 2)), "must be 2 numbers above 0 and up to 0.9999"),
         (lambda: Rayleigh((0.02, 0.02), (2, 2)), "two different numbers"),
-        (lambda: Rayleigh((0.02, 0.02), (0, 1)), "two different numbers"),
-        (lambda: Rayleigh((0.02,), (1,)), "ratios of two modes"),
+        (lambda: Rayleigh((0.02, 0.02), (0, 1)), "number of a mode"),
+        (lambda: Rayleigh((0.02,), (1,)), "must be 2 numbers"),
         (
             lambda: uniform_building(2, 0.5, damping=Rayleigh((0.02, 0.02), (1, 3))),
             "at least as many storeys",
@@ -90,7 +93,7 @@ def test_a_rigid_motion_feels_neither_storeys_nor_dampers(damping):
         (lambda: uniform_building(True, 0.5), "number of storeys"),
         (lambda: uniform_building(3, 0.0), "first period"),
         (lambda: uniform_building(3, 0.5, mass_ratio=0.0), "ratio of the base's mass"),
-        (lambda: uniform_building(3, 0.5).scaled_to(0.0), "mass must be a positive number"),
+        (lambda: uniform_building(3, 0.5).scaled_to(0.0), "mass must be a number of t above 0"),
     ],
 )
 def test_refusals(make, says):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from dcfp.analysis.rig import Measurement, Program, RigTest, Sine, VerticalLoad, load_program, run_program
-from dcfp.analysis.rig.read import measured_test
+from dcfp.analysis.rig.program import measured_test
 from dcfp.analysis.rig.waveform import STARTS, cycle_bounds
 from dcfp.arrays import freeze
 from dcfp.errors import InputError

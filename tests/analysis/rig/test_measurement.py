@@ -198,7 +198,7 @@ def test_a_file_that_is_not_there_is_told(tmp_path: Path) -> None:
 
 
 def test_a_folder_is_told(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="the file cannot be read") as caught:
+    with pytest.raises(InputError, match="this is a folder") as caught:
         read_measurement(tmp_path)
     assert_one_sentence(str(caught.value))
 

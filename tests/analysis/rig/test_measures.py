@@ -9,8 +9,6 @@ import pytest
 from dcfp.analysis.rig.measures import (
     Cycle,
     cycles_of,
-    effective_damping,
-    effective_stiffness,
     measured_cycles,
     zero_crossings,
 )
@@ -168,8 +166,10 @@ def test_a_sample_a_rounding_error_from_zero_is_at_zero() -> None:
 
 
 def test_unequal_ends() -> None:
-    assert effective_stiffness(300.0, -100.0, 3.0, -1.0) == pytest.approx(100.0)
-    assert effective_damping(math.pi * 1600.0, 100.0, 3.0, -1.0) == pytest.approx(2.0)
+    nan = math.nan
+    cycle = Cycle(1, 3.0, -1.0, 300.0, -100.0, 1.0, math.pi * 1600.0, (), nan, nan, nan)
+    assert cycle.effective_stiffness == pytest.approx(100.0)
+    assert cycle.effective_damping == pytest.approx(2.0)
 
 
 def test_a_sample_repeated_at_the_turn_does_not_join_two_strokes() -> None:

@@ -9,8 +9,7 @@ from dcfp.analysis.building.response import BuildingResponse
 from dcfp.analysis.building.shear_building import ShearBuilding
 from dcfp.analysis.building.transition import building_of
 from dcfp.analysis.integration import Integration
-from dcfp.arrays import FloatArray, freeze
-from dcfp.errors import AnalysisError
+from dcfp.arrays import FloatArray, freeze, integral
 from dcfp.kernels import building as k
 from dcfp.motion.ground_motion import parts_in, with_tail
 from dcfp.motion.load import Motion, motion_of
@@ -99,8 +98,7 @@ def respond_building(
         run = march(acceleration)
     lines = lines[: run.done + 1]
     if run.status == k.NO_PROGRESS:
-        msg = f"{motion.name}: the analysis makes no progress at {run.done * motion.time_step:.4g} s; look at the friction law, or try a shorter step."
-        raise AnalysisError(msg)
+        raise friction.no_progress(motion.name, run.done * motion.time_step)
     if not np.isfinite(lines).all():
         raise friction.no_number(motion.name)
     return BuildingResponse(
@@ -110,9 +108,10 @@ def respond_building(
         step=fine,
         time=freeze(np.arange(run.done + 1) * motion.time_step),
         ground_acceleration=freeze(acceleration[: run.done + 1]),
+        ground_velocity=freeze(integral(acceleration[: run.done + 1], motion.time_step)),
         rests=run.rests,
         elapsed=run.elapsed,
-        _lines=freeze(lines),
+        lines=freeze(lines),
         _peaks=freeze(run.peaks),
         _state=freeze(run.state),
         _resistance=own.resistance,

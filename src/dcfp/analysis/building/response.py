@@ -1,114 +1,73 @@
 """The result of a response history analysis of a building."""
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from operator import attrgetter
 from typing import ClassVar, NamedTuple
 
 import numpy as np
 
 from dcfp.analysis.building.shear_building import ShearBuilding
-from dcfp.analysis.energy import EnergyBalance
-from dcfp.analysis.response import Response
-from dcfp.analysis.result import Result
+from dcfp.analysis.response import HISTORIES as OF_RESPONSE
+from dcfp.analysis.response import PEAKS, Response
+from dcfp.analysis.result import MotionResult
 from dcfp.arrays import FloatArray, freeze
 from dcfp.kernels import building as k
-from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.nomenclature import Quantities
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import DEGC, KN_M, M_PER_S, M_PER_S2, MM, MM_PER_S, MM_PER_S2, N_MM, NONE
-from dcfp.system import System
-from dcfp.system.plates import Profiles, mean_temperature
 
 #: What is told of it as a whole.
 BUILDING = Quantities("quantity of a building's response")
-BUILDING.add("record", Quantity("record", "name of the ground motion", get="motion.name"))
-BUILDING.tell(
-    "peak_ground_velocity", "pgv_m_s", unit=M_PER_S, name="pgv", decimals=3, get="motion.peak_velocity"
-)
+BUILDING.take(PEAKS, "record", "peak_ground_velocity")
 BUILDING.add("storeys", Quantity("storeys", "number of storeys", NONE, decimals=0, get="building.storeys"))
-BUILDING.tell("peak_displacement", "y_max_mm", name="y_max", decimals=1)
-BUILDING.add("drift", Quantity("drift_max_mm", "largest drift of a storey", MM, decimals=1, name="drift_max", get=lambda one: float(one.peak_drift.max())))  # fmt: skip
-BUILDING.add("floor_acceleration", Quantity("floor_acceleration_max_m_s2", "largest acceleration of a floor", M_PER_S2, decimals=2, name="floor_acceleration_max", get=lambda one: float(one.peak_acceleration.max())))  # fmt: skip
-BUILDING.tell("peak_temperature", "temperature_max_degC", name="temperature_max", decimals=0)
-BUILDING.tell("input_velocity", "V_E_mm_s", name="V_E", decimals=3)
-BUILDING.tell("hysteretic_velocity", "V_Eh_mm_s", name="V_Eh", decimals=3)
-BUILDING.tell("relative_energy_residual", "energy_residual", printed=False, get="energy.relative_residual")
+BUILDING.take(PEAKS, "peak_displacement")
+BUILDING.add("drift", Quantity("drift_max_mm", "largest drift of a storey", MM, decimals=1, name="drift_max", head="drift", get=lambda one: float(one.peak_drift.max())))  # fmt: skip
+BUILDING.add("floor_acceleration", Quantity("floor_acceleration_max_m_s2", "largest acceleration of a floor", M_PER_S2, decimals=2, name="floor_acceleration_max", head="floor acc.", get=lambda one: float(one.peak_acceleration.max())))  # fmt: skip
+BUILDING.take(PEAKS, "peak_temperature", "input_velocity", "hysteretic_velocity", "relative_energy_residual")
 BUILDING.add("rests", Quantity("rests", "whether it has come to rest"))
-BUILDING.tell("elapsed", "elapsed_s")
+BUILDING.take(PEAKS, "elapsed")
 
 #: Its histories.
 HISTORIES = Quantities("history of a building's response")
-for _name in (
-    "ground_acceleration",
-    "displacement",
-    "velocity",
-    "force",
-    "friction",
-    "temperature",
-    "sliding",
-):
-    HISTORIES.tell(_name)
-for _name in ("input", "absolute_input", "kinetic", "strain", "hysteretic"):
-    HISTORIES.tell(f"{_name}_energy", get=attrgetter(f"energy.{_name}"))
+HISTORIES.take(OF_RESPONSE, "ground_acceleration", "displacement", "velocity", "force", "friction", "temperature", "sliding")  # fmt: skip
+HISTORIES.take(OF_RESPONSE, "input_energy", "absolute_input_energy", "kinetic_energy", "strain_energy", "hysteretic_energy")  # fmt: skip
 for _one in (
-    Quantity("damping_energy", "energy taken by the damping of the storeys", N_MM, KN_M, symbol=r"E_\xi", get=attrgetter("energy.damping")),
+    Quantity("damping_energy", "energy taken by the damping of the storeys", N_MM, KN_M, symbol=r"E_\xi", get="energy.damping"),
     Quantity("floor_displacement", "displacement of base and floors", MM, symbol="u"),
     Quantity("floor_acceleration", "absolute acceleration of base and floors", MM_PER_S2, M_PER_S2, symbol="a"),
     Quantity("drift", "drift of each storey, from below", MM, symbol=r"\delta"),
 ):  # fmt: skip
     HISTORIES.add(_one.key, _one)
-HISTORIES.tell("energy_residual", get=attrgetter("energy.residual"))
+HISTORIES.take(OF_RESPONSE, "energy_residual")
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class BuildingResponse(Result):
-    """Histories, peaks and energies of a building on a bearing, and what they came from.
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class BuildingResponse(MotionResult):
+    """Histories, peaks and energies of a building on a bearing, and what they came from: a `MotionResult` with more.
 
     Attributes
     ----------
-    motion, system
-        What was analysed.
     building
         With the masses that the bearing carries, `ShearBuilding.scaled_to`.
     step
         Fine step of the integration [s]; peaks are looked for at its ends, and where the base turns.
-    time
-        Of the histories, at the record's samples [s], shape (n,).
-    ground_acceleration
-        [mm/s2], shape (n,).
-    rests
-        Whether no more sliding can come.
-    elapsed
-        Computing time of the march [s].
     """
-
-    motion: GroundMotion
-    system: System
-    building: ShearBuilding
-    step: float
-    time: FloatArray
-    ground_acceleration: FloatArray
-    rests: bool
-    elapsed: float
-    _lines: FloatArray
-    _peaks: FloatArray
-    _state: FloatArray
-    _resistance: FloatArray
-    profiles: Profiles | None = None
 
     quantities: ClassVar[Quantities] = BUILDING
     histories: ClassVar[Quantities] = HISTORIES
+    columns: ClassVar[tuple[str, ...]] = (
+        "elongation", "friction", "sliding", "input", "hysteretic", "damped",
+    )  # fmt: skip
     dimensions: ClassVar[Mapping[str, str]] = {
         "floor_displacement": "floor", "floor_acceleration": "floor", "drift": "storey",
     }  # fmt: skip
 
-    @property
-    def name(self) -> str:
-        """Name of the ground motion."""
-        return self.motion.name
+    building: ShearBuilding
+    step: float
+    _peaks: FloatArray
+    _state: FloatArray
+    _resistance: FloatArray
 
     @property
     def title(self) -> str:
@@ -120,12 +79,12 @@ class BuildingResponse(Result):
     @property
     def floor_displacement(self) -> FloatArray:
         """Displacement of base and floors relative to the ground [mm], shape (n, storeys + 1)."""
-        return self._lines[:, : self._floors]
+        return self.lines[:, : self._floors]
 
     @property
     def floor_velocity(self) -> FloatArray:
         """Velocity of base and floors relative to the ground [mm/s], shape (n, storeys + 1)."""
-        return self._lines[:, self._floors : 2 * self._floors]
+        return self.lines[:, self._floors : 2 * self._floors]
 
     @property
     def displacement(self) -> FloatArray:
@@ -142,66 +101,22 @@ class BuildingResponse(Result):
         """Drift of each storey, from below [mm], shape (n, storeys)."""
         return np.diff(self.floor_displacement, axis=1)
 
-    @property
-    def elongation(self) -> FloatArray:
-        """Elongation of spring (b) [mm], shape (n,)."""
-        return self._line(k.LINE_ELONGATION)
-
-    @property
-    def friction(self) -> FloatArray:
-        """Coefficient of friction [-]: the one at work while sliding, the one to overcome while sticking; shape (n,)."""
-        return self._line(k.LINE_FRICTION)
-
-    @property
-    def sliding(self) -> FloatArray:
-        """Side on which it slides: 1, -1, or 0 while sticking; shape (n,)."""
-        return self._line(k.LINE_SIDE)
-
-    @property
-    def temperature(self) -> FloatArray:
-        """Temperature of the contact [degC]; of two different plates the mean by their share of the travel; shape (n,)."""
-        return mean_temperature(self.bearing, self.plate_temperatures)
-
-    @property
-    def plate_temperatures(self) -> FloatArray:
-        """Temperature of the contact on each plate that differs [degC], shape (n, plates)."""
-        return self._lines[:, 2 * self._floors + k.LINE_SIZE :]
-
-    @property
-    def force(self) -> FloatArray:
-        """Horizontal force of the bearing [N], shape (n,)."""
-        return (
-            self.bearing.restoring_stiffness * self.displacement
-            + self.bearing.elastic_stiffness * self.elongation
-        )
-
     @cached_property
     def floor_acceleration(self) -> FloatArray:
         """Absolute acceleration of base and floors [mm/s2], shape (n, storeys + 1)."""
-        accelerations = self._lines[:, : 2 * self._floors] @ self._resistance.T
+        accelerations = self.lines[:, : 2 * self._floors] @ self._resistance.T
         accelerations[:, 0] -= self.bearing.elastic_stiffness * self.elongation / self.building.masses[0]
         return freeze(accelerations)
 
-    @cached_property
-    def energy(self) -> EnergyBalance:
-        """Energies [N mm]."""
+    def _energies(self) -> tuple[FloatArray, FloatArray, dict[str, FloatArray]]:
         masses, stiffnesses = np.array(self.building.masses), np.array(self.building.stiffnesses)
-        total = self.bearing.mass
-        step = float(self.time[1] - self.time[0])
-        ground = np.zeros_like(self.time)
-        np.cumsum(0.5 * step * (self.ground_acceleration[1:] + self.ground_acceleration[:-1]), out=ground[1:])
-        put_in = self._line(k.LINE_INPUT) * total
-        return EnergyBalance(
-            input=put_in,
-            # E_abs - E = sum m_i (v_g^2 / 2 + v_i v_g), for a motion that starts from rest
-            absolute_input=put_in + ground * (0.5 * total * ground + self.floor_velocity @ masses),
-            kinetic=0.5 * self.floor_velocity**2 @ masses,
-            storeys=0.5 * self.drift**2 @ stiffnesses,
-            pendulum=0.5 * self.bearing.restoring_stiffness * self.displacement**2,
-            spring=0.5 * self.bearing.elastic_stiffness * self.elongation**2,
-            damping=self._line(k.LINE_DAMPED) * total,
-            hysteretic=self._line(k.LINE_HYSTERETIC) * total,
-        )
+        ground, total = self.ground_velocity, self.bearing.mass
+        of_storeys = {
+            "storeys": 0.5 * self.drift**2 @ stiffnesses,
+            "damping": self.line("damped") * total,
+        }
+        put_in = ground * (0.5 * total * ground + self.floor_velocity @ masses)
+        return put_in, 0.5 * self.floor_velocity**2 @ masses, of_storeys
 
     # ----- peaks -----
 
@@ -226,21 +141,12 @@ class BuildingResponse(Result):
         return float(self._state[k.PEAK_TEMPERATURE])
 
     @property
-    def input_velocity(self) -> float:
-        """Equivalent velocity V_E of the input energy up to the end, sqrt(2 E / m) with the total mass [mm/s]; Akiyama (1985)."""
-        return math.sqrt(2.0 * max(float(self._line(k.LINE_INPUT)[-1]), 0.0))
-
-    @property
-    def hysteretic_velocity(self) -> float:
-        """Equivalent velocity V_Eh of the hysteretic energy up to the end [mm/s]."""
-        return math.sqrt(2.0 * max(float(self._line(k.LINE_HYSTERETIC)[-1]), 0.0))
-
-    @property
     def _floors(self) -> int:
         return self.building.storeys + 1
 
-    def _line(self, column: int) -> FloatArray:
-        return self._lines[:, 2 * self._floors + column]
+    @property
+    def _first_column(self) -> int:
+        return 2 * self._floors
 
 
 # What is told of a building, beside the rigid structure of the same mass.

@@ -4,19 +4,26 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TypeAlias
+from typing import Annotated, TypeAlias
 
 import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
-from dcfp.schema.checks import positive
 from dcfp.schema.notebook import fields_card
-from dcfp.schema.units import N_PER_MM, TONNE
+from dcfp.schema.parameters import Declared, Parameter, declared
+from dcfp.schema.units import FRACTION, N_PER_MM, NONE, SECOND, TONNE
+
+_STOREYS = Parameter("number of storeys", NONE, 1, kind=int)
+_PERIOD = Parameter("first period on a fixed base", SECOND, 0.0, above=True)
+_MASS_RATIO = Parameter("mass of the base over that of a floor", NONE, 0.0, above=True)
+_RATIO = Parameter("damping ratio", FRACTION, 0.0, 0.9999, above=True)
+_MASS = Parameter("mass of a floor", TONNE, 0.0, above=True)
+_STIFFNESS = Parameter("stiffness of a storey", N_PER_MM, 0.0, above=True)
 
 
-@dataclass(frozen=True)
-class StiffnessProportional:
+@declared
+class StiffnessProportional(Declared):
     """A damper in each storey, in proportion to its stiffness: C = beta K.
 
     Parameters
@@ -25,18 +32,15 @@ class StiffnessProportional:
         Damping ratio of the first mode on a fixed base [-]; those of the others are in proportion to their frequencies.
     """
 
-    ratio: float
-
-    def __post_init__(self) -> None:
-        _damping_ratio(self.ratio)
+    ratio: Annotated[float, _RATIO]
 
     def factors(self, frequencies: FloatArray) -> tuple[float, float]:
         """Return alpha [1/s] and beta [s] of C = alpha M + beta K; circular frequencies [1/s] of the modes, lowest first."""
         return 0.0, 2.0 * self.ratio / float(frequencies[0])
 
 
-@dataclass(frozen=True)
-class Rayleigh:
+@declared
+class Rayleigh(Declared):
     """Damping by mass and by stiffness, C = alpha M + beta K, on the motion relative to the base.
 
     Parameters
@@ -47,18 +51,13 @@ class Rayleigh:
         Numbers of these modes; 1 is the first.
     """
 
-    ratios: tuple[float, float]
-    modes: tuple[int, int] = (1, 2)
+    ratios: Annotated[tuple[float, float], _RATIO]
+    modes: Annotated[tuple[int, int], Parameter("number of a mode", NONE, 1)] = (1, 2)
 
-    def __post_init__(self) -> None:
-        if len(self.ratios) != 2 or len(self.modes) != 2:
-            msg = "Rayleigh damping needs the ratios of two modes and the numbers of both."
-            raise InputError(msg)
-        for ratio in self.ratios:
-            _damping_ratio(ratio)
-        first, second = self.modes
-        if type(first) is not int or type(second) is not int or not 1 <= first < second:
-            msg = f"The modes of Rayleigh damping must be two different numbers from 1 on, the lower one first, not {self.modes!r}."
+    def check_relations(self) -> None:
+        """Refuse one mode twice."""
+        if not self.modes[0] < self.modes[1]:
+            msg = f"The modes of Rayleigh damping must be two different numbers, the lower one first, not {self.modes!r}."
             raise InputError(msg)
 
     def factors(self, frequencies: FloatArray) -> tuple[float, float]:
@@ -78,12 +77,6 @@ class Rayleigh:
 
 
 Damping: TypeAlias = StiffnessProportional | Rayleigh
-
-
-def _damping_ratio(ratio: float) -> None:
-    if not (math.isfinite(ratio) and 0.0 < ratio < 1.0):
-        msg = f"A damping ratio must lie between 0 and 1, not {ratio!r}; without damping it is None."
-        raise InputError(msg)
 
 
 #: Damping unless another is chosen: 2 % in the first mode on a fixed base, in proportion to the stiffness.
@@ -115,8 +108,8 @@ class ShearBuilding:
     damping: Damping | None = TWO_PERCENT
 
     def __post_init__(self) -> None:
-        masses = _all_positive(self.masses, "mass of a floor", "t")
-        stiffnesses = _all_positive(self.stiffnesses, "stiffness of a storey", "N/mm")
+        masses = _checked(self.masses, _MASS)
+        stiffnesses = _checked(self.stiffnesses, _STIFFNESS)
         if not stiffnesses:
             msg = (
                 "A building needs at least one storey; without any it is the rigid structure of dcfp.respond."
@@ -163,7 +156,7 @@ class ShearBuilding:
 
     def scaled_to(self, mass: float) -> "ShearBuilding":
         """Return the building with this sum of masses [t], and stiffnesses multiplied by the same factor."""
-        factor = positive(mass, "mass", "t") / self.mass
+        factor = _MASS.checked(mass, "ShearBuilding: mass") / self.mass
         return replace(
             self,
             masses=tuple(factor * m for m in self.masses),
@@ -211,15 +204,15 @@ def uniform_building(
     damping
         Of the superstructure.
     """
-    if type(storeys) is not int or storeys < 1:
-        msg = f"The number of storeys must be a whole number from 1 on, not {storeys!r}."
-        raise InputError(msg)
-    frequency = 2.0 * math.pi / positive(period, "first period on a fixed base", "s")
-    floor = 1.0 / (storeys + positive(mass_ratio, "ratio of the base's mass to a floor's", "1"))
+    storeys = _STOREYS.checked(storeys, "uniform_building: number of storeys")
+    frequency = 2.0 * math.pi / _PERIOD.checked(period, "uniform_building: first period on a fixed base")
+    floor = 1.0 / (
+        storeys + _MASS_RATIO.checked(mass_ratio, "uniform_building: ratio of the base's mass to a floor's")
+    )
     # of n equal masses on equal springs: omega_1 = 2 sqrt(k/m) sin(pi / (4 n + 2))
     stiffness = floor * (0.5 * frequency / math.sin(math.pi / (4 * storeys + 2))) ** 2
     return ShearBuilding((mass_ratio * floor, *(floor,) * storeys), (stiffness,) * storeys, damping)
 
 
-def _all_positive(values: Sequence[float], name: str, unit: str) -> tuple[float, ...]:
-    return tuple(positive(value, name, unit) for value in values)
+def _checked(values: Sequence[float], one: Parameter) -> tuple[float, ...]:
+    return tuple(one.checked(value, f"ShearBuilding: {one.words}") for value in values)

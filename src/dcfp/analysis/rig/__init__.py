@@ -1,5 +1,6 @@
 """The virtual test machine: test programs, runs, and what is measured on them."""
 
+from dcfp.analysis.rig.codes import PROTOTYPE_TESTS as PROTOTYPE_TESTS
 from dcfp.analysis.rig.loops import Loops as Loops
 from dcfp.analysis.rig.measurement import Measurement as Measurement
 from dcfp.analysis.rig.measurement import read_measurement as read_measurement
@@ -7,7 +8,7 @@ from dcfp.analysis.rig.measures import Cycle as Cycle
 from dcfp.analysis.rig.program import Program as Program
 from dcfp.analysis.rig.program import RigTest as RigTest
 from dcfp.analysis.rig.program import VerticalLoad as VerticalLoad
-from dcfp.analysis.rig.read import load_program as load_program
+from dcfp.analysis.rig.program import load_program as load_program
 from dcfp.analysis.rig.run import run_program as run_program
 from dcfp.analysis.rig.waveform import Recorded as Recorded
 from dcfp.analysis.rig.waveform import Sine as Sine

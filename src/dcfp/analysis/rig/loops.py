@@ -12,14 +12,13 @@ from dcfp.analysis.result import Result
 from dcfp.analysis.rig.measures import Cycle, cycles_of, zero_crossings
 from dcfp.analysis.rig.program import RigTest
 from dcfp.arrays import FloatArray
-from dcfp.kernels import integrate as k
 from dcfp.schema.nomenclature import Quantities
 from dcfp.schema.notebook import card, told
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import DEGC, KN, KN_M, KN_PER_MM, MM, MM_PER_S, N_PER_MM2, NONE, SECOND
-from dcfp.system import Bearing, System
-from dcfp.system.plates import Profiles, mean_temperature, memory_of
+from dcfp.system import Bearing
+from dcfp.system.plates import memory_of
 
 if TYPE_CHECKING:
     from dcfp.analysis.rig.measurement import Measurement
@@ -48,41 +47,29 @@ for _name in (
     HISTORIES.tell(_name)
 
 
-@dataclass(frozen=True, eq=False, repr=False)
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Loops(Result):
-    """Histories of one test, and what they came from.
+    """Histories of one test, and what they came from: a `Result` with more.
 
     Attributes
     ----------
     test
         What was done.
-    system
-        To what.
-    time
-        From the start of the test [s], shape (n,).
-    lines
-        What the kernels wrote, a row for each time.
     begins
         Time at which the test begins since the plates were at the ambient temperature [s].
     cycle_times
         At which the cycles begin and end [s], shape (cycles + 1,).
-    profiles
-        Temperature along the plates, where it was asked for.
-    elapsed
-        Computing time [s].
     """
-
-    test: RigTest
-    system: System
-    time: FloatArray
-    lines: FloatArray
-    begins: float
-    cycle_times: FloatArray
-    profiles: Profiles | None
-    elapsed: float
 
     quantities: ClassVar[Quantities] = TEST
     histories: ClassVar[Quantities] = HISTORIES
+    columns: ClassVar[tuple[str, ...]] = (
+        "displacement", "velocity", "elongation", "friction", "sliding", "load", "work", "hysteretic",
+    )  # fmt: skip
+
+    test: RigTest
+    begins: float
+    cycle_times: FloatArray
 
     @property
     def name(self) -> str:
@@ -95,44 +82,9 @@ class Loops(Result):
         return f"Virtual test {self.test.name}"
 
     @property
-    def displacement(self) -> FloatArray:
-        """Displacement y [mm]."""
-        return self.lines[:, k.DISPLACEMENT]
-
-    @property
-    def velocity(self) -> FloatArray:
-        """Velocity v [mm/s]; at a corner of the displacement the one before it."""
-        return self.lines[:, k.VELOCITY]
-
-    @property
-    def elongation(self) -> FloatArray:
-        """Elongation of spring (b) [mm]."""
-        return self.lines[:, k.ELONGATION]
-
-    @property
-    def friction(self) -> FloatArray:
-        """Coefficient of friction [-]: the one at work while sliding, the one to overcome while sticking."""
-        return self.lines[:, k.FRICTION]
-
-    @property
-    def sliding(self) -> FloatArray:
-        """Side on which it slides: 1, -1, or 0 while sticking."""
-        return self.lines[:, k.SLIP_SIGN]
-
-    @property
     def load(self) -> FloatArray:
         """Vertical force [N]."""
-        return self.lines[:, k.LOAD]
-
-    @property
-    def temperature(self) -> FloatArray:
-        """Temperature of the contact [degC]; of two different plates the mean by their share of the travel."""
-        return mean_temperature(self.bearing, self.plate_temperatures)
-
-    @property
-    def plate_temperatures(self) -> FloatArray:
-        """Temperature of the contact on each plate that differs [degC], shape (n, plates)."""
-        return self.lines[:, k.TEST_TEMPERATURE :]
+        return self.line("load")
 
     @property
     def friction_force(self) -> FloatArray:
@@ -147,12 +99,12 @@ class Loops(Result):
     @property
     def work(self) -> FloatArray:
         """Work of the machine on the bearing since the start of the test [N mm]."""
-        return self.lines[:, k.WORK]
+        return self.line("work")
 
     @property
     def hysteretic_energy(self) -> FloatArray:
         """Energy dissipated by friction since the start of the test [N mm]."""
-        return self.lines[:, k.TEST_HYSTERETIC]
+        return self.line("hysteretic")
 
     @property
     def crossings(self) -> FloatArray:
@@ -195,7 +147,7 @@ class Loops(Result):
         }
 
     def _repr_html_(self) -> str:
-        rows = [told(CYCLES, one) for one in cycles_of_tests([self])]
+        rows = [told(CYCLES, cycle) for cycle in cycles_of_tests([self])]
         return card(self.title, rows=rows, remarks=self.remarks)
 
 

@@ -5,7 +5,7 @@ import hashlib
 import io
 import math
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 
@@ -17,18 +17,32 @@ from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
 from dcfp.schema.notebook import fields_card
 from dcfp.schema.reading import read_bytes
-from dcfp.schema.units import DEGC, NEWTON
+from dcfp.schema.units import (
+    CM,
+    DEGC,
+    INCH,
+    KIP,
+    KN,
+    MEGANEWTON,
+    METRE,
+    MILLISECOND,
+    MM,
+    NEWTON,
+    SECOND,
+    Unit,
+)
 
-#: Units of each column: what the value is multiplied by to be in N, mm, s, degC.
-_LENGTHS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
-_FORCES = {"N": 1.0, "kN": 1e3, "MN": 1e6, "kip": 4448.2216152605}
-_TIMES = {"s": 1.0, "ms": 1e-3}
-_UNITS = {
-    "time": _TIMES,
-    "displacement": _LENGTHS,
-    "force": _FORCES,
-    "load": _FORCES,
-    "temperature": {"degC": 1.0, "°C": 1.0, "C": 1.0},
+_FORCES = (NEWTON, KN, MEGANEWTON, KIP)
+#: Units of each column.
+_UNITS: dict[str, dict[str, Unit]] = {
+    column: {name: unit for unit in units for name in (unit.text, unit.name)}
+    for column, units in {
+        "time": (SECOND, MILLISECOND),
+        "displacement": (MM, CM, METRE, INCH),
+        "force": _FORCES,
+        "load": _FORCES,
+        "temperature": (DEGC, replace(DEGC, typed="C")),
+    }.items()
 }
 _HEAD = re.compile(r"\s*(?P<name>[^\[\](]+?)\s*[\[(]\s*(?P<unit>[^\])]*?)\s*[\])]\s*")
 #: A step so much longer than the usual one is a gap.
@@ -68,9 +82,9 @@ class Measurement:
     name: str
     time: FloatArray
     displacement: FloatArray
-    optional_force: FloatArray | None = field(metadata={"unit": NEWTON})
-    optional_load: FloatArray | None = field(metadata={"unit": NEWTON})
-    optional_temperature: FloatArray | None = field(metadata={"unit": DEGC})
+    optional_force: FloatArray | None
+    optional_load: FloatArray | None
+    optional_temperature: FloatArray | None
     digest: str
 
     @property
@@ -132,13 +146,14 @@ def read_measurement(path: str | Path) -> Measurement:
         msg = f"{path}: this is not a text file; a measured test is a CSV file with a head such as 'time [s],displacement [mm]'."
         raise InputError(msg) from error
     columns, lines = _columns(text, str(path))
+    known = {name: freeze(values) for name, values in columns.items()}
     measurement = Measurement(
         name=place.stem,
-        time=freeze(columns["time"]),
-        displacement=freeze(columns["displacement"]),
-        optional_force=freeze(columns["force"]) if "force" in columns else None,
-        optional_load=freeze(columns["load"]) if "load" in columns else None,
-        optional_temperature=freeze(columns["temperature"]) if "temperature" in columns else None,
+        time=known["time"],
+        displacement=known["displacement"],
+        optional_force=known.get("force"),
+        optional_load=known.get("load"),
+        optional_temperature=known.get("temperature"),
         digest=hashlib.sha256(content).hexdigest(),
     )
     _check(measurement, lines, str(path))
@@ -199,7 +214,7 @@ def _places(head: list[str], where: str) -> dict[str, tuple[int, float]]:
         if name in places:
             msg = f"{where}: there are two columns {name!r}; leave one."
             raise InputError(msg)
-        places[name] = (place, units[found["unit"]])
+        places[name] = (place, units[found["unit"]].size)
     for name in ("time", "displacement"):
         if name not in places:
             unit = next(iter(_UNITS[name]))
@@ -223,50 +238,47 @@ def _number(row: list[str], place: int, name: str, line: int, where: str, separa
 
 
 def _check(measurement: Measurement, lines: list[int], where: str) -> None:
+    """Refuse what cannot have been measured so; `lines` are the numbers of the lines of the samples."""
     time, displacement = measurement.time, measurement.displacement
-    steps = np.diff(time)
-    if (steps <= 0.0).any():
-        i = int(np.argmax(steps <= 0.0))
-        msg = f"{where}, line {lines[i + 1]}: time goes from {time[i]:.6g} to {time[i + 1]:.6g} s after the start; it must increase from line to line."
-        raise InputError(msg)
-    usual = float(np.median(steps))
-    if steps.max() > _GAP * usual:
-        i = int(np.argmax(steps > _GAP * usual))
-        msg = f"{where}, line {lines[i + 1]}: a gap of {steps[i]:.4g} s where samples are {usual:.4g} s apart; fill it, or cut the file there."
-        raise InputError(msg)
-    _check_size(np.abs(displacement), _DISPLACEMENTS, "displacement", "mm", where)
-    _check_size(
-        np.abs(np.diff(displacement)) / steps,
-        _VELOCITIES,
-        "velocity",
-        "mm/s",
-        where,
-        "the units of time and displacement",
-    )
     load, force = measurement.optional_load, measurement.optional_force
-    if load is not None and load.min() <= 0.0:
+
+    def refuse(found: bool, words: str, sample: int | None = None) -> None:
+        if found:
+            place = where if sample is None else f"{where}, line {lines[sample]}"
+            msg = f"{place}: {words}"
+            raise InputError(msg)
+
+    steps = np.diff(time)
+    i = int(np.argmax(steps <= 0.0))
+    back = f"time goes from {time[i]:.6g} to {time[i + 1]:.6g} s after the start; it must increase from line to line."
+    refuse(bool(steps[i] <= 0.0), back, i + 1)
+    usual = float(np.median(steps))
+    i = int(np.argmax(steps > _GAP * usual))
+    gap = f"a gap of {steps[i]:.4g} s where samples are {usual:.4g} s apart; fill it, or cut the file there."
+    refuse(bool(steps[i] > _GAP * usual), gap, i + 1)
+    for values, (least, most), name, unit, look in (
+        (displacement, _DISPLACEMENTS, "displacement", "mm", "its unit"),
+        (
+            np.diff(displacement) / steps,
+            _VELOCITIES,
+            "velocity",
+            "mm/s",
+            "the units of time and displacement",
+        ),
+    ):
+        largest = float(np.abs(values).max())
+        size = f"the largest {name} is {largest:.4g} {unit}, and from {least:g} to {most:g} {unit} is possible; look at {look}."
+        refuse(not least <= largest <= most, size)
+    if load is not None:
         i = int(np.argmax(load <= 0.0))
-        msg = f"{where}, line {lines[i]}: the load is {load[i] / 1e3:.4g} kN; a sliding bearing takes no tension, and compression must be positive."
-        raise InputError(msg)
+        tension = f"the load is {load[i] / 1e3:.4g} kN; a sliding bearing takes no tension, and compression must be positive."
+        refuse(bool(load[i] <= 0.0), tension, i)
     if load is not None and force is not None:
         ratio = float(np.abs(force).max() / load.mean())
-        if not _FORCE_RATIOS[0] <= ratio <= _FORCE_RATIOS[1]:
-            msg = f"{where}: the largest force is {ratio:.3g} times the load; look at the units of both."
-            raise InputError(msg)
+        far = f"the largest force is {ratio:.3g} times the load; look at the units of both."
+        refuse(not _FORCE_RATIOS[0] <= ratio <= _FORCE_RATIOS[1], far)
     if force is not None:
         work = float((0.5 * (force[1:] + force[:-1])) @ np.diff(displacement))
-        if work < -_BACKWARD_WORK * float(np.abs(force).max() * np.abs(displacement).max()):
-            msg = f"{where}: the force does negative work, so the bearing would drive the machine; change the sign of the force or the displacement."
-            raise InputError(msg)
-
-
-def _check_size(
-    values: FloatArray, limits: tuple[float, float], name: str, unit: str, where: str, look: str = ""
-) -> None:
-    largest = float(values.max())
-    if not limits[0] <= largest <= limits[1]:
-        msg = (
-            f"{where}: the largest {name} is {largest:.4g} {unit}, and from {limits[0]:g} to {limits[1]:g} {unit} is possible; look at"
-            f" {look or 'its unit'}."
-        )
-        raise InputError(msg)
+        least_work = -_BACKWARD_WORK * float(np.abs(force).max() * np.abs(displacement).max())
+        drives = "the force does negative work, so the bearing would drive the machine; change the sign of the force or the displacement."
+        refuse(work < least_work, drives)

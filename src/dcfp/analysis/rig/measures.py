@@ -3,13 +3,17 @@
 import itertools
 import math
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 import numpy as np
 
 from dcfp.arrays import FloatArray, IntArray
 from dcfp.schema.notebook import fields_card
-from dcfp.schema.units import MM, N_MM, N_PER_MM, NEWTON
+from dcfp.schema.units import DEGC, MM, N_MM, N_PER_MM, NEWTON
+
+if TYPE_CHECKING:
+    from dcfp.analysis.rig.loops import Loops
+    from dcfp.analysis.rig.measurement import Measurement
 
 #: Displacement, relative to the amplitude, up to which a branch of a loop is fitted by a line [-].
 _BRANCH = 0.5
@@ -27,47 +31,18 @@ _NEAR_END, _LEADING = 0.04, 0.02
 _LEAST_STROKE = 1e-3
 
 
-class ForceHistory(Protocol):
-    """What cycles are measured on: a test of the virtual machine, or a measured one."""
+class ForceHistory(NamedTuple):
+    """What cycles are measured on: time [s], displacement [mm], horizontal and vertical force [N], and times at which cycles begin and end [s]."""
 
-    @property
-    def time(self) -> FloatArray:
-        """Time [s], shape (n,)."""
-        ...
-
-    @property
-    def displacement(self) -> FloatArray:
-        """Displacement [mm]."""
-        ...
-
-    @property
-    def force(self) -> FloatArray:
-        """Horizontal force [N]."""
-        ...
-
-    @property
-    def load(self) -> FloatArray:
-        """Vertical force [N]."""
-        ...
-
-    @property
-    def cycle_times(self) -> FloatArray:
-        """Times at which cycles begin and end [s]."""
-        ...
+    time: FloatArray
+    displacement: FloatArray
+    force: FloatArray
+    load: FloatArray
+    cycle_times: FloatArray
 
 
-class HeatedHistory(ForceHistory, Protocol):
-    """A history whose temperature and work are known."""
-
-    @property
-    def temperature(self) -> FloatArray:
-        """Temperature of the contact [degC]."""
-        ...
-
-    @property
-    def work(self) -> FloatArray:
-        """Work of the machine [N mm]."""
-        ...
+#: The same of a test of the virtual machine, or of a measured one.
+History: TypeAlias = "ForceHistory | Loops | Measurement"
 
 
 @dataclass(frozen=True)
@@ -105,12 +80,12 @@ class Cycle:
     least: float = field(metadata={"unit": MM})
     force_at_largest: float = field(metadata={"unit": NEWTON})
     force_at_least: float = field(metadata={"unit": NEWTON})
-    load: float
+    load: float = field(metadata={"unit": NEWTON})
     energy: float = field(metadata={"unit": N_MM})
     crossings: tuple[float, ...]
     strength: float = field(metadata={"unit": NEWTON})
     post_yield_stiffness: float = field(metadata={"unit": N_PER_MM})
-    peak_temperature: float
+    peak_temperature: float = field(metadata={"unit": DEGC})
     steady_load: bool = True
 
     @property
@@ -130,37 +105,26 @@ class Cycle:
     @property
     def effective_stiffness(self) -> float:
         """Return k_eff = (|F+| + |F-|)/(|d+| + |d-|) [N/mm]: ASCE/SEI 7-16, Eq. (17.8-1)."""
-        return effective_stiffness(self.force_at_largest, self.force_at_least, self.largest, self.least)
+        travel = abs(self.largest) + abs(self.least)
+        forces = abs(self.force_at_largest) + abs(self.force_at_least)
+        return forces / travel if travel > 0.0 else math.nan
 
     @property
     def effective_damping(self) -> float:
         """Return beta_eff = 2/pi E / (k_eff (|d+| + |d-|)^2) [-]: ASCE/SEI 7-16, Eq. (17.8-2)."""
-        return effective_damping(self.energy, self.effective_stiffness, self.largest, self.least)
+        elastic = self.effective_stiffness * (abs(self.largest) + abs(self.least)) ** 2
+        return 2.0 / math.pi * self.energy / elastic if elastic > 0.0 else math.nan
 
     def _repr_html_(self) -> str:
         return fields_card(self, f"Cycle {self.number}")
 
 
-def effective_stiffness(
-    force_at_largest: float, force_at_least: float, largest: float, least: float
-) -> float:
-    """Return the effective stiffness of a loop [N/mm] from its ends [N, mm]: ASCE/SEI 7-16, Eq. (17.8-1)."""
-    travel = abs(largest) + abs(least)
-    return (abs(force_at_largest) + abs(force_at_least)) / travel if travel > 0.0 else math.nan
-
-
-def effective_damping(energy: float, stiffness: float, largest: float, least: float) -> float:
-    """Return the effective damping of a loop [-] from its area [N mm]: ASCE/SEI 7-16, Eq. (17.8-2)."""
-    elastic = stiffness * (abs(largest) + abs(least)) ** 2
-    return 2.0 / math.pi * energy / elastic if elastic > 0.0 else math.nan
-
-
-def cycles_of(history: HeatedHistory) -> tuple[Cycle, ...]:
+def cycles_of(history: "Loops") -> tuple[Cycle, ...]:
     """Return the measures of every cycle of a test whose temperature and work are known."""
     return _measured(history, history.work, history.temperature, exact=True)
 
 
-def measured_cycles(history: ForceHistory) -> tuple[Cycle, ...]:
+def measured_cycles(history: History) -> tuple[Cycle, ...]:
     """Return the measures of every cycle of a measured history; the area is that of the polygon of its samples."""
     steps = 0.5 * (history.force[1:] + history.force[:-1]) * np.diff(history.displacement)
     work = np.concatenate(([0.0], np.cumsum(steps)))
@@ -168,7 +132,7 @@ def measured_cycles(history: ForceHistory) -> tuple[Cycle, ...]:
 
 
 def _measured(
-    history: ForceHistory, work: FloatArray, temperature: FloatArray, *, exact: bool
+    history: History, work: FloatArray, temperature: FloatArray, *, exact: bool
 ) -> tuple[Cycle, ...]:
     """Return the measures; where the history is not `exact`, the forces at the ends are fitted to the samples before."""
     time, bounds = history.time, history.cycle_times
@@ -193,12 +157,8 @@ def _measured(
                 number=number,
                 largest=float(displacement[highest]),
                 least=float(displacement[lowest]),
-                force_at_largest=float(force[highest])
-                if exact
-                else _force_at_end(time[part], displacement, force, highest),
-                force_at_least=float(force[lowest])
-                if exact
-                else _force_at_end(time[part], displacement, force, lowest),
+                force_at_largest=_force_at_end(time[part], displacement, force, highest, exact=exact),
+                force_at_least=_force_at_end(time[part], displacement, force, lowest, exact=exact),
                 load=float(load.mean()),
                 energy=float(np.diff(np.interp(np.array([first, last]), time, work))[0]),
                 crossings=tuple((forces / loads).tolist()),
@@ -213,7 +173,9 @@ def _measured(
     return tuple(cycles)
 
 
-def _force_at_end(time: FloatArray, displacement: FloatArray, force: FloatArray, end: int) -> float:
+def _force_at_end(
+    time: FloatArray, displacement: FloatArray, force: FloatArray, end: int, *, exact: bool
+) -> float:
     """Return the force [N] at the turn near the sample `end` of a measured cycle.
 
     A single sample can lie on either side of the turn, where the force jumps. The turn is that of a parabola through the samples near the
@@ -223,7 +185,7 @@ def _force_at_end(time: FloatArray, displacement: FloatArray, force: FloatArray,
     near = np.flatnonzero(
         (np.abs(time - time[end]) < _NEAR_END * cycle) & (displacement * displacement[end] > 0.0)
     )
-    if near.size < _FEWEST:
+    if exact or near.size < _FEWEST:
         return float(force[end])
     shifted = time[near] - time[end]
     second, first, _ = _fitted(shifted, displacement[near], 2)
@@ -242,7 +204,7 @@ def _fitted(x: FloatArray, y: FloatArray, degree: int) -> list[float]:
     return np.asarray(np.polyfit(x, y, degree), dtype=np.float64).tolist()
 
 
-def zero_crossings(history: ForceHistory) -> FloatArray:
+def zero_crossings(history: History) -> FloatArray:
     """Return time [s], force [N] and load [N] wherever the displacement passes zero, shape (crossings, 3).
 
     The start is left out: a bearing that has not moved yet has no friction force.

@@ -1,21 +1,38 @@
-"""Test programs: what is done to a bearing, one test after another, and under which vertical load."""
+"""Test programs: what is done to a bearing, one test after another, and under which vertical load; by name, from TOML files and from measured displacements."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
+from importlib.resources import files
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import numpy as np
 
 from dcfp.analysis.assumptions import LARGEST_ANGLE
-from dcfp.analysis.rig.waveform import Waveform
+from dcfp.analysis.rig.measurement import Measurement, read_measurement
+from dcfp.analysis.rig.waveform import Recorded, Sine, Triangle, Waveform
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
-from dcfp.schema.checks import finite
-from dcfp.schema.notebook import card, fields_card
-from dcfp.schema.units import SECOND
+from dcfp.schema.notebook import card
+from dcfp.schema.parameters import (
+    Declared,
+    Parameter,
+    build,
+    declared,
+    parameters,
+    read_table,
+    refuse_other,
+    unknown,
+)
+from dcfp.schema.reading import read_toml
+from dcfp.schema.registry import Registry
+from dcfp.schema.units import KN, N_PER_MM2, SECOND
 from dcfp.system import Bearing
 
-# The vertical load of a test.
-
+if TYPE_CHECKING:
+    from dcfp.analysis.rig.codes import PrototypeTests
 
 #: Pressures on the slider that a wrong unit would pass [N/mm2].
 LEAST_PRESSURE, LARGEST_PRESSURE = 0.1, 1000.0
@@ -92,14 +109,12 @@ def check_load(forces: FloatArray, bearing: Bearing) -> None:
             raise InputError(msg)
 
 
-#: Longest pause [s].
-_LONGEST_PAUSE = 7 * 24 * 3600.0
 #: What a test can be to the checks of a code.
 ROLES = ("wind", "increment", "maximum", "endurance", "stability")
 
 
-@dataclass(frozen=True)
-class RigTest:
+@declared
+class RigTest(Declared):
     """One test.
 
     Parameters
@@ -112,58 +127,46 @@ class RigTest:
         The vertical load; None for that of the bearing.
     pause
         Time of cooling between the test before and this one [s]; None where the plates begin at the ambient temperature.
-    purpose
-        What the test is for, in words.
     role
         What it is to the checks of a code: one of `ROLES`, or empty.
     """
 
-    name: str
+    noun = "a test"
+
+    name: Annotated[str, Parameter("name of the test")]
     waveform: Waveform
     load: VerticalLoad | None = None
-    pause: float | None = field(default=None, metadata={"unit": SECOND})
-    purpose: str = ""
-    role: str = ""
+    pause: Annotated[float | None, Parameter("pause before the test", SECOND, 0.0, 7 * 24 * 3600.0)] = None
+    purpose: Annotated[str, Parameter("what the test is for")] = ""
+    role: Annotated[str, Parameter("what it is to the checks of a code")] = ""
 
-    def __post_init__(self) -> None:
+    def check_relations(self) -> None:
+        """Refuse a role that no code knows."""
         if self.role and self.role not in ROLES:
             msg = f"The role of {self.name} must be one of {', '.join(ROLES)}, not {self.role!r}."
             raise InputError(msg)
-        if self.pause is not None:
-            finite(self.pause, "pause before a test", "s")
-            if not 0.0 <= self.pause <= _LONGEST_PAUSE:
-                msg = f"The pause before {self.name} must be from 0 to {_LONGEST_PAUSE:g} s, not {self.pause!r}."
-                raise InputError(msg)
-
-    def _repr_html_(self) -> str:
-        return fields_card(self, f"Test {self.name}")
 
 
-@dataclass(frozen=True)
-class Program:
+@declared
+class Program(Declared):
     """Tests in their order.
 
     Parameters
     ----------
-    name
-        What to call it.
     tests
         At least one.
-    source
-        Where it comes from, in words.
-    citation
-        Key of the source in the bibliography; empty for a user's own.
-    code
-        Name of the code whose checks the tests are to pass; empty for none.
     """
 
-    name: str
-    tests: tuple[RigTest, ...]
-    source: str = ""
-    citation: str = ""
-    code: str = ""
+    noun = "a test program"
 
-    def __post_init__(self) -> None:
+    name: Annotated[str, Parameter("what to call it")]
+    tests: tuple[RigTest, ...]
+    source: Annotated[str, Parameter("where it comes from")] = ""
+    citation: Annotated[str, Parameter("key of the source in the bibliography")] = ""
+    code: Annotated[str, Parameter("code whose checks the tests are to pass")] = ""
+
+    def check_relations(self) -> None:
+        """Refuse a program without a test, and two tests of one name."""
         if not self.tests:
             msg = f"{self.name}: a test program needs at least one test."
             raise InputError(msg)
@@ -233,3 +236,201 @@ def check_stroke(test: RigTest, bearing: Bearing) -> None:
             f" {bearing.effective_radius:g} mm; look at the unit of the displacement."
         )
         raise InputError(msg)
+
+
+# Programs by name and from files.
+
+
+#: Codes whose prototype tests can be made and judged, by name.
+PROTOTYPE_TESTS: "Registry[PrototypeTests]" = Registry("code with prototype tests")
+#: Programs that come with the package.
+NAMED = {"dependency": "li_2020_dependency.toml", "asce": "li_2020_asce.toml"}
+#: Part of the samples of a measured displacement that may be turns [-].
+_MOST_TURNS = 0.1
+_WAVES: dict[str, type[Sine] | type[Triangle]] = {"sine": Sine, "triangle": Triangle}
+_PERIOD = Parameter("period", SECOND, 0.0, above=True)
+_TIME = Parameter("time of a vertical load", SECOND)
+#: Ways to give the vertical load.
+_LOADS = {
+    "pressure": Parameter("pressure on the slider", N_PER_MM2),
+    "load": Parameter("vertical force", KN),
+    "load_points": Parameter("times and vertical forces", KN),
+}
+#: What a test may have in a file.
+_KEYS = (*parameters(RigTest), "waveform", "file", *parameters(Sine), "period", *_LOADS)
+
+
+def load_program(name: str | Path) -> Program:
+    """Return a test program.
+
+    Parameters
+    ----------
+    name
+        ``dependency`` or ``asce``, the two of Li et al. (2020); a TOML file; or a CSV file with a measured displacement (and load), which is
+        one test.
+
+    Raises
+    ------
+    InputError
+        If there is no such program, or the file is not one.
+    """
+    key = str(name).strip().lower()
+    if key in NAMED:
+        text = files("dcfp.analysis.rig").joinpath("programs", NAMED[key]).read_text(encoding="utf-8")
+        return parse_program(tomllib.loads(text), key, Path())
+    path = _path(name)
+    if path.suffix.lower() == ".csv":
+        measurement = read_measurement(path)
+        return Program(
+            measurement.name, (measured_test(measurement),), source=f"measured displacement, {path.name}"
+        )
+    if not path.exists():
+        programs = (*NAMED, *PROTOTYPE_TESTS)
+        near = get_close_matches(key, programs, n=1)
+        hint = (
+            f"did you mean {near[0]!r}?"
+            if near
+            else f"the programs are {', '.join(programs)}, or give a .toml or .csv file."
+        )
+        msg = f"{name}: there is no such test program or file; {hint}"
+        raise InputError(msg)
+    content = read_toml(path, "a test program is TOML with [[test]] tables")
+    return parse_program(content, str(path), path.parent)
+
+
+def program_of(program: Program | str | Path) -> Program:
+    """Return a test program, by name or from a file unless it is one; raises as `load_program`."""
+    if isinstance(program, (str, Path)):
+        return load_program(program)
+    refuse_other(program, Program, "program", "a Program, the name of one or a file")
+    return program
+
+
+def _path(name: str | Path) -> Path:
+    """Return the path of that name, if the system can look for it at all."""
+    path = Path(name)
+    try:
+        path.exists()
+    except (OSError, ValueError) as error:
+        msg = f"{str(name)[:60]!r}: this cannot be the name of a file."
+        raise InputError(msg) from error
+    return path
+
+
+def measured_test(measurement: Measurement) -> RigTest:
+    """Return the test that a measurement was: its displacement, and its vertical load where it has one."""
+    load = None
+    if measurement.optional_load is not None:
+        load = VerticalLoad(
+            tuple(measurement.optional_load.tolist()), tuple(measurement.time.tolist()), is_pressure=False
+        )
+    turns = np.count_nonzero(np.diff(np.sign(np.diff(measurement.displacement))))
+    if turns > _MOST_TURNS * measurement.time.size:
+        msg = (
+            f"{measurement.name}: the displacement changes its direction at {100.0 * turns / measurement.time.size:.0f} % of the samples;"
+            " it is too noisy to be driven, smooth it or take fewer samples."
+        )
+        raise InputError(msg)
+    waveform = Recorded(measurement.time, measurement.displacement, measurement.name)
+    return RigTest(measurement.name, waveform, load)
+
+
+def parse_program(content: Mapping[str, Any], where: str, folder: Path) -> Program:
+    """Return the program that a TOML document describes.
+
+    Parameters
+    ----------
+    content
+        Fields of a `Program`, and a list of ``[[test]]`` with those of a `RigTest`, and: ``waveform`` (``sine``, ``triangle`` or ``file``) with the fields
+        of a `Sine`, of which ``period`` [s] may stand for ``peak_velocity``, or a ``file`` (CSV); ``pressure`` [N/mm2], ``load`` [kN] or
+        ``load_points`` (pairs of s and kN), else the bearing's own.
+    where
+        What to call the document in a sentence.
+    folder
+        Which files are relative to.
+
+    Raises
+    ------
+    InputError
+        If a key is not known or missing, or a value is out of range.
+    """
+    rest = {key: value for key, value in content.items() if key != "test"}
+    values = {"name": Path(where).stem} | read_table(Program, rest, where, also=("test",))
+    tables = content.get("test")
+    if not isinstance(tables, list) or not all(isinstance(one, dict) for one in cast("list[Any]", tables)):
+        msg = f"{where}: a test program needs at least one [[test]] table."
+        raise InputError(msg)
+    if values.get("code"):
+        PROTOTYPE_TESTS.find(values["code"], where)
+    tests: list[RigTest] = []
+    for number, table in enumerate(cast("list[dict[str, Any]]", tables), start=1):
+        name = str(table.get("name", f"test {number}"))
+        try:
+            tests.append(_test({"name": name, **table}, folder))
+        except InputError as error:
+            msg = f"{where}, {name}: {error}"
+            raise InputError(msg) from error
+    return build(Program, {**values, "tests": tuple(tests)}, where)
+
+
+def _test(table: dict[str, Any], folder: Path) -> RigTest:
+    for key in table:
+        if key not in _KEYS:
+            raise InputError(unknown(key, _KEYS, "key of a test"))
+    values = read_table(RigTest, {key: table[key] for key in parameters(RigTest) if key in table}, "a test")
+    waveform, load = _waveform(table, folder)
+    return build(RigTest, {**values, "waveform": waveform, "load": _load(table) or load}, "")
+
+
+def _waveform(table: dict[str, Any], folder: Path) -> tuple[Waveform, VerticalLoad | None]:
+    """Return the displacement, and the load that was measured with it."""
+    kind = table.get("waveform", "file" if "file" in table else "sine")
+    given = {key: table[key] for key in (*parameters(Sine), "period") if key in table}
+    if kind == "file":
+        if given:
+            msg = f"a displacement from a file has no {next(iter(given))!r}; leave it out."
+            raise InputError(msg)
+        if "file" not in table:
+            msg = 'the waveform is file, so file = "NAME.csv" must name it.'
+            raise InputError(msg)
+        test = measured_test(read_measurement(folder / str(table["file"])))
+        return test.waveform, test.load
+    if kind not in _WAVES:
+        msg = f"the waveform must be {', '.join(_WAVES)} or file, not {kind!r}."
+        raise InputError(msg)
+    wave, period = _WAVES[kind], given.pop("period", None)
+    values = read_table(wave, given, wave.noun)
+    for one in parameters(wave).values():
+        if one.default is None and one.name not in (*values, "peak_velocity"):
+            msg = f"{one.key} is missing; it must be {one.rule()}."
+            raise InputError(msg)
+    if ("peak_velocity" in values) == (period is not None):
+        msg = "give either peak_velocity [mm/s] or period [s]."
+        raise InputError(msg)
+    if period is not None:
+        values["peak_velocity"] = wave.way * values["amplitude"] / _PERIOD.read(period, "period")
+    return build(wave, values, ""), None
+
+
+def _load(table: dict[str, Any]) -> VerticalLoad | None:
+    given = [key for key in _LOADS if key in table]
+    if len(given) > 1:
+        msg = f"give one of {', '.join(_LOADS)}, not {' and '.join(given)}."
+        raise InputError(msg)
+    if not given:
+        return None
+    (key,) = given
+    if key != "load_points":
+        return VerticalLoad((_LOADS[key].read(table[key], key),), is_pressure=key == "pressure")
+    points = table[key]
+    if not isinstance(points, list) or not all(
+        isinstance(one, list) and len(cast("list[Any]", one)) == 2 for one in cast("list[Any]", points)
+    ):
+        msg = "load_points must be a list of pairs of time [s] and load [kN], such as [[0, 7540], [5, 9000]]."
+        raise InputError(msg)
+    times, forces = zip(*cast("list[list[Any]]", points), strict=True)
+    return VerticalLoad(
+        tuple(_LOADS[key].read(one, key) for one in forces),
+        tuple(_TIME.read(one, key) for one in times),
+        is_pressure=False,
+    )

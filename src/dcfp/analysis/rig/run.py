@@ -1,7 +1,7 @@
-"""Runs a test program on the virtual machine, with one model or with several side by side."""
+"""Runs a test program on the virtual machine."""
 
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -9,11 +9,9 @@ import numpy as np
 
 from dcfp.analysis.integration import DEFAULT, NOTHING, Integration, Keep
 from dcfp.analysis.rig.loops import Loops
-from dcfp.analysis.rig.program import Program, RigTest, VerticalLoad, check_stroke
-from dcfp.analysis.rig.read import program_of
+from dcfp.analysis.rig.program import Program, RigTest, VerticalLoad, check_stroke, program_of
 from dcfp.analysis.rig.waveform import Travel
 from dcfp.arrays import FloatArray, freeze
-from dcfp.errors import AnalysisError
 from dcfp.kernels import integrate as k
 from dcfp.kernels._jit import Records
 from dcfp.kernels.friction import BearingModel
@@ -208,8 +206,7 @@ class _Machine:
             if status == NO_NUMBER:
                 raise self.friction.no_number(test.name, float(travel.time[first + done]))
             if status != DONE:
-                msg = f"{test.name}: the test makes no progress at {travel.time[first + done]:.4g} s; look at the friction law."
-                raise AnalysisError(msg)
+                raise self.friction.no_progress(test.name, float(travel.time[first + done]))
             if every is not None:
                 line = lines[last]
                 heating = abs(line[k.SLIP_SIGN] * line[k.FRICTION] * line[k.VELOCITY]) * line[k.LOAD]
@@ -226,9 +223,6 @@ def _load_kernels() -> None:
     machine.pause(heat_of(machine.plates, machine.system), 1e-3)
 
 
-# The same tests with several models, side by side.
-
-
 def paper_models(system: System) -> dict[str, System]:
     """Return the three models that Li et al. (2020), section 4, compare, by a short name.
 
@@ -241,18 +235,4 @@ def paper_models(system: System) -> dict[str, System]:
         "precise": System(system.bearing, system.friction, precise),
         "simplified": System(system.bearing, system.friction, SimplifiedHeating(**plates)),
         "constant": System(system.bearing, ConstantFriction(), NoHeating(**plates)),
-    }
-
-
-def run_models(
-    program: Program,
-    models: Mapping[str, System],
-    *,
-    tolerance: float = DEFAULT.tolerance,
-    report: Callable[[], None] | None = None,
-) -> dict[str, tuple[Loops, ...]]:
-    """Run a program with every model; return the tests by the name of the model. Arguments as in `run_program`."""
-    return {
-        name: run_program(program, system, tolerance=tolerance, report=report)
-        for name, system in models.items()
     }

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import ClassVar, Literal, TypeAlias
+from typing import Annotated, ClassVar, TypeAlias
 
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline, PchipInterpolator
@@ -11,7 +11,8 @@ from scipy.interpolate import CubicHermiteSpline, PchipInterpolator
 from dcfp.analysis.rig.measures import CROSSING
 from dcfp.arrays import FloatArray, equally_spaced
 from dcfp.errors import InputError
-from dcfp.schema.checks import positive
+from dcfp.schema.parameters import Declared, Parameter, declared
+from dcfp.schema.units import MM, MM_PER_S, NONE
 
 #: Pieces in a cycle of a generated motion; the cubic is then within 2e-10 of the amplitude of a sine.
 PIECES_PER_CYCLE = 400
@@ -20,8 +21,8 @@ _SLIVER = 0.05
 #: Range of a cycle over that of the largest from which on it is not one of a ramp [-].
 _FULL_CYCLE = 0.9
 
-Start: TypeAlias = Literal["speed", "peak", "ramp"]
-STARTS: tuple[Start, ...] = ("speed", "peak", "ramp")
+#: How a sine can start.
+STARTS = ("speed", "peak", "ramp")
 
 
 @dataclass(frozen=True)
@@ -55,19 +56,13 @@ class Travel:
         apart = (inside - ends[piece] > _SLIVER * self.lengths[piece]) & (
             ends[piece + 1] - inside > _SLIVER * self.lengths[piece]
         )
-        if not apart.any():
-            return self
-        inside, piece = inside[apart], piece[apart]
-        origin = np.concatenate((np.arange(self.lengths.size), piece))
-        start = np.concatenate((ends[:-1], inside))
-        order = np.argsort(start, kind="stable")
-        origin, start = origin[order], start[order]
-        moved = _moved(self.pieces[origin], start - ends[:-1][origin])
+        start = np.sort(np.concatenate((ends[:-1], inside[apart])))
+        origin = np.searchsorted(ends, start, side="right") - 1
+        moved = _moved(self.pieces[origin], start - ends[origin])
         lengths = np.diff(np.append(start, ends[-1]))
-        whole = np.isin(np.arange(self.lengths.size), piece, invert=True)[origin]
-        lengths[whole] = self.lengths[
-            origin[whole]
-        ]  # to the last digit, for the kernels prepare a length once
+        # to the last digit, for the kernels prepare a length once
+        whole = np.bincount(origin)[origin] == 1
+        lengths[whole] = self.lengths[origin[whole]]
         return Travel(lengths, moved, self.cycles)
 
     @property
@@ -77,18 +72,36 @@ class Travel:
         return float(max(np.abs(self.pieces[:, 0]).max(), abs(last)))
 
 
-@dataclass(frozen=True)
-class Sine:
+@declared
+class Wave(Declared):
+    """Cycles that are alike: what a sine and a triangle have in common."""
+
+    kind: ClassVar[str]
+    #: Travel over the period times the largest velocity.
+    way: ClassVar[float]
+
+    amplitude: Annotated[float, Parameter("amplitude of the displacement", MM, 0.0, above=True)]
+    peak_velocity: Annotated[float, Parameter("largest velocity", MM_PER_S, 0.0, above=True)]
+    cycles: Annotated[float, Parameter("number of full cycles that count", NONE, 1.0, 10_000.0)]
+
+    def check_relations(self) -> None:
+        """Refuse parts of a cycle other than quarters."""
+        _check_quarters(self.cycles)
+
+    @property
+    def period(self) -> float:
+        """Period [s]."""
+        return self.way * self.amplitude / self.peak_velocity
+
+
+@declared
+class Sine(Wave):
     """A sine wave.
 
     Parameters
     ----------
-    amplitude
-        [mm].
     peak_velocity
         Largest velocity [mm/s]; the period is 2 pi amplitude / peak_velocity.
-    cycles
-        Full cycles that count.
     start
         ``"speed"``: from zero displacement at full velocity, as if the machine had been moving; ``"peak"``: from rest at the
         amplitude; ``"ramp"``: from rest at zero, with cycles that grow before those that count and shrink after them.
@@ -96,26 +109,19 @@ class Sine:
         Number of cycles in which the amplitude grows, and in which it shrinks, for a start by ramp.
     """
 
-    amplitude: float
-    peak_velocity: float
-    cycles: float
-    start: Start = "speed"
-    ramp_cycles: float = 1.0
+    noun = "a sine"
     kind: ClassVar[str] = "sine"
+    way: ClassVar[float] = 2.0 * math.pi
 
-    def __post_init__(self) -> None:
-        positive(self.amplitude, "amplitude", "mm")
-        positive(self.peak_velocity, "peak velocity", "mm/s")
-        _whole(self.cycles)
-        if self.start not in STARTS:
-            msg = f"A sine can start at {', '.join(STARTS)}, not {self.start!r}."
-            raise InputError(msg)
-        _countable(self.ramp_cycles, "number of cycles of a ramp")
+    start: Annotated[str, Parameter("how the test starts", choices=STARTS)] = "speed"
+    ramp_cycles: Annotated[
+        float, Parameter("number of cycles of a ramp", NONE, 0.0, 10_000.0, above=True)
+    ] = 1.0
 
-    @property
-    def period(self) -> float:
-        """Period [s]."""
-        return 2.0 * math.pi * self.amplitude / self.peak_velocity
+    def check_relations(self) -> None:
+        """Refuse parts of a cycle other than quarters."""
+        super().check_relations()
+        _check_quarters(self.ramp_cycles)
 
     def travel(self) -> Travel:
         """Return the displacement."""
@@ -147,39 +153,13 @@ def _ramped(phase: FloatArray, ramp: float, last: float) -> tuple[FloatArray, Fl
     return envelope * np.sin(own), envelope * np.cos(own) + change * np.sin(own)
 
 
-@dataclass(frozen=True)
-class Triangle:
-    """A displacement at constant speed to and fro, from zero.
+@declared
+class Triangle(Wave):
+    """A displacement at constant speed to and fro, from zero; parameters as of a `Wave`."""
 
-    Parameters
-    ----------
-    amplitude
-        [mm].
-    speed
-        [mm/s].
-    cycles
-        Full cycles.
-    """
-
-    amplitude: float
-    speed: float
-    cycles: float
+    noun = "a triangle"
     kind: ClassVar[str] = "triangle"
-
-    def __post_init__(self) -> None:
-        positive(self.amplitude, "amplitude", "mm")
-        positive(self.speed, "speed", "mm/s")
-        _whole(self.cycles)
-
-    @property
-    def period(self) -> float:
-        """Period [s]."""
-        return 4.0 * self.amplitude / self.speed
-
-    @property
-    def peak_velocity(self) -> float:
-        """Largest velocity [mm/s]."""
-        return self.speed
+    way: ClassVar[float] = 4.0
 
     def travel(self) -> Travel:
         """Return the displacement."""
@@ -322,15 +302,7 @@ def _rows(coefficients: FloatArray) -> FloatArray:
     return np.ascontiguousarray(coefficients[::-1].T)
 
 
-def _whole(cycles: float) -> None:
-    _countable(cycles, "number of cycles")
-    if cycles < 1.0:
-        msg = f"A test needs at least one full cycle, not {cycles!r}."
-        raise InputError(msg)
-
-
-def _countable(value: float, name: str) -> None:
-    positive(value, name, "cycles")
-    if value > 10_000.0 or abs(4.0 * value - round(4.0 * value)) > 1e-9:
-        msg = f"The {name} must be a number of whole quarters up to 10000, not {value!r}."
+def _check_quarters(cycles: float) -> None:
+    if abs(4.0 * cycles - round(4.0 * cycles)) > 1e-9:
+        msg = f"The number of cycles must be one of whole quarters, not {cycles!r}."
         raise InputError(msg)

@@ -9,13 +9,13 @@ from dcfp.analysis.integration import DEFAULT, NOTHING, PLATES
 from dcfp.analysis.rig import Loops, Measurement, Program, load_program, read_measurement, run_program
 from dcfp.analysis.rig.codes import (
     CRITERIA,
+    FACTORS,
+    PROTOTYPE_TESTS,
     PrototypeDesign,
     judge_tests,
     property_factors,
     prototype_program,
-    prototype_programs,
 )
-from dcfp.analysis.rig.codes.prototype import FACTORS
 from dcfp.analysis.rig.loops import (
     CYCLES,
     ToldCycle,
@@ -23,7 +23,7 @@ from dcfp.analysis.rig.loops import (
     cycles_of_measurement,
     cycles_of_tests,
 )
-from dcfp.analysis.rig.run import paper_models, run_models
+from dcfp.analysis.rig.run import paper_models
 from dcfp.doors.cli import inputs
 from dcfp.doors.cli.commands import DESIGN
 from dcfp.doors.cli.console import Block, Page, grid, grouped, progress
@@ -74,14 +74,14 @@ def run(chosen: argparse.Namespace) -> Answer:
 def _program(chosen: argparse.Namespace, system: System) -> Program:
     name = chosen.program.strip().lower()
     design = {one.key: value for one in DESIGN if (value := getattr(chosen, one.key)) is not None}
-    if name in prototype_programs():
+    if name in PROTOTYPE_TESTS:
         if chosen.displacement is None or chosen.period is None:
             msg = f"{name} needs --displacement and --period of the design."
             raise InputError(msg)
         program = prototype_program(name, PrototypeDesign(pressure=system.bearing.pressure, **design))
     else:
         for key in design:
-            msg = f"--{key.replace('_', '-')} is for {' and '.join(prototype_programs())}; the tests of {chosen.program} have their own."
+            msg = f"--{key.replace('_', '-')} is for {' and '.join(PROTOTYPE_TESTS)}; the tests of {chosen.program} have their own."
             raise InputError(msg)
         program = load_program(chosen.program)
         if chosen.pressure is not None and all(test.load is not None for test in program.tests):
@@ -122,7 +122,10 @@ def _run(program: Program, system: System, chosen: argparse.Namespace) -> Runs:
     models = paper_models(system) if chosen.compare else {}
     with progress("tests", len(program.tests) * max(len(models), 1)) as advance:
         if models:
-            return run_models(program, models, tolerance=finely, report=advance)
+            return {
+                name: run_program(program, model, tolerance=finely, report=advance)
+                for name, model in models.items()
+            }
         wanted = str(chosen.out or "").lower().endswith(".nc") or chosen.plot is not None
         keep = PLATES if wanted and len(program.tests) == 1 else NOTHING
         loops = run_program(program, system, tolerance=finely, keep=keep, report=advance)

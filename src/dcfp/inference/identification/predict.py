@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from dcfp.analysis.rig import Cycle, Program, Recorded, RigTest, VerticalLoad, run_program
-from dcfp.analysis.rig.measures import measured_cycles
+from dcfp.analysis.rig.measures import ForceHistory, measured_cycles
 from dcfp.arrays import FloatArray
 from dcfp.inference.identification.friction_history import FrictionHistory
 from dcfp.schema.notebook import card, told
@@ -32,17 +32,6 @@ COMPARED = [
         get="friction",
     ),
 ]
-
-
-@dataclass(frozen=True, eq=False)
-class _PredictedHistory:
-    """The motion and the load that were measured, and the force by the law."""
-
-    time: FloatArray
-    displacement: FloatArray
-    force: FloatArray
-    load: FloatArray
-    cycle_times: FloatArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -161,6 +150,6 @@ def predict(history: FrictionHistory, system: System) -> Prediction:
         force=loops.force,
         friction=loops.friction,
         temperature=loops.temperature,
-        measured=measured_cycles(_PredictedHistory(*motion, measurement.force, history.load, bounds)),
-        predicted=measured_cycles(_PredictedHistory(*motion, loops.force, history.load, bounds)),
+        measured=measured_cycles(ForceHistory(*motion, measurement.force, history.load, bounds)),
+        predicted=measured_cycles(ForceHistory(*motion, loops.force, history.load, bounds)),
     )

@@ -4,9 +4,8 @@ from typing import Annotated, ClassVar
 
 from dcfp.kernels.law import Law, exponential_law
 from dcfp.schema.formulas import Formula
-from dcfp.schema.parameters import Parameter, declared
-from dcfp.schema.units import FRACTION
-from dcfp.system.friction.law import FrictionLaw, coefficient_formula
+from dcfp.schema.parameters import declared
+from dcfp.system.friction.law import FrictionLaw, coefficient_formula, coefficient_parameter
 
 #: Nominal coefficient mu_n [-], Li et al. (2020), section 4.4: mean of the tests at zero displacement
 #: in the second cycle of dependency test T01.
@@ -28,15 +27,7 @@ class ConstantFriction(FrictionLaw):
     citation: ClassVar[str] = "li_2020"
     reference_parameter: ClassVar[str] = "mu"
 
-    mu: Annotated[
-        float,
-        Parameter("coefficient of friction", FRACTION, 0.0, 0.9999, symbol=r"\mu", above=True, step=0.005),
-    ] = NOMINAL_COEFFICIENT
-
-    @property
-    def reference(self) -> float:
-        """Coefficient of friction [-]."""
-        return self.mu
+    mu: Annotated[float, coefficient_parameter("coefficient of friction", r"\mu")] = NOMINAL_COEFFICIENT
 
     def at_pressure(self, pressure: float) -> Law:
         """Return the constants for the kernels."""

@@ -11,9 +11,9 @@ from dcfp.errors import InputError
 from dcfp.kernels.law import Law, exponential_law
 from dcfp.schema.formulas import Expression, Formula, number
 from dcfp.schema.parameters import Parameter, declared
-from dcfp.schema.units import FRACTION, S_PER_MM
+from dcfp.schema.units import S_PER_MM
 from dcfp.system.friction import li_2020
-from dcfp.system.friction.law import FrictionLaw, coefficient_formula
+from dcfp.system.friction.law import FrictionLaw, coefficient_formula, coefficient_parameter
 
 
 @declared
@@ -24,10 +24,6 @@ class Constantinou1990(FrictionLaw):
 
     Parameters
     ----------
-    fast
-        Coefficient at high speed, f_max [-].
-    slow
-        Coefficient at zero speed, f_min [-].
     rate
         a [s/mm], for the speed of the slider on a plate.
 
@@ -44,30 +40,12 @@ class Constantinou1990(FrictionLaw):
     reference_parameter: ClassVar[str] = "fast"
     speed_is_of_surface: ClassVar[bool] = True
 
-    fast: Annotated[
-        float,
-        Parameter(
-            "coefficient of friction at high speed",
-            FRACTION,
-            0.0,
-            0.9999,
-            symbol=r"f_{\max}",
-            above=True,
-            step=0.005,
-        ),
-    ] = li_2020.MU_0
-    slow: Annotated[
-        float,
-        Parameter(
-            "coefficient of friction at zero speed",
-            FRACTION,
-            0.0,
-            0.9999,
-            symbol=r"f_{\min}",
-            above=True,
-            step=0.005,
-        ),
-    ] = 0.45 * li_2020.MU_0
+    fast: Annotated[float, coefficient_parameter("coefficient of friction at high speed", r"f_{\max}")] = (
+        li_2020.MU_0
+    )
+    slow: Annotated[float, coefficient_parameter("coefficient of friction at zero speed", r"f_{\min}")] = (
+        0.45 * li_2020.MU_0
+    )
     rate: Annotated[
         float,
         Parameter("rate of the velocity factor", S_PER_MM, 0.0, 10.0, symbol="a", above=True, step=0.005),
@@ -78,11 +56,6 @@ class Constantinou1990(FrictionLaw):
         if self.slow > self.fast:
             msg = f"The slow coefficient of friction, {self.slow!r}, must not exceed the fast one, {self.fast!r}."
             raise InputError(msg)
-
-    @property
-    def reference(self) -> float:
-        """Coefficient at high speed [-]."""
-        return self.fast
 
     def with_reference(self, coefficient: float) -> Self:
         """Return the law with another coefficient at high speed [-], and that at zero speed in proportion."""

@@ -4,16 +4,15 @@ import math
 from typing import Annotated, ClassVar
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.kernels.law import Law, exponential_law
 from dcfp.schema.formulas import Expression, number
 from dcfp.schema.parameters import Parameter, declared
-from dcfp.schema.units import DEGC, FRACTION, MM_PER_S, N_PER_MM2, NONE, PER_DEGC, S_PER_MM
+from dcfp.schema.units import DEGC, MM_PER_S, N_PER_MM2, NONE, PER_DEGC, S_PER_MM
 from dcfp.system.friction import li_2020
-from dcfp.system.friction.law import Factor, FrictionLaw, Tested
+from dcfp.system.friction.law import Factor, FrictionLaw, Tested, coefficient_parameter
 
 #: Temperature at which Eq. (9) of Li et al. (2020) is one [degC].
 REFERENCE_TEMPERATURE = math.log(li_2020.BETA_SCALE) / li_2020.BETA_RATE
@@ -29,26 +28,8 @@ class FittedFriction(FrictionLaw):
 
     Parameters
     ----------
-    mu_0
-        Coefficient at the reference pressure and temperature and at high speed [-].
-    pressure_exponent
-        n [-].
-    pressure_floor
-        c, the part of the coefficient that no pressure takes away [-].
-    reference_pressure
-        p_ref [N/mm2].
-    speed_drop
-        a, the part of the coefficient that is missing at zero speed [-].
     speed_rate
         b [s/mm], for the relative speed of the plates.
-    temperature_rate
-        r [1/degC].
-    reference_temperature
-        T_ref [degC].
-    tested_pressure, tested_speed
-        Smallest and largest pressure [N/mm2] and relative speed [mm/s] of the tests that the constants rest on; None where they are not known.
-    tested_ambient
-        Temperature of the bearing before these tests [degC].
 
     Notes
     -----
@@ -63,15 +44,7 @@ class FittedFriction(FrictionLaw):
 
     mu_0: Annotated[
         float,
-        Parameter(
-            "coefficient at the reference pressure and temperature and at high speed",
-            FRACTION,
-            0.0,
-            0.9999,
-            symbol=r"\mu_0",
-            above=True,
-            step=0.005,
-        ),
+        coefficient_parameter("coefficient at the reference pressure and temperature and at high speed"),
     ] = li_2020.MU_0
     pressure_exponent: Annotated[
         float, Parameter("exponent of the pressure", NONE, 0.0, 5.0, symbol="n", step=0.01)
@@ -129,25 +102,6 @@ class FittedFriction(FrictionLaw):
             self.tested_pressure, self.tested_speed, "the tests it was fitted to", self.tested_ambient
         )
 
-    @property
-    def reference(self) -> float:
-        """Coefficient mu_0 [-]."""
-        return self.mu_0
-
-    def pressure_factor(self, pressure: ArrayLike) -> FloatArray:
-        """Factor gamma [-]."""
-        ratio = np.asarray(pressure, dtype=np.float64) / self.reference_pressure
-        return np.asarray((1.0 - self.pressure_floor) * ratio**-self.pressure_exponent + self.pressure_floor)
-
-    def velocity_factor(self, speed: ArrayLike) -> FloatArray:
-        """Factor alpha [-]."""
-        return np.asarray(1.0 - self.speed_drop * np.exp(-self.speed_rate * np.abs(speed)))
-
-    def temperature_factor(self, temperature: ArrayLike) -> FloatArray:
-        """Factor beta [-]."""
-        rise = np.asarray(temperature, dtype=np.float64) - self.reference_temperature
-        return np.asarray(np.exp(-self.temperature_rate * rise))
-
     def at_pressure(self, pressure: float) -> Law:
         """Return the constants for the kernels at a pressure [N/mm2]."""
         return exponential_law(
@@ -171,8 +125,21 @@ class FittedFriction(FrictionLaw):
             "r": ("r", f"{self.temperature_rate:g}"),
             "ref": ('T_"ref"', number(self.reference_temperature, 2)),
         }
+        gamma = Expression("(1 - {c}) ({x} / {ref})^(-{n}) + {c}", "p", of_pressure)
+        alpha = Expression("1 - {a} exp(-{b}{dot}{x})", "v", of_speed)
+        beta = Expression("exp(-{r} ({x} - {ref}))", "T", of_temperature)
         return (
-            Factor("pressure", "gamma", Expression("(1 - {c}) ({x} / {ref})^(-{n}) + {c}", "p", of_pressure)),
-            Factor("speed", "alpha", Expression("1 - {a} exp(-{b}{dot}{x})", "v", of_speed)),
-            Factor("temperature", "beta", Expression("exp(-{r} ({x} - {ref}))", "T", of_temperature)),
+            Factor("pressure", "gamma", gamma, self._of_pressure),
+            Factor("speed", "alpha", alpha, self._of_speed),
+            Factor("temperature", "beta", beta, self._of_temperature),
         )
+
+    def _of_pressure(self, pressure: FloatArray) -> FloatArray:
+        ratio = pressure / self.reference_pressure
+        return (1.0 - self.pressure_floor) * ratio**-self.pressure_exponent + self.pressure_floor
+
+    def _of_speed(self, speed: FloatArray) -> FloatArray:
+        return 1.0 - self.speed_drop * np.exp(-self.speed_rate * np.abs(speed))
+
+    def _of_temperature(self, temperature: FloatArray) -> FloatArray:
+        return np.exp(-self.temperature_rate * (temperature - self.reference_temperature))

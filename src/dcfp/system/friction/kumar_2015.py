@@ -1,7 +1,11 @@
-"""Friction that depends on pressure, velocity and temperature: Kumar, Whittaker and Constantinou (2015)."""
+"""Friction that depends on pressure, velocity and temperature: Kumar, Whittaker and Constantinou (2015).
+
+With two more falls with temperature: Kim and Constantinou (2023).
+"""
 
 import math
 from dataclasses import dataclass
+from itertools import compress
 from typing import Annotated, ClassVar
 
 import numpy as np
@@ -11,9 +15,16 @@ from dcfp.arrays import FloatArray
 from dcfp.kernels.law import Law, exponential_law
 from dcfp.schema.formulas import Expression
 from dcfp.schema.parameters import Parameter, declared
-from dcfp.schema.units import FRACTION, N_PER_MM2
+from dcfp.schema.units import N_PER_MM2
 from dcfp.system.friction import li_2020
-from dcfp.system.friction.law import Factor, FrictionLaw
+from dcfp.system.friction.law import (
+    Factor,
+    FrictionLaw,
+    OfPressure,
+    OfTemperature,
+    OfVelocity,
+    coefficient_parameter,
+)
 
 #: Part of the coefficient that is missing at zero speed [-], and rate of the velocity factor [s/mm]: 100 s/m.
 VELOCITY_DROP, VELOCITY_RATE = 0.5, 0.1
@@ -52,35 +63,12 @@ class TemperatureLaw:
         return np.asarray(self.scale * np.power(BASE, exponent) + self.floor)
 
 
-def pressure_factor(pressure: ArrayLike, reference_pressure: float) -> FloatArray:
-    r"""Pressure factor [-] at a pressure [N/mm2].
-
-    .. math:: k_p = 0.7^{0.02 (p - p_0)}
-    """
-    excess = np.asarray(pressure, dtype=np.float64) - reference_pressure
-    return np.asarray(np.power(BASE, PRESSURE_RATE * excess))
-
-
-def velocity_factor(speed: ArrayLike) -> FloatArray:
-    r"""Velocity factor [-] at a speed of the slider on a plate [mm/s].
-
-    .. math:: k_v = 1 - 0.5\,e^{-a |v|}, \quad a = 100\ \mathrm{s/m}
-    """
-    return np.asarray(1.0 - VELOCITY_DROP * np.exp(-VELOCITY_RATE * np.abs(speed)))
-
-
 @declared
 class Kumar2015(FrictionLaw):
     r"""Law of Kumar et al. (2015), :math:`\mu = \mu_{ref} k_p k_v k_T`.
 
-    Parameters
-    ----------
-    mu_reference
-        Coefficient at the reference pressure, at high speed and 20 degC [-].
-    reference_pressure
-        p_0 [N/mm2].
-    pressure_dependent, velocity_dependent, temperature_dependent
-        Whether a factor is used; one that is not is replaced by one.
+    .. math:: k_p = 0.7^{0.02 (p - p_0)}, \quad
+              k_v = 1 - 0.5\,e^{-a |v|} \ \text{with}\ a = 100\ \mathrm{s/m}
 
     Notes
     -----
@@ -99,49 +87,16 @@ class Kumar2015(FrictionLaw):
 
     mu_reference: Annotated[
         float,
-        Parameter(
-            "coefficient at the reference pressure, at high speed and 20 degC",
-            FRACTION,
-            0.0,
-            0.9999,
-            symbol=r"\mu_{\mathrm{ref}}",
-            above=True,
-            step=0.005,
+        coefficient_parameter(
+            "coefficient at the reference pressure, at high speed and 20 degC", r"\mu_{\mathrm{ref}}"
         ),
     ] = li_2020.MU_0
     reference_pressure: Annotated[
         float, Parameter("reference pressure", N_PER_MM2, 0.1, 1000.0, symbol="p_0", step=1.0)
     ] = 60.0
-    pressure_dependent: Annotated[
-        bool, Parameter("whether the coefficient depends on pressure", vary=False)
-    ] = True
-    velocity_dependent: Annotated[
-        bool, Parameter("whether the coefficient depends on velocity", vary=False)
-    ] = True
-    temperature_dependent: Annotated[
-        bool, Parameter("whether the coefficient depends on temperature", vary=False)
-    ] = True
-
-    @property
-    def reference(self) -> float:
-        """Reference coefficient [-]."""
-        return self.mu_reference
-
-    def pressure_factor(self, pressure: ArrayLike) -> FloatArray:
-        """Factor k_p [-], or one."""
-        if self.pressure_dependent:
-            return pressure_factor(pressure, self.reference_pressure)
-        return np.ones_like(pressure, np.float64)
-
-    def velocity_factor(self, speed: ArrayLike) -> FloatArray:
-        """Factor k_v [-], or one."""
-        return velocity_factor(speed) if self.velocity_dependent else np.ones_like(speed, np.float64)
-
-    def temperature_factor(self, temperature: ArrayLike) -> FloatArray:
-        """Factor k_T [-], or one."""
-        if self.temperature_dependent:
-            return self.temperature_law.factor(temperature)
-        return np.ones_like(temperature, np.float64)
+    pressure_dependent: OfPressure = True
+    velocity_dependent: OfVelocity = True
+    temperature_dependent: OfTemperature = True
 
     def at_pressure(self, pressure: float) -> Law:
         """Return the constants for the kernels at a pressure [N/mm2]."""
@@ -162,8 +117,37 @@ class Kumar2015(FrictionLaw):
         of_speed = Expression(f"1 - {VELOCITY_DROP:g} exp(-{VELOCITY_RATE:g}{{dot}}{{x}})", "v")
         power = f"{BASE:g}^({heat.power:g}{{dot}}{{x}})"
         of_temperature = Expression(f"{heat.scale:g} times {power} + {heat.floor:g}", "T")
-        return (
-            *((Factor("pressure", "k_p", of_pressure),) if self.pressure_dependent else ()),
-            *((Factor("speed", "k_v", of_speed),) if self.velocity_dependent else ()),
-            *((Factor("temperature", "k_T", of_temperature),) if self.temperature_dependent else ()),
+        factors = (
+            Factor("pressure", "k_p", of_pressure, self._of_pressure),
+            Factor("speed", "k_v", of_speed, _of_speed),
+            Factor("temperature", "k_T", of_temperature, heat.factor),
         )
+        used = (self.pressure_dependent, self.velocity_dependent, self.temperature_dependent)
+        return tuple(compress(factors, used))
+
+    def _of_pressure(self, pressure: FloatArray) -> FloatArray:
+        return np.power(BASE, PRESSURE_RATE * (pressure - self.reference_pressure))
+
+
+def _of_speed(speed: FloatArray) -> FloatArray:
+    return 1.0 - VELOCITY_DROP * np.exp(-VELOCITY_RATE * np.abs(speed))
+
+
+@declared
+class KimConstantinou2023Third(Kumar2015):
+    """The law of Kumar et al. (2015) with a temperature factor that leaves one third at 200 degC."""
+
+    temperature_law: ClassVar[TemperatureLaw] = TemperatureLaw(0.9696, 0.0289, 0.2099)
+    name: ClassVar[str] = "kim2023-third"
+    words: ClassVar[str] = "Kim and Constantinou (2023), a third at 200 °C"
+    citation: ClassVar[str] = "kim_constantinou_2022"
+
+
+@declared
+class KimConstantinou2023TwoThirds(Kumar2015):
+    """The law of Kumar et al. (2015) with a temperature factor that leaves two thirds at 200 degC."""
+
+    temperature_law: ClassVar[TemperatureLaw] = TemperatureLaw(0.8383, 0.00851, 0.2099)
+    name: ClassVar[str] = "kim2023-two-thirds"
+    words: ClassVar[str] = "Kim and Constantinou (2023), two thirds at 200 °C"
+    citation: ClassVar[str] = "kim_constantinou_2022"

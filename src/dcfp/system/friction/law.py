@@ -1,8 +1,9 @@
 """What a friction law is."""
 
 from abc import ABC, abstractmethod
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar, Self
+from typing import Annotated, Any, ClassVar, Self, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,9 +12,9 @@ from dcfp.arrays import FloatArray
 from dcfp.errors import AnalysisError, InputError
 from dcfp.kernels.law import Law
 from dcfp.schema.formulas import Expression, Formula, number
-from dcfp.schema.notebook import fields_card
-from dcfp.schema.parameters import Declared
+from dcfp.schema.parameters import Declared, Parameter
 from dcfp.schema.registry import Registry
+from dcfp.schema.units import FRACTION
 
 
 @dataclass(frozen=True)
@@ -40,7 +41,7 @@ class Tested:
 
 @dataclass(frozen=True)
 class Factor:
-    """A factor of a law, as a report works it out.
+    """A factor of a law, as it is calculated and as a report works it out.
 
     Attributes
     ----------
@@ -50,6 +51,8 @@ class Factor:
         Of the factor, in the mathematics of `dcfp.schema.formulas`.
     expression
         What it is.
+    function
+        The same as a function of an array [N/mm2, mm/s, degC or N/s].
     equation
         Number of the equation in the source, as it stands behind it.
     """
@@ -57,11 +60,22 @@ class Factor:
     of: str
     symbol: str
     expression: Expression
+    function: Callable[[FloatArray], FloatArray]
     equation: str = ""
 
 
-#: Methods of a law that give its factors.
-_VALUES = {"pressure": "pressure_factor", "speed": "velocity_factor", "temperature": "temperature_factor"}
+def coefficient_parameter(words: str, symbol: str = r"\mu_0") -> Parameter:
+    """Declare a coefficient of friction."""
+    return Parameter(words, FRACTION, 0.0, 0.9999, symbol=symbol, above=True, step=0.005)
+
+
+#: Switches of laws whose factors can be left out.
+OfPressure: TypeAlias = Annotated[bool, Parameter("whether the coefficient depends on pressure", vary=False)]
+OfVelocity: TypeAlias = Annotated[bool, Parameter("whether the coefficient depends on velocity", vary=False)]
+OfTemperature: TypeAlias = Annotated[
+    bool, Parameter("whether the coefficient depends on temperature", vary=False)
+]
+
 #: Decimals of a factor or coefficient that is worked out.
 DECIMALS = 4
 
@@ -124,6 +138,11 @@ class FrictionLaw(Declared, ABC):
         msg = f"{where}: no finite number; look at the friction law {self.title}, which may raise there or return nan or infinity."
         return AnalysisError(msg)
 
+    def no_progress(self, what: str, time: float) -> AnalysisError:
+        """Return the error of an analysis whose steps have become too short at a `time` [s]."""
+        msg = f"{what}: the analysis makes no progress at {time:.4g} s; look at the friction law {self.title}, or try a shorter step."
+        return AnalysisError(msg)
+
     def tests(self) -> Tested | None:
         """Return the tests that the law rests on, where they are known."""
         return self.tested
@@ -131,7 +150,7 @@ class FrictionLaw(Declared, ABC):
     @property
     def reference(self) -> float:
         """Coefficient [-] where every factor is one."""
-        return 1.0
+        return getattr(self, self.reference_parameter) if self.reference_parameter else 1.0
 
     def with_reference(self, coefficient: float) -> Self:
         """Return the same law with another reference coefficient [-].
@@ -148,20 +167,24 @@ class FrictionLaw(Declared, ABC):
         return replace(law, **{self.reference_parameter: coefficient})
 
     def pressure_factor(self, pressure: ArrayLike) -> FloatArray:
-        """Effect of the pressure [N/mm2] on the coefficient [-]; one unless a law says otherwise."""
-        return np.ones_like(pressure, dtype=np.float64)
+        """Effect of the pressure [N/mm2] on the coefficient [-]; one where there is none."""
+        return self._factor("pressure", pressure)
 
     def velocity_factor(self, speed: ArrayLike) -> FloatArray:
-        """Effect of the speed [mm/s] on the coefficient [-]; one unless a law says otherwise."""
-        return np.ones_like(speed, dtype=np.float64)
+        """Effect of the speed [mm/s] on the coefficient [-]; one where there is none."""
+        return self._factor("speed", speed)
 
     def temperature_factor(self, temperature: ArrayLike) -> FloatArray:
-        """Effect of the temperature of the contact [degC] on the coefficient [-]; one unless a law says otherwise."""
-        return np.ones_like(temperature, dtype=np.float64)
+        """Effect of the temperature of the contact [degC] on the coefficient [-]; one where there is none."""
+        return self._factor("temperature", temperature)
 
     def dose_factor(self, dose: ArrayLike) -> FloatArray:
-        """Effect of the dose of rubbing, the integral of p v2 over time [N/s], on the coefficient [-]; one unless a law says otherwise."""
-        return np.ones_like(dose, dtype=np.float64)
+        """Effect of the dose of rubbing, the integral of p v2 over time [N/s], on the coefficient [-]; one where there is none."""
+        return self._factor("dose", dose)
+
+    def _factor(self, of: str, values: ArrayLike) -> FloatArray:
+        functions = {one.of: one.function for one in self.factors()}
+        return np.asarray(functions.get(of, np.ones_like)(np.asarray(values, dtype=np.float64)))
 
     @abstractmethod
     def at_pressure(self, pressure: float) -> Law:
@@ -193,7 +216,7 @@ class FrictionLaw(Declared, ABC):
         )
 
     def factors(self) -> tuple[Factor, ...]:
-        """Return the factors that are used, as a report works them out; none for a law that says no equations."""
+        """Return the factors that are used; none for a law that is no product of factors."""
         return ()
 
     def equations(self) -> tuple[str, ...]:
@@ -216,7 +239,7 @@ class FrictionLaw(Declared, ABC):
         factors, state = self.factors(), {"pressure": pressure, "speed": speed, "temperature": temperature}
         if not factors or any(one.of not in state for one in factors):
             return ()
-        values = [float(getattr(self, _VALUES[one.of])(state[one.of])) for one in factors]
+        values = [float(self._factor(one.of, state[one.of])) for one in factors]
         found = [
             Formula(
                 f"Factor of {one.of}",
@@ -234,8 +257,9 @@ class FrictionLaw(Declared, ABC):
         coefficient = float(self.coefficient(pressure, speed, temperature))
         return (*found, coefficient_formula(symbols, numbers, coefficient, source + self.product_number))
 
-    def _repr_html_(self) -> str:
-        return fields_card(self, f"Friction law {self.name}", remarks=(self.caution,) if self.caution else ())
+    def card_facts(self) -> dict[str, Any]:
+        """Return the caution that must stand beside every result."""
+        return {"caution": self.caution} if self.caution else {}
 
 
 def coefficient_formula(symbols: str, numbers: str, coefficient: float, source: str) -> Formula:

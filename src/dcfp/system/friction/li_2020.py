@@ -1,5 +1,6 @@
 """Friction that depends on pressure, velocity and temperature: Li et al. (2020), section 4.1."""
 
+from itertools import compress
 from typing import Annotated, ClassVar
 
 import numpy as np
@@ -8,9 +9,16 @@ from numpy.typing import ArrayLike
 from dcfp.arrays import FloatArray
 from dcfp.kernels.law import Law, exponential_law
 from dcfp.schema.formulas import Expression
-from dcfp.schema.parameters import Parameter, declared
-from dcfp.schema.units import FRACTION
-from dcfp.system.friction.law import Factor, FrictionLaw, Tested
+from dcfp.schema.parameters import declared
+from dcfp.system.friction.law import (
+    Factor,
+    FrictionLaw,
+    OfPressure,
+    OfTemperature,
+    OfVelocity,
+    Tested,
+    coefficient_parameter,
+)
 
 #: Coefficient at 60 N/mm2, 400 mm/s and about 20 degC [-], section 4.1.
 MU_0 = 0.075
@@ -59,8 +67,6 @@ class Li2020(FrictionLaw):
     ----------
     mu_0
         Coefficient at 60 N/mm2, 400 mm/s and 17.5 degC [-], where each factor is one within 0.05 %.
-    pressure_dependent, velocity_dependent, temperature_dependent
-        Whether a factor is used; one that is not is replaced by one.
 
     Notes
     -----
@@ -79,46 +85,10 @@ class Li2020(FrictionLaw):
     equation_numbers: ClassVar[str] = ", Eqs (7)-(10)"
     product_number: ClassVar[str] = ", Eq. (10)"
 
-    mu_0: Annotated[
-        float,
-        Parameter(
-            "coefficient at 60 N/mm2, 400 mm/s and 17.5 degC",
-            FRACTION,
-            0.0,
-            0.9999,
-            symbol=r"\mu_0",
-            above=True,
-            step=0.005,
-        ),
-    ] = MU_0
-    pressure_dependent: Annotated[
-        bool, Parameter("whether the coefficient depends on pressure", vary=False)
-    ] = True
-    velocity_dependent: Annotated[
-        bool, Parameter("whether the coefficient depends on velocity", vary=False)
-    ] = True
-    temperature_dependent: Annotated[
-        bool, Parameter("whether the coefficient depends on temperature", vary=False)
-    ] = True
-
-    @property
-    def reference(self) -> float:
-        """Coefficient mu_0 [-]."""
-        return self.mu_0
-
-    def pressure_factor(self, pressure: ArrayLike) -> FloatArray:
-        """Factor gamma [-], Eq. (7), or one."""
-        return pressure_factor(pressure) if self.pressure_dependent else np.ones_like(pressure, np.float64)
-
-    def velocity_factor(self, speed: ArrayLike) -> FloatArray:
-        """Factor alpha [-], Eq. (8), or one."""
-        return velocity_factor(speed) if self.velocity_dependent else np.ones_like(speed, np.float64)
-
-    def temperature_factor(self, temperature: ArrayLike) -> FloatArray:
-        """Factor beta [-], Eq. (9), or one."""
-        if self.temperature_dependent:
-            return temperature_factor(temperature)
-        return np.ones_like(temperature, np.float64)
+    mu_0: Annotated[float, coefficient_parameter("coefficient at 60 N/mm2, 400 mm/s and 17.5 degC")] = MU_0
+    pressure_dependent: OfPressure = True
+    velocity_dependent: OfVelocity = True
+    temperature_dependent: OfTemperature = True
 
     def at_pressure(self, pressure: float) -> Law:
         """Return the constants for the kernels at a pressure [N/mm2]."""
@@ -136,8 +106,10 @@ class Li2020(FrictionLaw):
         gamma = Expression(f"{GAMMA_SCALE:g}{{dot}}{{x}}^({GAMMA_POWER:g}) + {GAMMA_FLOOR:g}", "sigma")
         alpha = Expression(f"1 - {ALPHA_DROP:g} exp(-{ALPHA_RATE:g}{{dot}}{{x}})", "v")
         beta = Expression(f"{BETA_SCALE:g} exp(-{BETA_RATE:g}{{dot}}{{x}})", "T")
-        return (
-            *((Factor("pressure", "gamma", gamma, ", Eq. (7)"),) if self.pressure_dependent else ()),
-            *((Factor("speed", "alpha", alpha, ", Eq. (8)"),) if self.velocity_dependent else ()),
-            *((Factor("temperature", "beta", beta, ", Eq. (9)"),) if self.temperature_dependent else ()),
+        factors = (
+            Factor("pressure", "gamma", gamma, pressure_factor, ", Eq. (7)"),
+            Factor("speed", "alpha", alpha, velocity_factor, ", Eq. (8)"),
+            Factor("temperature", "beta", beta, temperature_factor, ", Eq. (9)"),
         )
+        used = (self.pressure_dependent, self.velocity_dependent, self.temperature_dependent)
+        return tuple(compress(factors, used))

@@ -8,63 +8,25 @@ import math
 from typing import Annotated, ClassVar
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.kernels.law import Law, cycling_law
 from dcfp.schema.formulas import Expression
 from dcfp.schema.parameters import Parameter, declared
-from dcfp.schema.units import FRACTION, MM_PER_S, N_PER_MM2, N_PER_S, NONE
+from dcfp.schema.units import MM_PER_S, N_PER_MM2, N_PER_S, NONE
 from dcfp.system.friction import li_2020
-from dcfp.system.friction.law import Factor, FrictionLaw, Tested
-
-
-def load_factor(pressure: ArrayLike, reference_pressure: float) -> FloatArray:
-    r"""Load effect [-] at a pressure [N/mm2].
-
-    .. math:: f_N = e^{-N / N_{ref}}
-
-    With the load as a pressure, so that it holds for every size of slider.
-    """
-    return np.asarray(np.exp(-np.asarray(pressure, dtype=np.float64) / reference_pressure))
-
-
-def velocity_factor(speed: ArrayLike, ratio: float, reference_speed: float) -> FloatArray:
-    r"""Velocity effect [-] at a speed of the slider on a plate [mm/s].
-
-    .. math:: f_v = \gamma + (1 - \gamma)\,e^{-|v| / v_{ref}}
-    """
-    return np.asarray(ratio + (1.0 - ratio) * np.exp(-np.abs(speed) / reference_speed))
-
-
-def cycling_factor(dose: ArrayLike, reference_dose: float, power: float) -> FloatArray:
-    r"""Cycling effect [-] after a dose of rubbing [N/s].
-
-    .. math:: f_c = e^{-(c / c_{ref})^\beta}, \qquad c = \int p\,v^2\,dt
-
-    `p` is the pressure and `v` the speed of the slider on the plate; a factor before the integral would go into c_ref.
-    """
-    return np.asarray(np.exp(-((np.asarray(dose, dtype=np.float64) / reference_dose) ** power)))
+from dcfp.system.friction.law import Factor, FrictionLaw, Tested, coefficient_parameter
 
 
 @declared
 class Lomiento2013(FrictionLaw):
     r"""Law after Lomiento et al. (2013), :math:`\mu = \mu_0 f_N f_v f_c`. *Unconfirmed*.
 
-    Parameters
-    ----------
-    mu_0
-        Coefficient of a slow first motion under no load [-].
-    reference_pressure
-        N_ref as a pressure [N/mm2].
-    velocity_ratio
-        gamma, the fast coefficient over the slow one [-].
-    reference_speed
-        v_ref, of the slider on a plate [mm/s].
-    reference_dose
-        c_ref [N/s].
-    dose_power
-        beta [-].
+    .. math:: f_N = e^{-N / N_{ref}}, \quad f_v = \gamma + (1 - \gamma)\,e^{-|v| / v_{ref}}, \quad
+              f_c = e^{-(c / c_{ref})^\beta} \ \text{with}\ c = \int p\,v^2\,dt
+
+    The load is a pressure p, so that it holds for every size of slider, and v the speed of the slider on the plate; a factor before the
+    integral would go into c_ref.
 
     Notes
     -----
@@ -85,18 +47,9 @@ class Lomiento2013(FrictionLaw):
         "its form is unconfirmed and its constants are this package's own; what has worn off never recovers."
     )
 
-    mu_0: Annotated[
-        float,
-        Parameter(
-            "coefficient of a slow first motion under no load",
-            FRACTION,
-            0.0,
-            0.9999,
-            symbol=r"\mu_0",
-            above=True,
-            step=0.005,
-        ),
-    ] = 0.45 * li_2020.MU_0 * math.exp(60.0 / 325.6)
+    mu_0: Annotated[float, coefficient_parameter("coefficient of a slow first motion under no load")] = (
+        0.45 * li_2020.MU_0 * math.exp(60.0 / 325.6)
+    )
     reference_pressure: Annotated[
         float,
         Parameter(
@@ -127,23 +80,6 @@ class Lomiento2013(FrictionLaw):
         float, Parameter("power of the cycling parameter", NONE, 0.1, 3.0, symbol=r"\beta", step=0.01)
     ] = 0.28
 
-    @property
-    def reference(self) -> float:
-        """Coefficient of a slow first motion under no load [-]."""
-        return self.mu_0
-
-    def pressure_factor(self, pressure: ArrayLike) -> FloatArray:
-        """Load effect f_N [-]."""
-        return load_factor(pressure, self.reference_pressure)
-
-    def velocity_factor(self, speed: ArrayLike) -> FloatArray:
-        """Velocity effect f_v [-]."""
-        return velocity_factor(speed, self.velocity_ratio, self.reference_speed)
-
-    def dose_factor(self, dose: ArrayLike) -> FloatArray:
-        """Cycling effect f_c [-]."""
-        return cycling_factor(dose, self.reference_dose, self.dose_power)
-
     def at_pressure(self, pressure: float) -> Law:
         """Return the constants for the kernels at a pressure [N/mm2]."""
         fast = self.mu_0 * float(self.pressure_factor(pressure)) * self.velocity_ratio
@@ -169,7 +105,19 @@ class Lomiento2013(FrictionLaw):
         power = {"power": ("beta", f"{self.dose_power:g}")}
         of_speed = Expression("{ratio} + (1 - {ratio}) exp(-{x} / {ref})", "v", speed | ratio)
         return (
-            Factor("pressure", "f_N", Expression("exp(-{x} / {ref})", "p", pressure)),
-            Factor("speed", "f_v", of_speed),
-            Factor("dose", "f_c", Expression("exp(-({x} / {ref})^{power})", "c", dose | power)),
+            Factor("pressure", "f_N", Expression("exp(-{x} / {ref})", "p", pressure), self._of_load),
+            Factor("speed", "f_v", of_speed, self._of_speed),
+            Factor(
+                "dose", "f_c", Expression("exp(-({x} / {ref})^{power})", "c", dose | power), self._of_dose
+            ),
         )
+
+    def _of_load(self, pressure: FloatArray) -> FloatArray:
+        return np.exp(-pressure / self.reference_pressure)
+
+    def _of_speed(self, speed: FloatArray) -> FloatArray:
+        fall = np.exp(-np.abs(speed) / self.reference_speed)
+        return self.velocity_ratio + (1.0 - self.velocity_ratio) * fall
+
+    def _of_dose(self, dose: FloatArray) -> FloatArray:
+        return np.exp(-((dose / self.reference_dose) ** self.dose_power))

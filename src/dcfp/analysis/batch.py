@@ -1,17 +1,23 @@
-"""What a batch is made of: lanes, each a record at a scale on a model; the records and the models as the kernel steps through them."""
+"""Many response history analyses in one compiled call, peaks and energies without histories: lanes, sorted into families, each in one call of the kernel."""
 
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from dcfp.analysis.integration import DEFAULT, Integration
+from dcfp.analysis.kernel_input import states_at_rest
+from dcfp.analysis.response import FAILED, NUMBERS, Status
 from dcfp.analysis.response_history import halvings
 from dcfp.arrays import FloatArray, IntArray
-from dcfp.kernels._jit import Records
-from dcfp.kernels.batch import BATCH_RECORD, BATCH_SYSTEM
+from dcfp.kernels._jit import Records, as_bytes
+from dcfp.kernels.batch import BATCH_RECORD, BATCH_RUN, BATCH_SYSTEM, run_batch
 from dcfp.kernels.heat_state import MODE_ROWS, Heat
+from dcfp.kernels.integrate import TEMPERATURE
+from dcfp.kernels.motion import AT_REST, DONE, OUT_OF_CELLS
 from dcfp.kernels.sum_of_exponentials import MODES
 from dcfp.motion.ground_motion import LONGEST_TAIL, GroundMotion, parts_in, refined
 from dcfp.system import Heating, System
@@ -199,3 +205,126 @@ def _family(kind: _Kind, numbers: list[int], models: Sequence[System]) -> Family
         mode_sets=np.array(mode_sets),
         margin=max(margin_for(one, FIRST_REACH) for one in members),
     )
+
+
+# What a batch gives for each lane.
+
+
+def peaks_of(states: Records, lanes: Lanes) -> dict[str, NDArray[np.float64] | NDArray[np.uint8]]:
+    """Return the peaks and energies of each lane by the names of a `dcfp.Response`, from the states that the kernel left, shape (lanes,).
+
+    ``status`` counts as `dcfp.analysis.response.NUMBERS`; where it is `FAILED` all else is not a number.
+    """
+    bearings = [model.bearing for model in lanes.models]
+    capacities = [one.displacement_capacity for one in bearings]
+    mass, weight, elastic, restoring, capacity = np.array(
+        [
+            [one.mass for one in bearings],
+            [one.vertical_force for one in bearings],
+            [one.elastic_stiffness for one in bearings],
+            [one.restoring_stiffness for one in bearings],
+            [np.inf if one is None else one for one in capacities],
+        ],
+        dtype=np.float64,
+    )[:, lanes.model]
+    extremes = states["extremes"]
+    force = extremes["force"] * mass
+    stuck = states["motion"]["displacement"] - states["spring"]["elongation"]
+    values = {
+        "peak_displacement": extremes["displacement"],
+        "peak_change": extremes["change"],
+        "peak_velocity": extremes["velocity"],
+        "peak_force": force,
+        "force_ratio": force / weight,
+        "peak_temperature": extremes["temperature"],
+        "least_friction": extremes["friction"],
+        "residual_displacement": stuck * elastic / (elastic + restoring),
+        "input_velocity": _equivalent_velocity(extremes["input"], mass),
+        "hysteretic_velocity": _equivalent_velocity(extremes["hysteretic"], mass),
+    }
+    failed = ~np.isin(states["status"], (DONE, AT_REST))
+    status = np.where(states["at_rest"], NUMBERS[Status.OK], NUMBERS[Status.STILL_MOVING])
+    status[extremes["displacement"] > capacity] = NUMBERS[Status.BEYOND_CAPACITY]
+    status[failed] = FAILED
+    whole = {name: np.where(failed, np.nan, one) for name, one in values.items()}
+    return {**whole, "status": status.astype(np.uint8)}
+
+
+def _equivalent_velocity(energy: FloatArray, mass: FloatArray) -> FloatArray:
+    """Return V_E [mm/s] of energies per mass [mm2/s2]; the mass [t] is put in and taken out as `Response` does, so that the last digit is the same."""
+    return np.sqrt(np.maximum(2.0 * (energy * mass) / mass, 0.0))
+
+
+#: Cells that a plate may be widened to before a lane is given up.
+_MOST_CELLS = 1_000_000
+
+
+def respond_in_batch(grounds: GroundSet, lanes: Lanes) -> dict[str, NDArray[np.float64] | NDArray[np.uint8]]:
+    """Analyse every lane on the calling thread; the interpreter's lock is free meanwhile.
+
+    The numbers of a lane are those of `dcfp.respond` for its record, scale and model, and do not depend on what else is in the
+    batch.
+
+    Parameters
+    ----------
+    grounds
+        The records.
+    lanes
+        What is analysed; lanes of the same record and scale are best side by side.
+
+    Returns
+    -------
+    dict
+        As `peaks_of` gives it.
+    """
+    ambient = np.array([model.heating.ambient for model in lanes.models])
+    states = states_at_rest(len(lanes), 0.0)
+    states["extremes"]["temperature"] = ambient[lanes.model]
+    for family in families_of(lanes.models):
+        rows = np.full(len(lanes.models), -1, dtype=np.intp)
+        rows[family.members] = np.arange(len(family.members))
+        row = rows[lanes.model]
+        chosen = np.flatnonzero(row >= 0)
+        _run_family(grounds, lanes, family, chosen, row, states)
+    return peaks_of(states, lanes)
+
+
+def available_threads() -> int:
+    """Return the number of processors that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def _run_family(
+    grounds: GroundSet,
+    lanes: Lanes,
+    family: Family,
+    chosen: IntArray,
+    row: IntArray,
+    states: Records,
+) -> None:
+    """Make the runs numbered in `chosen` from their states at rest, again on wider plates for those whose slider left them."""
+    histories = np.empty((0, TEMPERATURE + family.plates))
+    margin = family.margin
+    while chosen.size:
+        runs = np.zeros(chosen.size, BATCH_RUN)
+        runs["record"], runs["system"] = lanes.record[chosen], row[chosen]
+        runs["scale"] = lanes.scale[chosen]
+        left = as_bytes(states)[chosen].view(states.dtype)
+        run_batch(
+            family.heat(margin),
+            margin,
+            family.systems,
+            family.mode_sets,
+            cold_workspace(0.0),
+            grounds.acceleration,
+            grounds.records,
+            runs,
+            grounds.integration.tolerance,
+            np.zeros(grounds.longest),
+            histories,
+            left,
+        )
+        margin = 2 * margin + 1
+        again = (left["status"] == OUT_OF_CELLS) & (margin <= _MOST_CELLS)
+        as_bytes(states)[chosen[~again]] = as_bytes(left)[~again]
+        chosen = chosen[again]
