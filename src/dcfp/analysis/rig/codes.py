@@ -46,11 +46,14 @@ class PrototypeDesign(Declared):
 
     noun = "a design"
 
-    displacement: Annotated[float, Parameter("maximum displacement", MM, 0.0, above=True)]
-    period: Annotated[float, Parameter("effective period at that displacement", SECOND, 0.0, above=True)]
+    displacement: Annotated[float, Parameter("maximum displacement D_M or d_bd", MM, 1.0, 1e4)]
+    period: Annotated[float, Parameter("effective period at that displacement", SECOND, 0.1, 100.0)]
     pressure: Annotated[float, Parameter("pressure on the slider", N_PER_MM2, 0.0, above=True)] = 60.0
     total_displacement: Annotated[
-        float | None, Parameter("maximum displacement with torsion", MM, 0.0, above=True)
+        float | None,
+        Parameter(
+            "maximum displacement with torsion", MM, 1.0, 1e4, more="default 1.15 times the displacement"
+        ),
     ] = None
     least_load: Annotated[float, Parameter("smallest over the average load", NONE, 0.0, above=True)] = 0.5
     largest_load: Annotated[float, Parameter("largest over the average load", NONE, 0.0, above=True)] = 1.5

@@ -33,15 +33,6 @@ BUILDING = (
 #: Elastic oscillators.
 DAMPING = Parameter("ratio of critical damping", FRACTION, 0.0, 0.99, key="damping", default=0.05)
 PERIODS = Parameter("increasing periods", SECOND, 0.01, 100.0, key="periods", more="default 200 from 0.05 to 10")  # fmt: skip
-#: The design that prototype tests are of.
-DESIGN = (
-    Parameter("maximum displacement D_M or d_bd", MM, 1.0, 1e4, key="displacement"),
-    Parameter("effective period at that displacement", SECOND, 0.1, 100.0, key="period"),
-    Parameter(
-        "maximum displacement with torsion", MM, 1.0, 1e4,
-        key="total_displacement", more="default 1.15 times the displacement",
-    ),
-)  # fmt: skip
 ALLOWED = Parameter("displacement that is to hold", MM, 1.0, 1e4, key="allow")
 PART = Parameter("percentage", NONE, 1.0, 99.0)
 PORT = Parameter("port", NONE, 1, 65535, key="port", kind=int, default=8080)
@@ -403,7 +394,8 @@ def _check_test(chosen: argparse.Namespace) -> None:
 @command("test", check=_check_test)
 def test(parser: Parser) -> None:
     """Virtual test machine: a bearing through the tests of a program, measures of every cycle, checks of codes."""
-    from dcfp.analysis.integration import Integration  # late: other commands analyse nothing
+    from dcfp.analysis.integration import Integration  # late: other commands test nothing
+    from dcfp.analysis.rig.codes import PrototypeDesign
 
     words = (
         "dependency or asce (Li et al. 2020, Tables 1 and 2); asce7-16 or en15129 (prototype tests of a design); or a file: a program as "
@@ -425,8 +417,7 @@ def test(parser: Parser) -> None:
     )
     add_declared(parser, Integration, "tolerance")
     group = parser.add_argument_group("design, for asce7-16 and en15129")
-    for one in DESIGN:
-        add_parameter(group, one)
+    add_declared(group, PrototypeDesign, "displacement", "period", "total_displacement")
     options.add_bearing(parser)
     options.add_output(
         parser,

@@ -25,7 +25,6 @@ from dcfp.analysis.rig.loops import (
 )
 from dcfp.analysis.rig.run import paper_models
 from dcfp.doors.cli import inputs
-from dcfp.doors.cli.commands import DESIGN
 from dcfp.doors.cli.console import Block, Page, grid, grouped, progress
 from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.errors import InputError
@@ -73,7 +72,8 @@ def run(chosen: argparse.Namespace) -> Answer:
 
 def _program(chosen: argparse.Namespace, system: System) -> Program:
     name = chosen.program.strip().lower()
-    design = {one.key: value for one in DESIGN if (value := getattr(chosen, one.key)) is not None}
+    design = inputs.given(chosen, PrototypeDesign)
+    design.pop("pressure", None)
     if name in PROTOTYPE_TESTS:
         if chosen.displacement is None or chosen.period is None:
             msg = f"{name} needs --displacement and --period of the design."
