@@ -6,7 +6,7 @@ from stopwatch import in_turn, microseconds, once, ratio
 
 import dcfp
 from dcfp.inference import Methods, compare
-from dcfp.inference.calibration import calibration_set
+from dcfp.inference.forecast import calibration_set
 from dcfp.methods import find_pulses, march_through_pulses
 from dcfp.methods.li_2020 import predict_from_pulses, predict_simplified
 from dcfp.methods.pulses import MARCH_THRESHOLD

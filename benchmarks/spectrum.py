@@ -7,7 +7,7 @@ import numpy as np
 from figure import Figure
 from stopwatch import in_turn, once
 
-from dcfp.inference.calibration import calibration_set
+from dcfp.inference.forecast import calibration_set
 from dcfp.methods.spectra import input_energy_spectrum, response_spectrum
 from dcfp.methods.spectra.of_record import PERIODS
 from dcfp.motion.named import named_motion

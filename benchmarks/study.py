@@ -16,7 +16,7 @@ import dcfp
 from analysis import SINGLE
 from dcfp.analysis.batch import GroundSet, Lanes, available_threads, respond_in_batch
 from dcfp.analysis.integration import Integration
-from dcfp.inference.calibration import calibration_set
+from dcfp.inference.forecast import calibration_set
 from dcfp.study import Sampling, Study, Uniform, run_study
 from dcfp.system import System
 

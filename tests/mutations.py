@@ -79,7 +79,7 @@ MUTATIONS = (
     ),
     Mutation(
         "a short record keeps the end of a longer one in a batch",
-        "kernels/batch.py",
+        "kernels/integrate.py",
         "for i in range(samples, filled):",
         "for i in range(filled, samples):",
         ("analysis/test_batch.py",),
@@ -108,7 +108,7 @@ MUTATIONS = (
     ),
     Mutation(
         "rank of a quantile",
-        "inference/intervals.py",
+        "inference/statistics.py",
         "part * (ordered.size + 1)",
         "part * ordered.size",
         ("inference/test_intervals.py",),

@@ -11,8 +11,7 @@ import dcfp
 from dcfp.analysis import Response
 from dcfp.analysis.swings import swings_of
 from dcfp.inference import Methods
-from dcfp.inference.case import Case, analysed_of, predictions
-from dcfp.inference.earthquake import event_of
+from dcfp.inference.case import Case, analysed_of, event_of, predictions
 from dcfp.inference.refit import average_slope, change_ratio, fall_ratio
 from dcfp.inference.statistics import Scatter, ratios, scatter
 from dcfp.methods.li_2020 import LI_2020, predict_from_pulses

@@ -7,8 +7,7 @@ from cases import BASES, RANGES, Marks
 from held_out import HeldOut
 from one_pulse import Wave
 
-from dcfp.inference.intervals import Coverage
-from dcfp.inference.statistics import Scatter
+from dcfp.inference.statistics import Coverage, Scatter
 from dcfp.methods.li_2020 import Constants
 from dcfp.schema.quantities import Quantity
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from dcfp.inference.earthquake import is_known, is_same_record, same_earthquake
+from dcfp.inference.case import is_known, is_same_record, same_earthquake
 from dcfp.motion.ground_motion import GroundMotion, Origin
 
 

@@ -14,9 +14,8 @@ from dcfp.analysis.response import FAILED, NUMBERS, Status
 from dcfp.analysis.response_history import halvings
 from dcfp.arrays import FloatArray, IntArray
 from dcfp.kernels._jit import Records, as_bytes
-from dcfp.kernels.batch import BATCH_RECORD, BATCH_RUN, BATCH_SYSTEM, run_batch
 from dcfp.kernels.heat_state import MODE_ROWS, Heat
-from dcfp.kernels.integrate import TEMPERATURE
+from dcfp.kernels.integrate import BATCH_RECORD, BATCH_RUN, BATCH_SYSTEM, TEMPERATURE, run_batch
 from dcfp.kernels.motion import AT_REST, DONE, OUT_OF_CELLS
 from dcfp.kernels.sum_of_exponentials import MODES
 from dcfp.motion.ground_motion import LONGEST_TAIL, GroundMotion, parts_in, refined
@@ -87,7 +86,7 @@ class GroundSet:
     acceleration
         Of all records, one after the other [mm/s2].
     records
-        Where each is in it, and how an analysis steps through it: `dcfp.kernels.batch.BatchRecord`, shape (records,).
+        Where each is in it, and how an analysis steps through it: `dcfp.kernels.integrate.BatchRecord`, shape (records,).
     integration
         How finely and how far each is analysed.
     """
@@ -148,7 +147,7 @@ class Family:
     members
         Numbers of the models, in the order of the rows of the table.
     systems
-        As `dcfp.kernels.batch.BatchSystem`, shape (members,).
+        As `dcfp.kernels.integrate.BatchSystem`, shape (members,).
     mode_sets
         Rates and weights of the modes, shape (sets, 2, modes).
     margin

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from dcfp.analysis.batch import GroundSet, Lanes, available_threads, respond_in_
 from dcfp.analysis.response import FAILED
 from dcfp.arrays import FloatArray
 from dcfp.errors import AnalysisError, InputError
-from dcfp.inference.earthquake import event_of
+from dcfp.inference.case import event_of
 from dcfp.methods.li_2020 import friction_that_holds
 from dcfp.methods.li_2020.constants import Constants
 from dcfp.motion.ground_motion import GroundMotion
@@ -26,6 +26,8 @@ RADII = np.array([1500.0, 2250.0, 3000.0, 4500.0, 6000.0])
 COEFFICIENTS = np.array([0.02, 0.03, 0.04, 0.05, 0.06, 0.075, 0.09, 0.105, 0.125, 0.15])
 #: Probabilities for which the least coefficient is given [-].
 PARTS = (0.5, 0.95)
+#: Key of the nominal coefficient by the design method.
+_NOMINAL = "nominal_friction_design_method"
 #: Draws of earthquakes by which it is said how sure a coefficient is, and where their random numbers start.
 _DRAWS, _SEED = 100, 33
 
@@ -194,38 +196,6 @@ def _crossing(coefficients: FloatArray, displacement: FloatArray, allowed: float
 # What is told of the bearings that hold a displacement.
 
 
-class Held(NamedTuple):
-    """A radius at a PGV, and what holds a displacement with it.
-
-    Attributes
-    ----------
-    space
-        What was analysed.
-    radius
-        [mm].
-    allowed
-        The displacement [mm].
-    found
-        By the probability [-]: the least coefficient and the force over the weight; not a number where none is enough.
-    spread
-        5 and 95 % of the least coefficient, had other earthquakes been in the set; None where it was not asked for.
-    nominal
-        Nominal coefficient by the design method; None where it was not asked for.
-    """
-
-    space: DesignSpace
-    radius: float
-    allowed: float
-    found: dict[float, tuple[float, float]]
-    spread: tuple[float, float] | None = None
-    nominal: float | None = None
-
-    @property
-    def least(self) -> float:
-        """Least coefficient of the grid [-]."""
-        return float(self.space.coefficients[0])
-
-
 def held_table(
     spaces: Sequence[DesignSpace],
     allowed: float,
@@ -234,41 +204,47 @@ def held_table(
 ) -> Table:
     """Return a line for each PGV and radius: which coefficients hold a displacement [mm] with the probabilities of `parts` [-].
 
-    With the constants of the design method its nominal coefficient stands beside them, and how sure they are.
+    With the constants of the design method its nominal coefficient stands beside them, and how sure they are. What no coefficient of
+    the grid holds is not a number.
     """
     of_design = constants is not None
-    lines: list[Held] = []
+    lines: list[dict[str, Any]] = []
     for space in spaces:
-        found = {part: [values.tolist() for values in space.holding(allowed, part)] for part in parts}
-        spread = space.spread(allowed, parts[-1]) if of_design else None
-        nominal = friction_that_holds(allowed, space.pgv, constants) if of_design else None
+        grid_least = float(space.coefficients[0])
+        line: dict[str, Any] = {"pgv_m_s": space.pgv, "allowed_mm": allowed, "least_of_the_grid": grid_least}
+        if of_design:
+            line["spread_low"], line["spread_high"] = space.spread(allowed, parts[-1])
+            line[_NOMINAL] = line["mu_n"] = friction_that_holds(allowed, space.pgv, constants)
+        found = {part: space.holding(allowed, part) for part in parts}
         for i, radius in enumerate(space.radii.tolist()):
-            own = {part: (least[i], force[i]) for part, (least, force) in found.items()}
-            lines.append(Held(space, radius, allowed, own, spread, nominal))
+            own = line | {"radius_mm": radius}
+            for part, (coefficients, forces) in found.items():
+                least, percent = float(coefficients[i]), f"{100 * part:g}"
+                own[f"least_coefficient_{percent}_percent"] = least
+                own[f"mu_{percent}"] = (
+                    None if math.isnan(least) else f"{'≤ ' if least == grid_least else ''}{least:.3f}"
+                )
+                own[f"force_over_weight_{percent}_percent"] = float(forces[i])
+            lines.append(own)
     columns = [
-        Quantity("pgv_m_s", "peak ground velocity", M_PER_S, head="PGV", get="space.pgv", printed=of_design),
-        Quantity("allowed_mm", "displacement that is to hold", MM, get="allowed", printed=False, stored=of_design),
-        Quantity("radius_mm", "effective radius of each plate", MM, decimals=0, head="Radius", get="radius"),
-        Quantity("nominal_friction_design_method", "nominal coefficient by the design method", NONE, get="nominal", printed=False, stored=of_design),
-        Quantity("least_of_the_grid", "least coefficient of the grid", NONE, get="least", printed=False, stored=of_design),
-        Quantity("spread_low", "5 % of the least coefficient", NONE, get=lambda one: one.spread[0] if one.spread else None, printed=False, stored=of_design),
-        Quantity("spread_high", "95 % of the least coefficient", NONE, get=lambda one: one.spread[1] if one.spread else None, printed=False, stored=of_design),
+        Quantity("pgv_m_s", "peak ground velocity", M_PER_S, head="PGV", printed=of_design),
+        Quantity("allowed_mm", "displacement that is to hold", MM, printed=False, stored=of_design),
+        Quantity("radius_mm", "effective radius of each plate", MM, decimals=0, head="Radius"),
+        Quantity(_NOMINAL, "nominal coefficient by the design method", NONE, printed=False, stored=of_design),
+        Quantity("least_of_the_grid", "least coefficient of the grid", NONE, printed=False, stored=of_design),
+        Quantity("spread_low", "5 % of the least coefficient", NONE, printed=False, stored=of_design),
+        Quantity("spread_high", "95 % of the least coefficient", NONE, printed=False, stored=of_design),
         *(one for part in parts for one in _of_part(part)),
-        Quantity("mu_n", "nominal coefficient by the design method", NONE, decimals=3, head="mu_n, Eq. (33)", get="nominal", stored=False, printed=of_design),
+        Quantity("mu_n", "nominal coefficient by the design method", NONE, decimals=3, head="mu_n, Eq. (33)", stored=False, printed=of_design),
     ]  # fmt: skip
     return Table(tuple(columns), lines)
 
 
 def _of_part(part: float) -> tuple[Quantity, ...]:
     """Return the least coefficient and the force that go with a probability."""
-    words = "half" if part == 0.5 else f"{100 * part:g} %"
-
-    def shown(one: Held) -> str | None:
-        least = one.found[part][0]
-        return None if math.isnan(least) else f"{'≤ ' if least == one.least else ''}{least:.3f}"
-
+    words, percent = "half" if part == 0.5 else f"{100 * part:g} %", f"{100 * part:g}"
     return (
-        Quantity(f"least_coefficient_{100 * part:g}_percent", "least reference coefficient", NONE, get=lambda one: one.found[part][0], printed=False),
-        Quantity(f"mu_{100 * part:g}", "least reference coefficient", NONE, head=f"mu, {words}", get=shown, stored=False),
-        Quantity(f"force_over_weight_{100 * part:g}_percent", "force over the weight", NONE, decimals=3, head=f"F/W, {words}", get=lambda one: one.found[part][1]),
+        Quantity(f"least_coefficient_{percent}_percent", "least reference coefficient", NONE, printed=False),
+        Quantity(f"mu_{percent}", "least reference coefficient", NONE, head=f"mu, {words}", stored=False),
+        Quantity(f"force_over_weight_{percent}_percent", "force over the weight", NONE, decimals=3, head=f"F/W, {words}"),
     )  # fmt: skip

@@ -1,24 +1,33 @@
-"""What is said of an earthquake before it is analysed: every blind method, with intervals."""
+"""What is said of an earthquake before it is analysed: every blind method, with intervals from the hundred components of FEMA P-695."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import cache
+from typing import TypeAlias
+
+import numpy as np
 
 from dcfp.errors import InputError
-from dcfp.inference.calibration import (
-    Intervals,
-    intervals_about,
-    intervals_from_pgv,
-    others_than,
-    set_remarks,
-)
-from dcfp.inference.case import Case
-from dcfp.inference.earthquake import is_known
+from dcfp.inference.case import Case, compare, event_of, is_known, is_same_record, same_earthquake
+from dcfp.inference.statistics import Interval, errors, fewest, interval
 from dcfp.methods import Prediction, Pulses
 from dcfp.methods.li_2020 import predict_from_pgv
-from dcfp.methods.method import Information, Variant
-from dcfp.methods.prediction import Ground, Methods, Predicted, prediction_methods
+from dcfp.methods.method import Information, Variant, variants
+from dcfp.methods.prediction import Ground, Methods, prediction_methods
+from dcfp.methods.pulses import PREDICTION_QUANTITIES, value_of
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.system import System
+from dcfp.motion.named import all_keys, read_stored
+from dcfp.schema.quantities import Quantity
+from dcfp.system import Bearing
+
+#: Words for the set that intervals come from.
+SET = "the 100 components of FEMA P-695"
+#: Scale of a record of it, up or down, from which on it is said [-].
+_LARGEST_SCALE = 4.0
+#: What is told before an analysis, in this order.
+_BEFORE = (Information.PGV, Information.BLIND)
+
+Intervals: TypeAlias = dict[Quantity, Interval]
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,21 +61,6 @@ class Forecast:
     remarks: tuple[str, ...] = ()
 
 
-#: What is told before an analysis, in this order.
-_BEFORE = (Information.PGV, Information.BLIND)
-
-
-def _said(ground: Ground, methods: Methods) -> dict[Variant, Predicted]:
-    """Return what every method says of an earthquake that can be used, those first that need the PGV only."""
-    allowed = _BEFORE if ground.motion is not None else (Information.PGV,)
-    return {
-        Variant(name, information): predicted
-        for information in allowed
-        for name, method in prediction_methods().items()
-        if information in method.knows and (predicted := method.predict(ground, methods)) is not None
-    }
-
-
 def forecast(motion: GroundMotion, methods: Methods, calibration: Sequence[Case] | None = None) -> Forecast:
     """Return what every blind method says of a record.
 
@@ -79,37 +73,7 @@ def forecast(motion: GroundMotion, methods: Methods, calibration: Sequence[Case]
     calibration
         Other records at the same PGV, from which the intervals come; those of the same earthquake do not count. None for no intervals.
     """
-    ground = Ground.of(motion)
-    said = _said(ground, methods)
-    predicted = {variant: one.prediction for variant, one in said.items()}
-    remarks = [
-        *_beyond_capacity(motion.name, predicted, methods.system),
-        *(remark for one in said.values() for remark in one.remarks),
-        *methods.remarks(motion.peak_velocity),
-    ]
-    intervals: dict[Variant | None, Intervals] = {}
-    if calibration is not None:
-        others = others_than(motion, calibration)
-        found = _intervals_or_none(others)
-        if found is None:
-            remarks.append(_without_interval(motion.peak_velocity))
-        else:
-            intervals = {None: found, **intervals_about(predicted, others)}
-            remarks.append(_left_out(motion, len(calibration) - len(others), len(calibration)))
-            remarks += set_remarks(motion.peak_velocity, others, methods.system.bearing.displacement_capacity)
-    return Forecast(
-        pgv=motion.peak_velocity,
-        predicted=predicted,
-        motion=motion,
-        pulses=ground.pulses(methods.threshold),
-        governing={
-            variant: one.by_pulse.governing
-            for variant, one in said.items()
-            if one.by_pulse is not None and one.by_pulse.governing is not None
-        },
-        intervals=intervals,
-        remarks=tuple(remarks),
-    )
+    return _forecast(Ground.of(motion), methods, calibration)
 
 
 def forecast_from_pgv(pgv: float, methods: Methods, calibration: Sequence[Case] | None = None) -> Forecast:
@@ -120,25 +84,57 @@ def forecast_from_pgv(pgv: float, methods: Methods, calibration: Sequence[Case] 
     InputError
         If no method can be used.
     """
-    predicted = {variant: one.prediction for variant, one in _said(Ground(pgv), methods).items()}
-    if not predicted:
+    found = _forecast(Ground(pgv), methods, calibration)
+    if not found.predicted:
         predict_from_pgv(pgv, methods.constants)  # its complaint says what is wrong
-    remarks = (
-        *_beyond_capacity(f"PGV {pgv / 1e3:g} m/s", predicted, methods.system),
+    return found
+
+
+def _forecast(ground: Ground, methods: Methods, calibration: Sequence[Case] | None) -> Forecast:
+    motion, pgv, bearing = ground.motion, ground.pgv, methods.system.bearing
+    name = f"PGV {pgv / 1e3:g} m/s" if motion is None else motion.name
+    allowed = _BEFORE if motion is not None else (Information.PGV,)
+    said = {
+        Variant(method.name, information): predicted
+        for information in allowed
+        for method in prediction_methods().values()
+        if information in method.knows and (predicted := method.predict(ground, methods)) is not None
+    }
+    predicted = {variant: one.prediction for variant, one in said.items()}
+    remarks = [
+        *_beyond_capacity(name, predicted, bearing),
+        *(remark for one in said.values() for remark in one.remarks),
         *methods.remarks(pgv),
+    ]
+    intervals: dict[Variant | None, Intervals] = {}
+    if calibration is not None:
+        others = calibration if motion is None else others_than(motion, calibration)
+        try:
+            intervals[None] = intervals_from_pgv(others)
+        except InputError:
+            remarks.append(f"At a PGV of {pgv / 1e3:g} m/s too few records move the bearing for an interval.")
+        else:
+            intervals |= intervals_about(predicted, others)
+            if motion is not None:
+                remarks.append(_left_out(motion, len(calibration) - len(others), len(calibration)))
+            remarks += set_remarks(pgv, others, bearing.displacement_capacity)
+    return Forecast(
+        pgv=pgv,
+        predicted=predicted,
+        motion=motion,
+        pulses=None if motion is None else ground.pulses(methods.threshold),
+        governing={
+            variant: one.by_pulse.governing
+            for variant, one in said.items()
+            if one.by_pulse is not None and one.by_pulse.governing is not None
+        },
+        intervals=intervals,
+        remarks=tuple(remarks),
     )
-    if calibration is None:
-        return Forecast(pgv, predicted, remarks=remarks)
-    found = _intervals_or_none(calibration)
-    if found is None:
-        return Forecast(pgv, predicted, remarks=(*remarks, _without_interval(pgv)))
-    remarks = (*remarks, *set_remarks(pgv, calibration, methods.system.bearing.displacement_capacity))
-    return Forecast(pgv, predicted, intervals={None: found}, remarks=remarks)
 
 
-def _beyond_capacity(name: str, predicted: dict[Variant, Prediction], system: System) -> list[str]:
+def _beyond_capacity(name: str, predicted: dict[Variant, Prediction], bearing: Bearing) -> list[str]:
     """Return a sentence where a method offers a displacement beyond the capacity."""
-    bearing = system.bearing
     capacity = bearing.displacement_capacity
     beyond = {
         variant.method: said.bound
@@ -154,13 +150,6 @@ def _beyond_capacity(name: str, predicted: dict[Variant, Prediction], system: Sy
     ]
 
 
-def _intervals_or_none(calibration: Sequence[Case]) -> Intervals | None:
-    try:
-        return intervals_from_pgv(calibration)
-    except InputError:
-        return None
-
-
 def _left_out(motion: GroundMotion, left_out: int, number: int) -> str:
     if left_out:
         return f"{motion.name}: {left_out} of the {number} components of the set are left out of its intervals, as of the same earthquake."
@@ -172,5 +161,85 @@ def _left_out(motion: GroundMotion, left_out: int, number: int) -> str:
     return f"{motion.name}: no component of the set is left out of its intervals; {why}."
 
 
-def _without_interval(pgv: float) -> str:
-    return f"At a PGV of {pgv / 1e3:g} m/s too few records move the bearing for an interval."
+# The cases that an interval rests on, at the same PGV under the same bearing.
+
+
+def blind_variants() -> tuple[Variant, ...]:
+    """Return what an interval is given for, besides the PGV alone."""
+    return tuple(variant for variant in variants() if variant.information is Information.BLIND)
+
+
+@cache
+def calibration_set() -> tuple[GroundMotion, ...]:
+    """Return the components, as they are."""
+    return tuple(stored.motion for stored in read_stored(all_keys()))
+
+
+def cases_at(pgv: float, methods: Methods, report: Callable[[], None] | None = None) -> list[Case]:
+    """Analyse and predict every component at a PGV [mm/s]; `report` is called after each."""
+    cases: list[Case] = []
+    for motion in calibration_set():
+        cases.append(compare(motion.scaled_to_pgv(pgv), methods))
+        if report is not None:
+            report()
+    return cases
+
+
+def others_than(motion: GroundMotion, cases: Sequence[Case]) -> list[Case]:
+    """Return the cases of other earthquakes than that of a motion, as far as its source tells."""
+    event = event_of(motion)
+    same = {one.name for one in calibration_set() if is_same_record(motion, one)}
+    return [case for case in cases if case.record not in same and not same_earthquake(event, case.event)]
+
+
+def intervals_from_pgv(cases: Sequence[Case]) -> Intervals:
+    """Return where the analyses of earthquakes with the PGV of `cases` lie, knowing nothing else.
+
+    Raises
+    ------
+    InputError
+        If nothing moves in most of the cases.
+    """
+    return {quantity: interval(errors(cases, None, quantity)) for quantity in PREDICTION_QUANTITIES.values()}
+
+
+def intervals_about(predicted: dict[Variant, Prediction], cases: Sequence[Case]) -> dict[Variant, Intervals]:
+    """Return where the analysis will lie, knowing what each blind method says of the record.
+
+    Parameters
+    ----------
+    predicted
+        What the methods say of the record.
+    cases
+        Records of other earthquakes at the same PGV.
+    """
+    return {one: _about(predicted[one], one, cases) for one in blind_variants() if one in predicted}
+
+
+def _about(prediction: Prediction, variant: Variant, cases: Sequence[Case]) -> Intervals:
+    intervals: Intervals = {}
+    for quantity in PREDICTION_QUANTITIES.values():
+        value = value_of(prediction, quantity)
+        known = errors(cases, variant, quantity)
+        # a method that sees nothing move says nothing of how far it will
+        if value > 0.0 and np.isfinite(known).sum() >= fewest():
+            intervals[quantity] = interval(known, value)
+    return intervals
+
+
+def set_remarks(pgv: float, cases: Sequence[Case], capacity: float | None) -> list[str]:
+    """Return what must be known of the set at a PGV [mm/s]: how far its records are scaled, and how many go beyond a capacity [mm]."""
+    remarks: list[str] = []
+    factors = [pgv / motion.peak_velocity for motion in calibration_set()]
+    if max(factors) > _LARGEST_SCALE or min(factors) < 1.0 / _LARGEST_SCALE:
+        remarks.append(
+            f"For a PGV of {pgv / 1e3:g} m/s the records of the set are scaled by {min(factors):.2g} to {max(factors):.2g}, which changes their"
+            " strength but not their duration and periods: the intervals are as good as that is."
+        )
+    beyond = [case.analysed.whole.bound > capacity for case in cases] if capacity is not None else []
+    if any(beyond):
+        remarks.append(
+            f"At {pgv / 1e3:g} m/s {100.0 * sum(beyond) / len(beyond):.0f} % of the analyses of the set go beyond the capacity of"
+            f" {capacity:g} mm."
+        )
+    return remarks

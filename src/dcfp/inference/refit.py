@@ -10,10 +10,9 @@ from scipy import optimize
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
-from dcfp.inference.calibration import blind_variants
 from dcfp.inference.case import Case
-from dcfp.inference.intervals import Coverage, coverage, errors, fewest, grouped_splits
-from dcfp.inference.statistics import scatter
+from dcfp.inference.forecast import blind_variants
+from dcfp.inference.statistics import Coverage, coverage, errors, fewest, grouped_splits, scatter
 from dcfp.methods import Prediction
 from dcfp.methods.li_2020 import LI_2020, Constants, predict_from_pgv, predict_simplified
 from dcfp.methods.li_2020.constants import DESIGN, SIMPLIFIED
@@ -43,19 +42,20 @@ def governing(cases: Sequence[Case]) -> tuple[FloatArray, FloatArray]:
     return changes, slopes
 
 
-def _with_pulse(cases: Sequence[Case]) -> list[Case]:
-    """Return the cases with a governing pulse.
-
-    Raises
-    ------
-    InputError
-        If there is none.
-    """
-    known = [case for case in cases if case.analysed.pulse is not None]
-    if not known:
-        msg = "No pulse is behind any of the displacements, so there is nothing to fit the constants to."
+def _known(cases: Sequence[Case], known: Callable[[Case], object], nothing: str) -> list[Case]:
+    """Return the cases of which something is known; `nothing` is said where there are none."""
+    found = [case for case in cases if known(case)]
+    if not found:
+        msg = f"{nothing}, so there is nothing to fit the constants to."
         raise InputError(msg)
-    return known
+    return found
+
+
+def _with_pulse(cases: Sequence[Case]) -> list[Case]:
+    """Return the cases with a governing pulse."""
+    return _known(
+        cases, lambda case: case.analysed.pulse is not None, "No pulse is behind any of the displacements"
+    )
 
 
 def average_slope(cases: Sequence[Case], reference_pgv: float = LI_2020.reference_pgv) -> float:
@@ -88,12 +88,8 @@ def fall_ratio(cases: Sequence[Case], constants: Constants = LI_2020) -> float:
     """Return the eps [-] whose curve, Eq. (27), is closest to the analyses: Li et al. (2020), Figure 19."""
     known = [case for case in _with_pulse(cases) if case.analysed.governing.input_velocity > 0.0]
     _, slopes = governing(known)
-    absorbed = np.array(
-        [
-            case.analysed.governing.hysteretic_velocity / case.analysed.governing.input_velocity
-            for case in known
-        ]
-    )
+    velocities = [case.analysed.governing for case in known]
+    absorbed = np.array([one.hysteretic_velocity / one.input_velocity for one in velocities])
     ratio = constants.friction_deceleration / slopes
 
     def misfit(logarithm: float) -> float:
@@ -117,18 +113,7 @@ def refit_as_paper(cases: Sequence[Case], constants: Constants = LI_2020) -> Con
 
 def refit_simplified(cases: Sequence[Case], constants: Constants = LI_2020) -> Constants:
     """Return the kg_ave and eps with which the simplified method is closest to V_dE and V_dEhr, by least squares of the logarithms."""
-
-    def made(slope: float, eps: float) -> Constants:
-        least = _ABOVE_FRICTION * constants.friction_deceleration
-        return replace(constants, average_slope=max(slope, least), fall_ratio=eps)
-
-    return _fitted(
-        made,
-        constants,
-        ("average_slope", "fall_ratio"),
-        lambda case, trial: predict_simplified(case.pulses, trial).largest,
-        cases,
-    )
+    return _fitted(cases, constants, ("average_slope", "fall_ratio"), _simplified)
 
 
 def refit_design(cases: Sequence[Case], constants: Constants = LI_2020) -> Constants:
@@ -136,60 +121,62 @@ def refit_design(cases: Sequence[Case], constants: Constants = LI_2020) -> Const
 
     kg_ave is kept: in Eq. (31) it does what zeta does, and in Eq. (32) what eps does.
     """
+    return _fitted(cases, constants, ("change_ratio", "fall_ratio"), _design)
 
-    def made(zeta: float, eps: float) -> Constants:
-        return replace(constants, change_ratio=zeta, fall_ratio=eps)
 
-    return _fitted(
-        made,
-        constants,
-        ("change_ratio", "fall_ratio"),
-        lambda case, trial: predict_from_pgv(case.pgv, trial),
-        cases,
-    )
+def _simplified(case: Case, constants: Constants) -> Prediction:
+    return predict_simplified(case.pulses, constants).largest
+
+
+def _design(case: Case, constants: Constants) -> Prediction:
+    return predict_from_pgv(case.pgv, constants)
 
 
 def at_limit(fitted: Constants, given: Constants = LI_2020) -> bool:
     """Return whether a fit from the constants `given` ended where the search ends, so that the data do not determine it."""
     pairs = [
-        (fitted.average_slope, given.average_slope),
-        (fitted.fall_ratio, given.fall_ratio),
-        (fitted.change_ratio, given.change_ratio),
+        (getattr(fitted, name), part * getattr(given, name))
+        for name in ("average_slope", "fall_ratio", "change_ratio")
+        for part in (_LEAST, _MOST)
     ]
-    near = (
-        math.isclose(one, part * other, rel_tol=_AT_LIMIT) for one, other in pairs for part in (_LEAST, _MOST)
-    )
-    lowest = _ABOVE_FRICTION * given.friction_deceleration
-    return any(near) or math.isclose(fitted.average_slope, lowest, rel_tol=_AT_LIMIT)
+    pairs.append((fitted.average_slope, _ABOVE_FRICTION * given.friction_deceleration))
+    return any(math.isclose(one, limit, rel_tol=_AT_LIMIT) for one, limit in pairs)
 
 
 def _fitted(
-    made: Callable[[float, float], Constants],
+    cases: Sequence[Case],
     given: Constants,
     names: tuple[str, str],
     predict: Callable[[Case, Constants], Prediction],
-    cases: Sequence[Case],
 ) -> Constants:
-    """Return the constants with the least squares of ln (prediction / analysis) of V_dE and V_dEhr; `names` are of those that `made` takes."""
-    start = [getattr(given, name) for name in names]
-    known = [case for case in cases if case.analysed.whole.hysteretic_velocity > 0.0 and case.pulses.count]
-    if not known:
-        msg = "Nothing moves in any of the cases, so there is nothing to fit the constants to."
-        raise InputError(msg)
-    whole = [case.analysed.whole for case in known]
-    analysed = np.log([[one.input_velocity, one.hysteretic_velocity] for one in whole])
+    """Return the constants with the least squares of ln (prediction / analysis) of V_dE and V_dEhr, of which those of `names` are free."""
+    known = _known(
+        cases,
+        lambda case: case.analysed.whole.hysteretic_velocity > 0.0 and case.pulses.count,
+        "Nothing moves in any of the cases",
+    )
+    analysed = _logarithms([case.analysed.whole for case in known])
+
+    def made(logarithms: FloatArray) -> Constants:
+        found = dict(zip(names, np.exp(logarithms).tolist(), strict=True))
+        if "average_slope" in found:
+            least = _ABOVE_FRICTION * given.friction_deceleration
+            found["average_slope"] = max(found["average_slope"], least)
+        return replace(given, **found)
 
     def misfit(logarithms: FloatArray) -> FloatArray:
-        trial = made(*np.exp(logarithms).tolist())
-        said = [predict(case, trial) for case in known]
-        found = np.log([[one.input_velocity, one.hysteretic_velocity] for one in said])
-        return (found - analysed).ravel()
+        trial = made(logarithms)
+        return (_logarithms([predict(case, trial) for case in known]) - analysed).ravel()
 
-    first = np.log(start)
+    first = np.log([getattr(given, name) for name in names])
     limits = np.log([parameters(Constants)[name].limits for name in names]).T
     least, most = np.maximum(first + np.log(_LEAST), limits[0]), np.minimum(first + np.log(_MOST), limits[1])
     solution = _optimize.least_squares(misfit, first, bounds=(least, most), diff_step=1e-3, xtol=1e-6)
-    return made(*np.exp(solution.x).tolist())
+    return made(solution.x)
+
+
+def _logarithms(predictions: Sequence[Prediction]) -> FloatArray:
+    return np.log([[one.input_velocity, one.hysteretic_velocity] for one in predictions])
 
 
 # On the other half of the earthquakes.
@@ -261,27 +248,13 @@ def refits(cases: Sequence[Case], constants: Constants) -> list[Refit]:
     InputError
         If there is no case at the PGV that kg_ave belongs to.
     """
-    fits = {
-        SIMPLIFIED: (_simplified, refit_simplified),
-        DESIGN: (_design, refit_design),
-    }
+    methods = ((SIMPLIFIED, _simplified, refit_simplified), (DESIGN, _design, refit_design))
     found: list[Refit] = []
-    for method, (predict, by_squares) in fits.items():
-        for words, fit in (
-            ("as given", _as_given),
-            ("as the paper fits", refit_as_paper),
-            ("least squares", by_squares),
-        ):
+    for method, predict, by_squares in methods:
+        fits = {"as given": _as_given, "as the paper fits": refit_as_paper, "least squares": by_squares}
+        for words, fit in fits.items():
             found.append(_judged(method, words, fit, predict, cases, constants))
     return found
-
-
-def _simplified(case: Case, constants: Constants) -> Prediction:
-    return predict_simplified(case.pulses, constants).largest
-
-
-def _design(case: Case, constants: Constants) -> Prediction:
-    return predict_from_pgv(case.pgv, constants)
 
 
 def _as_given(cases: Sequence[Case], constants: Constants) -> Constants:
@@ -301,10 +274,10 @@ def _judged(
     dispersions: list[float] = []
     for training in grouped_splits([case.event for case in cases], REFIT_SPLITS):
         constants = fit([case for case, trained in zip(cases, training, strict=True) if trained], given)
+        others = [case for case, trained in zip(cases, training, strict=True) if not trained]
+        changes = [(case, case.analysed.whole.displacement_change) for case in others]
         ratios = [
-            value_of(predict(case, constants), CHANGE) / case.analysed.whole.displacement_change
-            for case, trained in zip(cases, training, strict=True)
-            if not trained and case.analysed.whole.displacement_change > 0.0
+            value_of(predict(case, constants), CHANGE) / change for case, change in changes if change > 0.0
         ]
         held_out = scatter(np.array(ratios))
         biases.append(np.log(held_out.bias))

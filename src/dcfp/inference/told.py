@@ -2,14 +2,12 @@
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from typing import Any, NamedTuple
 
-from dcfp.inference.calibration import Intervals
 from dcfp.inference.case import Case
-from dcfp.inference.forecast import Forecast
-from dcfp.inference.intervals import Coverage
-from dcfp.inference.statistics import Scatter, ratios
+from dcfp.inference.forecast import Forecast, Intervals
+from dcfp.inference.statistics import Coverage, Scatter, ratios
 from dcfp.methods import Prediction, Pulses
 from dcfp.methods.code import code_objects
 from dcfp.methods.method import Information, Variant
@@ -19,18 +17,20 @@ from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import M_PER_S, MM, MM_PER_S, MM_PER_S2, NONE, PERCENT, SECOND
 
-_ENDS = ("low", "median", "high")
+#: Ends of an interval, and what they are called.
+_ENDS = {"low": "5 %", "median": "median", "high": "95 %"}
 
 # ----- a prediction, a pulse, a swing, an interval -----
 
+#: Of all pulses; one of them is told.
 PULSES = [
-    Quantity("start_s", "peak before", SECOND, get=lambda one: float(one.pulses.starts[one.place])),
-    Quantity("peak_s", "its own peak", SECOND, get=lambda one: float(one.pulses.peaks[one.place])),
-    Quantity("end_s", "peak after", SECOND, get=lambda one: float(one.pulses.ends[one.place])),
-    Quantity("dvg_mm_s", "change of the ground velocity", MM_PER_S, get=lambda one: float(one.pulses.changes[one.place])),
-    Quantity("kg_mm_s2", "slope before the peak", MM_PER_S2, get=lambda one: float(one.pulses.mean_accelerations[one.place])),
-    Quantity("kg_next_mm_s2", "slope after the peak", MM_PER_S2, get=lambda one: float(one.pulses.next_mean_accelerations[one.place])),
-]  # fmt: skip
+    Quantity("start_s", "peak before", SECOND, get="starts"),
+    Quantity("peak_s", "its own peak", SECOND, get="peaks"),
+    Quantity("end_s", "peak after", SECOND, get="ends"),
+    Quantity("dvg_mm_s", "change of the ground velocity", MM_PER_S, get="changes"),
+    Quantity("kg_mm_s2", "slope before the peak", MM_PER_S2, get="mean_accelerations"),
+    Quantity("kg_next_mm_s2", "slope after the peak", MM_PER_S2, get="next_mean_accelerations"),
+]
 SWINGS = [
     Quantity("start_s", "start", SECOND, get="start"),
     Quantity("end_s", "end", SECOND, get="end"),
@@ -41,121 +41,104 @@ SWINGS = [
 ]  # fmt: skip
 
 
-class Pulse(NamedTuple):
-    """One of the pulses of a record, by its place."""
+class Told(NamedTuple):
+    """A forecast or a case, how it was predicted, and the method that a line is of.
 
-    pulses: Pulses
-    place: int
+    A line of a forecast without a method is of where other analyses of that PGV lie, one of a case of its analysis.
+    """
 
-
-def _one(columns: Sequence[Quantity], thing: Any) -> dict[str, Any]:
-    return Table(tuple(columns), [thing]).objects()[0]
-
-
-def _said(prediction: Prediction) -> dict[str, Any]:
-    return _one(tuple(PREDICTION_QUANTITIES.values()), prediction)
-
-
-def _pulse(pulses: Pulses | None, place: int | None) -> dict[str, Any] | None:
-    return None if pulses is None or place is None else _one(PULSES, Pulse(pulses, place))
-
-
-def _interval(intervals: Intervals | None) -> dict[str, Any] | None:
-    if intervals is None:
-        return None
-    return {
-        quantity.key: {"low": one.low, "median": one.median, "high": one.high, "cases": one.cases}
-        for quantity, one in intervals.items()
-    }
-
-
-# ----- forecasts -----
-
-
-class ToldForecast(NamedTuple):
-    """What one method says in a forecast; with none, where other analyses of that PGV lie."""
-
-    forecast: Forecast
-    methods: Methods
+    of: Any
+    methods: Methods | None = None
     variant: Variant | None = None
 
     @property
-    def record(self) -> str | None:
-        """Name of the record."""
-        return None if self.forecast.motion is None else self.forecast.motion.name
-
-    @property
     def said(self) -> Prediction | None:
-        """The prediction."""
-        return None if self.variant is None else self.forecast.predicted[self.variant]
+        """The prediction, or what the analysis gives."""
+        if self.variant is None:
+            return self.of.analysed.whole if isinstance(self.of, Case) else None
+        return self.of.predicted[self.variant]
 
     @property
     def place(self) -> int | None:
-        """Place of the governing pulse."""
-        return None if self.variant is None else self.forecast.governing.get(self.variant)
+        """Place of the governing pulse of a forecast."""
+        return None if self.variant is None else self.of.governing.get(self.variant)
 
     @property
     def pulse(self) -> str | None:
-        """From when to when the governing pulse rises [s]."""
-        pulses, place = self.forecast.pulses, self.place
-        return (
-            None
-            if pulses is None or place is None
-            else f"{pulses.starts[place]:.2f}–{pulses.peaks[place]:.2f}"
-        )
+        """From when to when the governing pulse of a forecast rises [s]."""
+        found = _pulse(self.of.pulses, self.place)
+        return None if found is None else f"{found['start_s']:.2f}–{found['peak_s']:.2f}"
 
     @property
-    def basis(self) -> str:
-        """What it knows."""
-        return (Information.PGV if self.variant is None else self.variant.information).value
+    def information(self) -> Information:
+        """What a forecast knows."""
+        return Information.PGV if self.variant is None else self.variant.information
 
     @property
-    def intervals(self) -> Intervals | None:
-        """Intervals of the method."""
-        return self.forecast.intervals.get(self.variant)
+    def verdict(self) -> str:
+        """Verdict of a method of a code on a case."""
+        codes = self.of.codes
+        return codes[self.variant.method].verdict if self.variant and self.variant.method in codes else ""
 
 
-def _record(*, printed: bool = True) -> tuple[Quantity, ...]:
-    return (
-        Quantity("record", "name of the ground motion", head="Record", get="record", printed=printed),
-        Quantity("pgv_m_s", "peak ground velocity in m/s", get=lambda one: round(one.forecast.pgv / 1e3, 12), printed=False),
-        Quantity("PGV", "peak ground velocity", M_PER_S, decimals=3, get="forecast.pgv", stored=False),
-    )  # fmt: skip
+def _objects(columns: Sequence[Quantity], results: Sequence[Any]) -> list[dict[str, Any]]:
+    return Table(tuple(columns), results).objects()
 
 
-def _of_pulse(place: str) -> Quantity:
-    """Return when the governing pulse begins, has its peak and ends."""
-
-    def get(one: ToldForecast) -> float | None:
-        pulses: Any = one.forecast.pulses
-        return None if pulses is None or one.place is None else float(getattr(pulses, place)[one.place])
-
-    name = place.removesuffix("s")
-    return Quantity(
-        f"pulse_{name}_s",
-        f"{name} of the governing pulse",
-        SECOND,
-        name=f"pulse_{name}",
-        get=get,
-        printed=False,
-    )
+def _pulse(pulses: Pulses | None, place: int | None) -> dict[str, Any] | None:
+    if pulses is None or place is None:
+        return None
+    return {one.key: one.datum(pulses)[place] for one in PULSES}
 
 
-def _of_interval(quantity: Quantity, end: str) -> Quantity:
-    def get(one: ToldForecast) -> float | None:
-        found = None if one.intervals is None else one.intervals.get(quantity)
-        return None if found is None else getattr(found, end)
+def _interval(intervals: Intervals | None) -> dict[str, Any] | None:
+    return None if intervals is None else {one.key: asdict(found) for one, found in intervals.items()}
 
-    return Quantity(f"{quantity.key}_{end}", f"{end} of {quantity.title}", quantity.unit, name=f"{quantity.title}_{end}", get=get, printed=False)  # fmt: skip
+
+def _prediction(of: Forecast | Case, variant: Variant) -> dict[str, Any]:
+    """Return what one method says, with what it knows."""
+    (said,) = _objects(tuple(PREDICTION_QUANTITIES.values()), [of.predicted[variant]])
+    return {"method": variant.method, "basis": variant.information.value, **said}
 
 
 def _of_said(one: Quantity) -> Quantity:
     """Return a quantity of a prediction for lines that may have none."""
 
-    def get(line: Any) -> float | None:
+    def get(line: Told) -> float | None:
         return None if line.said is None else one.of(line.said)
 
     return replace(one, get=get)
+
+
+# ----- forecasts -----
+
+
+def _record(*, printed: bool = True) -> tuple[Quantity, ...]:
+    return (
+        Quantity("record", "name of the ground motion", head="Record", get=lambda one: None if one.of.motion is None else one.of.motion.name, printed=printed),
+        Quantity("pgv_m_s", "peak ground velocity in m/s", get=lambda one: round(one.of.pgv / 1e3, 12), printed=False),
+        Quantity("PGV", "peak ground velocity", M_PER_S, decimals=3, get="of.pgv", stored=False),
+    )  # fmt: skip
+
+
+def _of_pulse(time: Quantity) -> Quantity:
+    """Return when the governing pulse begins, has its peak or ends."""
+
+    def get(one: Told) -> float | None:
+        found = _pulse(one.of.pulses, one.place)
+        return None if found is None else found[time.key]
+
+    name = time.key.removesuffix("_s")
+    words = f"{name} of the governing pulse"
+    return replace(time, key=f"pulse_{time.key}", words=words, name=f"pulse_{name}", get=get, printed=False)
+
+
+def _of_interval(quantity: Quantity, end: str) -> Quantity:
+    def get(one: Told) -> float | None:
+        found = one.of.intervals.get(one.variant, {}).get(quantity)
+        return None if found is None else getattr(found, end)
+
+    return Quantity(f"{quantity.key}_{end}", f"{end} of {quantity.title}", quantity.unit, name=f"{quantity.title}_{end}", get=get, printed=False)  # fmt: skip
 
 
 def forecast_lines(forecasts: Sequence[Forecast], methods: Methods, *, with_others: bool = True) -> Table:
@@ -164,15 +147,15 @@ def forecast_lines(forecasts: Sequence[Forecast], methods: Methods, *, with_othe
     columns = (
         *_record(printed=of_records),
         Quantity("method", "method", head="Method", get=lambda one: "analyses of other records" if one.variant is None else one.variant.method),
-        Quantity("basis", "what it knows", get="basis", printed=False),
-        Quantity("knows", "what it knows", head="Knows", get=lambda one: Information(one.basis).words, stored=False),
+        Quantity("basis", "what it knows", get="information", printed=False),
+        Quantity("knows", "what it knows", head="Knows", get="information.words", stored=False),
         *map(_of_said, PREDICTION_QUANTITIES.values()),
         Quantity("pulse", "governing pulse", SECOND, head="Pulse", get="pulse", stored=False, printed=of_records),
-        *map(_of_pulse, ("starts", "peaks", "ends")),
+        *map(_of_pulse, PULSES[:3]),
         *(_of_interval(quantity, end) for quantity in PREDICTION_QUANTITIES.values() for end in _ENDS),
     )  # fmt: skip
-    lines = [ToldForecast(one, methods, variant) for one in forecasts for variant in one.predicted]
-    others = [ToldForecast(one, methods) for one in forecasts if with_others and None in one.intervals]
+    lines = [Told(one, methods, variant) for one in forecasts for variant in one.predicted]
+    others = [Told(one, methods) for one in forecasts if with_others and None in one.intervals]
     return Table(columns, [*lines, *others])
 
 
@@ -183,140 +166,88 @@ def interval_lines(forecasts: Sequence[Forecast], methods: Methods) -> Table:
     def shown(quantity: Quantity, end: str) -> Quantity:
         stored = _of_interval(quantity, end)
 
-        def text(one: ToldForecast) -> str | None:
+        def text(one: Told) -> str | None:
             value = stored.of(one)
             return None if value is None else f"{value:.0f}" if value >= 10.0 else f"{value:.1f}"
 
-        part = {"low": "5 %", "median": "median", "high": "95 %"}[end]
-        return Quantity(
-            stored.key,
-            stored.words,
-            stored.unit,
-            head=f"{heads[quantity.title]}\n{part}\n[{quantity.unit.name}]",
-            get=text,
-        )
+        head = f"{heads[quantity.title]}\n{_ENDS[end]}\n[{quantity.unit.name}]"
+        return replace(stored, name="", head=head, get=text, printed=True)
 
     columns = (
         *_record(printed=forecasts[0].motion is not None),
         Quantity("knowing", "what is known", head="Knowing", get=lambda one: "the PGV" if one.variant is None else one.variant.method),
         *(shown(quantity, end) for quantity in PREDICTION_QUANTITIES.values() if quantity.title in heads for end in _ENDS),
     )  # fmt: skip
-    return Table(
-        columns, [ToldForecast(one, methods, variant) for one in forecasts for variant in one.intervals]
-    )
+    return Table(columns, [Told(one, methods, variant) for one in forecasts for variant in one.intervals])
 
 
-FORECASTS = [
-    *_record(),
+_SYSTEM = (
     Quantity("friction", "friction law", get="methods.system.friction.name"),
     Quantity("heating", "heating model", get="methods.system.heating.name"),
+)
+FORECASTS = [
+    *_record(),
+    *_SYSTEM,
     Quantity("nominal_friction", "nominal coefficient", NONE, get="methods.constants.nominal_friction"),
-    Quantity("pulses", "number of pulses", NONE, get=lambda one: None if one.forecast.pulses is None else one.forecast.pulses.count),
-    Quantity("predictions", "what the methods say", get=lambda one: [_forecast_of(one.forecast, variant) for variant in one.forecast.predicted], flat=False),
-    Quantity("interval_from_pgv", "where analyses of that PGV lie", get=lambda one: _interval(one.forecast.intervals.get(None)), flat=False),
-    Quantity("remarks", "what a reader must know", get="forecast.remarks"),
+    Quantity("pulses", "number of pulses", NONE, get=lambda one: None if one.of.pulses is None else one.of.pulses.count),
+    Quantity("predictions", "what the methods say", get=lambda one: [_forecast_of(one.of, variant) for variant in one.of.predicted], flat=False),
+    Quantity("interval_from_pgv", "where analyses of that PGV lie", get=lambda one: _interval(one.of.intervals.get(None)), flat=False),
+    Quantity("remarks", "what a reader must know", get="of.remarks"),
 ]  # fmt: skip
 
 
 def _forecast_of(one: Forecast, variant: Variant) -> dict[str, Any]:
-    return {
-        **_named(variant),
-        **_said(one.predicted[variant]),
+    more = {
         "pulse": _pulse(one.pulses, one.governing.get(variant)),
         "interval": _interval(one.intervals.get(variant)),
     }
+    return _prediction(one, variant) | more
 
 
 def forecast_objects(forecasts: Sequence[Forecast], methods: Methods) -> list[dict[str, Any]]:
     """Return an object for each record and PGV, ready for JSON."""
-    return Table(tuple(FORECASTS), [ToldForecast(one, methods) for one in forecasts]).objects()
+    return _objects(FORECASTS, [Told(one, methods) for one in forecasts])
 
 
 # ----- comparisons -----
 
-
-class ToldCase(NamedTuple):
-    """A comparison, with how its record was predicted."""
-
-    case: Case
-    methods: Methods
-
-
 CASES = [
-    Quantity("record", "name of the ground motion", get="case.record"),
-    Quantity("event", "earthquake", get="case.event"),
-    Quantity("pgv_m_s", "peak ground velocity", M_PER_S, places=12, get="case.pgv"),
-    Quantity("friction", "friction law", get="methods.system.friction.name"),
-    Quantity("heating", "heating model", get="methods.system.heating.name"),
-    Quantity("analysis", "what the analysis gives", get=lambda one: _said(one.case.analysed.whole), flat=False),
-    Quantity("governing_swing", "swing of the largest change", get=lambda one: None if one.case.analysed.swing is None else _one(SWINGS, one.case.analysed.swing), flat=False),
-    Quantity("governing_pulse", "pulse behind it", get=lambda one: _pulse(one.case.pulses, one.case.analysed.pulse), flat=False),
-    Quantity("predictions", "what the methods say", get=lambda one: [_prediction_of(one.case, variant) for variant in one.case.predicted if variant.method not in one.case.codes], flat=False),
-    Quantity("codes", "what the methods of codes say", get=lambda one: code_objects(one.case.codes.values()), flat=False),
-    Quantity("remarks", "what a reader must know", get=lambda one: [*one.case.remarks, *one.methods.remarks(one.case.pgv)]),
+    Quantity("record", "name of the ground motion", get="of.record"),
+    Quantity("event", "earthquake", get="of.event"),
+    Quantity("pgv_m_s", "peak ground velocity", M_PER_S, places=12, get="of.pgv"),
+    *_SYSTEM,
+    Quantity("analysis", "what the analysis gives", get=lambda one: _objects(tuple(PREDICTION_QUANTITIES.values()), [one.said])[0], flat=False),
+    Quantity("governing_swing", "swing of the largest change", get=lambda one: None if one.of.analysed.swing is None else _objects(SWINGS, [one.of.analysed.swing])[0], flat=False),
+    Quantity("governing_pulse", "pulse behind it", get=lambda one: _pulse(one.of.pulses, one.of.analysed.pulse), flat=False),
+    Quantity("predictions", "what the methods say", get=lambda one: [_prediction_of(one.of, variant) for variant in one.of.predicted if variant.method not in one.of.codes], flat=False),
+    Quantity("codes", "what the methods of codes say", get=lambda one: code_objects(one.of.codes.values()), flat=False),
+    Quantity("remarks", "what a reader must know", get=lambda one: [*one.of.remarks, *one.methods.remarks(one.of.pgv)]),
 ]  # fmt: skip
 
 
 def _prediction_of(case: Case, variant: Variant) -> dict[str, Any]:
-    found = {
-        one.title: _known(float(ratios([case], variant, one)[0])) for one in PREDICTION_QUANTITIES.values()
-    }
-    return {**_named(variant), **_said(case.predicted[variant]), "ratios": found}
-
-
-def _named(variant: Variant) -> dict[str, str]:
-    return {"method": variant.method, "basis": variant.information.value}
-
-
-def _known(value: float) -> float | None:
-    return value if math.isfinite(value) else None
+    found = {one.title: float(ratios([case], variant, one)[0]) for one in PREDICTION_QUANTITIES.values()}
+    known = {name: ratio if math.isfinite(ratio) else None for name, ratio in found.items()}
+    return _prediction(case, variant) | {"ratios": known}
 
 
 def case_objects(cases: Sequence[Case], methods: Methods) -> list[dict[str, Any]]:
     """Return an object for each record and PGV, ready for JSON; what is not known is None."""
-    return Table(tuple(CASES), [ToldCase(one, methods) for one in cases]).objects()
-
-
-class CaseLine(NamedTuple):
-    """The analysis of a case, or one of the predictions."""
-
-    case: Case
-    said: Prediction
-    variant: Variant | None = None
-
-    @property
-    def verdict(self) -> str:
-        """Verdict of a method of a code."""
-        name = "" if self.variant is None else self.variant.method
-        return self.case.codes[name].verdict if name in self.case.codes else ""
+    return _objects(CASES, [Told(one, methods) for one in cases])
 
 
 def case_lines(cases: Sequence[Case]) -> Table:
     """Return a line for each record, PGV and method, the analysis among them."""
     columns = (
         *CASES[:2],
-        Quantity("pgv_m_s", "peak ground velocity", places=12, get=lambda one: one.case.pgv / 1e3),
-        Quantity(
-            "method", "method", get=lambda one: "analysis" if one.variant is None else one.variant.method
-        ),
-        Quantity(
-            "basis",
-            "what it knows",
-            get=lambda one: "" if one.variant is None else one.variant.information.value,
-        ),
+        Quantity("pgv_m_s", "peak ground velocity", places=12, get=lambda one: one.of.pgv / 1e3),
+        Quantity("method", "method", get=lambda one: "analysis" if one.variant is None else one.variant.method),
+        Quantity("basis", "what it knows", get=lambda one: "" if one.variant is None else one.variant.information),
         *map(_of_said, PREDICTION_QUANTITIES.values()),
         Quantity("verdict", "verdict of a method of a code", get="verdict"),
-    )
+    )  # fmt: skip
     return Table(
-        columns,
-        [
-            line
-            for case in cases
-            for line in (
-                CaseLine(case, case.analysed.whole),
-                *(CaseLine(case, said, variant) for variant, said in case.predicted.items()),
-            )
-        ],
+        columns, [Told(case, None, variant) for case in cases for variant in (None, *case.predicted)]
     )
 
 
@@ -333,35 +264,27 @@ class ToldScatter(NamedTuple):
 
 
 SCATTER = [
-    Quantity("method", "method", head="Method", get=lambda one: one.variant.method),
-    Quantity("basis", "what it knows", head="Knows", get=lambda one: one.variant.information.value),
+    Quantity("method", "method", head="Method", get="variant.method"),
+    Quantity("basis", "what it knows", head="Knows", get="variant.information"),
     Quantity("quantity", "quantity", head="Quantity", get="quantity.title"),
-    Quantity("cases", "cases that are measured", NONE, get="scatter.number", printed=False),
-    Quantity("without_prediction", "cases without a prediction", NONE, get="scatter.without", printed=False),
     Quantity("share_below_analysis", "share of the cases below the analysis", NONE, get="scatter.below", printed=False),
     Quantity("least", "least ratio", NONE, decimals=2, head="Least\n", get="scatter.least"),
-    Quantity("Median", "median ratio", NONE, decimals=2, head="Median\n", get="scatter.median", stored=False),
+    Quantity("median", "median ratio", NONE, decimals=2, head="Median\n", get="scatter.median"),
     Quantity("largest", "largest ratio", NONE, decimals=2, head="Largest\n", get="scatter.largest"),
-    Quantity("median", "median ratio", NONE, get="scatter.median", printed=False),
     Quantity("bias", "geometric mean of the ratios", NONE, decimals=2, head="Bias\n", get="scatter.bias"),
     Quantity("dispersion", "standard deviation of their logarithms", NONE, get="scatter.dispersion", printed=False),
     Quantity("Dispersion", "the same, of more than one case", NONE, decimals=3, head="Dispersion\n", get=lambda one: one.scatter.dispersion if one.scatter.number > 1 else None, stored=False),
     Quantity("Below", "share of the cases below the analysis", PERCENT, head="Below\n", get=lambda one: f"{100.0 * one.scatter.below:.0f} %", stored=False),
-    Quantity("Cases", "cases that are measured", NONE, head="Cases\n", get="scatter.number", stored=False),
-    Quantity("Without", "cases without a prediction", NONE, head="Without\n", get="scatter.without", stored=False),
+    Quantity("cases", "cases that are measured", NONE, head="Cases\n", get="scatter.number"),
+    Quantity("without_prediction", "cases without a prediction", NONE, head="Without\n", get="scatter.without"),
     Quantity("outside_of_limits", "cases outside of the limits of the method", NONE, get="outside", printed=False),
 ]  # fmt: skip
 
 
 def scatter_table(found: dict[tuple[Variant, Quantity], Scatter], cases: Sequence[Case]) -> Table:
     """Return a line for each method, basis and quantity."""
-    return Table(
-        tuple(SCATTER),
-        [
-            ToldScatter(variant, quantity, one, _outside(cases, variant.method))
-            for (variant, quantity), one in found.items()
-        ],
-    )
+    rows = [ToldScatter(*key, one, _outside(cases, key[0].method)) for key, one in found.items()]
+    return Table(tuple(SCATTER), rows)
 
 
 def _outside(cases: Sequence[Case], method: str) -> int | None:
@@ -373,7 +296,7 @@ def _outside(cases: Sequence[Case], method: str) -> int | None:
 class ToldCoverage(NamedTuple):
     """How often the intervals of a quantity hold what they ought to."""
 
-    method: str | None
+    variant: Variant | None
     quantity: Quantity
     coverage: Coverage
 
@@ -383,8 +306,8 @@ def _percent(name: str) -> Callable[[ToldCoverage], str]:
 
 
 COVERAGE = [
-    Quantity("method", "method", get=lambda one: "PGV only" if one.method is None else one.method, printed=False),
-    Quantity("Interval from", "method", get=lambda one: "the PGV" if one.method is None else one.method, stored=False),
+    Quantity("method", "method", get=lambda one: "PGV only" if one.variant is None else one.variant.method, printed=False),
+    Quantity("Interval from", "method", get=lambda one: "the PGV" if one.variant is None else one.variant.method, stored=False),
     Quantity("quantity", "quantity", head="Quantity", get="quantity.title"),
     Quantity("mean", "part inside", NONE, get="coverage.mean", printed=False),
     Quantity("p05", "5 % of it", NONE, get="coverage.low", printed=False),
@@ -406,10 +329,5 @@ REFITS = [
 
 def coverage_table(coverages: dict[tuple[Variant | None, Quantity], Coverage]) -> Table:
     """Return a line for each quantity and what its interval knows."""
-    return Table(
-        tuple(COVERAGE),
-        [
-            ToldCoverage(None if variant is None else variant.method, quantity, one)
-            for (variant, quantity), one in coverages.items()
-        ],
-    )
+    rows = [ToldCoverage(*key, one) for key, one in coverages.items()]
+    return Table(tuple(COVERAGE), rows)

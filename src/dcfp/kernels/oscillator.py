@@ -10,9 +10,19 @@ With :math:`a_0 = p_0 - \omega^2 y_0` the displacement is
 and each integral of it over time raises the index of every :math:`\varphi` and the power of `h` by one.
 The series needs no division by a small frequency, so the same lines serve sliding (:math:`\omega h \sim 0.01`)
 and sticking (:math:`\omega h \sim 0.5`).
+
+Many damped oscillators under the same ground motion are exact for acceleration that is linear between samples:
+
+.. math:: \ddot u + 2 h \omega \dot u + \omega^2 u = -a_g(t)
+
+From sample to sample displacement and velocity are a linear function of themselves and of the two accelerations, with the same
+eight coefficients throughout. The inner loop is over the oscillators, which a processor takes several at a time.
 """
 
 from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from dcfp.kernels._jit import kernel
 
@@ -20,6 +30,12 @@ from dcfp.kernels._jit import kernel
 _3, _4, _5, _6 = 1.0 / 6.0, 1.0 / 24.0, 1.0 / 120.0, 1.0 / 720.0
 _7, _8, _9, _10 = 1.0 / 42.0, 1.0 / 56.0, 1.0 / 72.0, 1.0 / 90.0
 _11, _12, _13, _14 = 1.0 / 110.0, 1.0 / 132.0, 1.0 / 156.0, 1.0 / 182.0
+
+# rows of the coefficients: of u, v, the acceleration at the start and its change over the step, in the new u and the new v;
+# then omega squared, 2 h omega
+UU, UV, UA, UC, VU, VV, VA, VC, SQUARE, DAMPING, COEFFICIENTS = range(11)
+# rows of the state and of what is compared on the way; energies are per unit mass
+U, V, PEAK_U, PEAK_V, PEAK_A, INPUT, PEAK_INPUT, PEAK_ABSOLUTE, ROWS = range(9)
 
 
 class OscillatorStep(NamedTuple):
@@ -89,3 +105,117 @@ def squared_speed(step: float, start: float, end: float, displacement: float) ->
     """
     middle = 1.5 * displacement / step - 0.25 * (start + end)
     return step / 6.0 * (start * start + 4.0 * middle * middle + end * end)
+
+
+@kernel
+def time_of_turn(
+    stiffness: float,
+    bracket: tuple[float, float],
+    first: float,
+    close: float,
+    velocity: float,
+    acceleration: float,
+    force_rate: float,
+    force_curvature: float,
+) -> float:
+    """Time in a bracket [s] at which the velocity, of the sign of `velocity` before, passes zero; arguments as for `advance_oscillator`.
+
+    Newton's iteration inside the bracket, from the time `first` until it moves by less than `close` [s].
+    """
+    low, high = bracket
+    going = velocity if velocity != 0.0 else acceleration
+    t = first
+    for _ in range(50):
+        step = advance_oscillator(stiffness, t, velocity, acceleration, force_rate, force_curvature)
+        if step.velocity * going > 0.0:
+            low = t
+        else:
+            high = t
+        now = acceleration + t * (force_rate + t * force_curvature) - stiffness * step.displacement
+        better = t - step.velocity / now if now != 0.0 else 0.5 * (low + high)
+        if not low <= better <= high:
+            better = 0.5 * (low + high)
+        ends = abs(better - t) < close
+        t = better
+        if ends:
+            break
+    return t
+
+
+# Many oscillators at once.
+
+
+@kernel
+def _stepped(
+    coefficients: NDArray[np.float64], j: int, u: float, v: float, a: float, c: float
+) -> tuple[float, float]:
+    """Return displacement and velocity of oscillator j after a step, from those before it, the acceleration and its change."""
+    return (
+        coefficients[UU, j] * u + coefficients[UV, j] * v + coefficients[UA, j] * a + coefficients[UC, j] * c,
+        coefficients[VU, j] * u + coefficients[VV, j] * v + coefficients[VA, j] * a + coefficients[VC, j] * c,
+    )
+
+
+@kernel
+def _furthest(u: float, v: float, next_u: float, next_v: float, step: float) -> float:
+    """Return the largest displacement of a step: at its end, or where the parabola of the two velocities turns."""
+    turning = u + (0.5 * step * v * v / (v - next_v) if v * next_v < 0.0 else 0.0)
+    return max(abs(next_u), abs(turning))
+
+
+@kernel
+def respond_all(
+    coefficients: NDArray[np.float64],
+    step: float | None,
+    acceleration: NDArray[np.float64],
+    state: NDArray[np.float64],
+) -> None:
+    """Take every oscillator through the samples of `acceleration` [mm/s2], `step` [s] apart; note its largest displacement.
+
+    Without a `step`, as numba knows when it compiles, only the samples are looked at: for oscillators so slow that they turn at one.
+    """
+    for i in range(acceleration.size - 1):
+        a = acceleration[i]
+        c = acceleration[i + 1] - a
+        for j in range(state.shape[1]):
+            u, v = state[U, j], state[V, j]
+            next_u, next_v = _stepped(coefficients, j, u, v, a, c)
+            furthest = abs(next_u) if step is None else _furthest(u, v, next_u, next_v, step)
+            state[PEAK_U, j] = max(state[PEAK_U, j], furthest)
+            state[U, j], state[V, j] = next_u, next_v
+
+
+@kernel
+def respond_with_energy(
+    coefficients: NDArray[np.float64],
+    step: float,
+    acceleration: NDArray[np.float64],
+    ground: NDArray[np.float64],
+    state: NDArray[np.float64],
+) -> None:
+    """Do the same, and note the largest velocity, absolute acceleration and input energies at the samples.
+
+    `ground` is the velocity of the ground [mm/s]. The relative input energy is the integral of - a_g v, in closed form; the absolute one that
+    of (a_u + a_g) v_g, which differs by v_g (v_g / 2 + v).
+    """
+    for i in range(acceleration.size - 1):
+        a = acceleration[i]
+        next_a = acceleration[i + 1]
+        c = next_a - a
+        g = ground[i + 1]
+        for j in range(state.shape[1]):
+            u, v = state[U, j], state[V, j]
+            next_u, next_v = _stepped(coefficients, j, u, v, a, c)
+            square, damping = coefficients[SQUARE, j], coefficients[DAMPING, j]
+            # the equation of motion, integrated over the step, gives the area under u
+            area = -(step * (a + 0.5 * c) + (next_v - v) + damping * (next_u - u)) / square
+            energy = state[INPUT, j] - (next_a * next_u - a * u) + c / step * area
+            absolute = energy + g * (0.5 * g + next_v)
+            total = damping * next_v + square * next_u
+            state[PEAK_U, j] = max(state[PEAK_U, j], _furthest(u, v, next_u, next_v, step))
+            state[PEAK_V, j] = max(state[PEAK_V, j], abs(next_v))
+            state[PEAK_A, j] = max(state[PEAK_A, j], abs(total))
+            state[PEAK_INPUT, j] = max(state[PEAK_INPUT, j], energy)
+            state[PEAK_ABSOLUTE, j] = max(state[PEAK_ABSOLUTE, j], absolute)
+            state[INPUT, j] = energy
+            state[U, j], state[V, j] = next_u, next_v

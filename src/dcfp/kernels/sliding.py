@@ -29,7 +29,7 @@ from dcfp.kernels.imposed_motion import (
     velocity_at,
 )
 from dcfp.kernels.motion import Motion, SpringState, StepControl, StepResult, StepStart, SystemConstants
-from dcfp.kernels.oscillator import advance_oscillator, squared_speed, work
+from dcfp.kernels.oscillator import advance_oscillator, squared_speed, time_of_turn, work
 
 #: Length of a step over the sample interval, by the number of halvings.
 STEP_FRACTIONS = tuple(0.5**n for n in range(MOST_HALVINGS + 1))
@@ -351,34 +351,20 @@ def _polish_turn(
 ) -> tuple[float, bool]:
     """Return the time at which the velocity is zero, and True; or `length` and False if that is not by `furthest`.
 
-    Newton's iteration inside a bracket: with the friction corrected, a turn that was expected may come later or never.
+    With the friction corrected, a turn that was expected may come later or never.
     """
     low, high = 0.0, length
-    if (
-        advance_oscillator(stiffness, length, velocity, acceleration, force_rate, force_curvature).velocity
-        * velocity
-        > 0.0
-    ):
+    there = advance_oscillator(stiffness, length, velocity, acceleration, force_rate, force_curvature)
+    if there.velocity * velocity > 0.0:
         last = advance_oscillator(stiffness, furthest, velocity, acceleration, force_rate, force_curvature)
         if last.velocity * velocity > 0.0:
             return length, False
         low, high = length, furthest
-    h = length
-    for _ in range(50):
-        step = advance_oscillator(stiffness, h, velocity, acceleration, force_rate, force_curvature)
-        if step.velocity * velocity > 0.0:
-            low = h
-        else:
-            high = h
-        now = acceleration + h * (force_rate + h * force_curvature) - stiffness * step.displacement
-        better = h - step.velocity / now if now != 0.0 else 0.5 * (low + high)
-        if not low <= better <= high:
-            better = 0.5 * (low + high)
-        close = abs(better - h) < 1e-8 * length
-        h = better
-        if close:
-            break
-    return h, True
+    close = 1e-8 * length
+    bracket = (low, high)
+    return time_of_turn(
+        stiffness, bracket, length, close, velocity, acceleration, force_rate, force_curvature
+    ), True
 
 
 @kernel

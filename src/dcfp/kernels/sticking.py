@@ -21,7 +21,7 @@ from dcfp.kernels.imposed_motion import (
     velocity_at,
 )
 from dcfp.kernels.motion import Motion, SpringState, StepControl, StepResult, StepStart, SystemConstants
-from dcfp.kernels.oscillator import OscillatorStep, advance_oscillator, work
+from dcfp.kernels.oscillator import OscillatorStep, advance_oscillator, time_of_turn, work
 
 #: Largest angle of a sticking step [rad], so that spring (b) cannot pass the yield surface and return unseen.
 LARGEST_ANGLE = 0.55
@@ -62,7 +62,11 @@ def stick_step(
     turning = math.nan
     going = v if v != 0.0 else start
     if going * step.velocity < 0.0:
-        turn = _turn(stiffness, length, step.velocity, v, start, ground.rate)
+        first = length * v / (v - step.velocity)
+        if first < 0.01 * length:  # it starts from rest, and that is not the turn
+            first = 0.5 * length
+        close = 1e-8 * length  # the displacement is stationary there
+        turn = time_of_turn(stiffness, (0.0, length), first, close, v, start, -ground.rate, 0.0)
         turned = advance_oscillator(stiffness, turn, v, start, -ground.rate, 0.0).displacement
         turning = y + turned
         slow = mean_coefficient(model, 0.0, PRESENT)
@@ -72,7 +76,8 @@ def stick_step(
             low = turn
     if slips:
         _expect(model, control, length)
-        slip = _slip_time(model, begin, length, low, high)
+        side = 1.0 if x + _free_oscillation(system, begin, high).displacement > 0.0 else -1.0
+        slip = _slip_time(model, None, begin, length, side, low, high)
         cut = high < length
         slips = slip <= high
         length = min(slip, high)
@@ -112,8 +117,8 @@ def _stick_imposed(
     _expect(model, control, length)
     # spring (b) reaches the yield surface on the side that it moves to, unless the surface shrinks faster on the other one
     slip_sign = 1 if displacement_at(path, now + length) >= y else -1
-    slip = _imposed_slip_time(model, imposed, begin, length, slip_sign)
-    behind = _imposed_slip_time(model, imposed, begin, length, -slip_sign)
+    slip = _slip_time(model, imposed, begin, length, slip_sign, 0.0, length)
+    behind = _slip_time(model, imposed, begin, length, -slip_sign, 0.0, length)
     if behind < slip:
         slip, slip_sign = behind, -slip_sign
     slips = slip < length
@@ -185,38 +190,29 @@ def _free_oscillation(system: SystemConstants, begin: StepStart, time: float) ->
 
 
 @kernel
-def _slip_time(model: BearingModel, begin: StepStart, length: float, low: float, high: float) -> float:
-    """Time of the first slip in [low, high]; infinity if cooling has prevented it."""
-    end = begin.spring.elongation + _free_oscillation(model.system, begin, high).displacement
-    slip_sign = 1.0 if end > 0.0 else -1.0
-    # a sticking phase begins on the surface, as closely as the temperature was expected: it slips where it goes further out
-    below = _excess(model, None, begin, length, slip_sign, low)
-    outside = max(below, 0.0)
-    beyond = _excess(model, None, begin, length, slip_sign, high) - outside
-    if beyond <= 0.0:
-        return math.inf
-    bracket = Bracket(low, high, min(below - outside, -_CLOSE), beyond)
-    return _illinois(model, None, begin, length, slip_sign, outside, bracket)
-
-
-@kernel
-def _imposed_slip_time(
-    model: BearingModel, imposed: ImposedMotion, begin: StepStart, length: float, slip_sign: int
+def _slip_time(
+    model: BearingModel,
+    imposed: ImposedMotion | None,
+    begin: StepStart,
+    length: float,
+    slip_sign: float,
+    low: float,
+    high: float,
 ) -> float:
-    """Time into the step of the slip on a side; infinity if there is none."""
-    below = _excess(model, imposed, begin, length, slip_sign, 0.0)
+    """Time in [low, high] of the first slip on a side; infinity if there is none, as cooling may have prevented it."""
+    # a sticking phase begins on the surface, as closely as the temperature was expected: it slips where it goes further out
+    below = _excess(model, imposed, begin, length, slip_sign, low)
     outside = max(below, 0.0)
-    beyond = _excess(model, imposed, begin, length, slip_sign, length) - outside
+    beyond = _excess(model, imposed, begin, length, slip_sign, high) - outside
     if beyond <= 0.0:
         return math.inf
-    low = 0.0
     below -= outside
-    if below > -_CLOSE:  # on the surface: does it go further out at once, or does it first move away?
+    if imposed is not None and below > -_CLOSE:  # does it go further out at once, or does it first move away?
         low = _AT_ONCE * length
         below = _excess(model, imposed, begin, length, slip_sign, low) - outside
         if below >= 0.0:
             return 0.0
-    bracket = Bracket(low, length, min(below, -_CLOSE), beyond)
+    bracket = Bracket(low, high, min(below, -_CLOSE), beyond)
     return _illinois(model, imposed, begin, length, slip_sign, outside, bracket)
 
 
@@ -247,30 +243,3 @@ def _illinois(
             beyond *= 0.5 if last_moved == 1 else 1.0
             last_moved = 1
     return high
-
-
-@kernel
-def _turn(
-    stiffness: float, length: float, last: float, velocity: float, acceleration: float, force_rate: float
-) -> float:
-    """Time at which the velocity passes zero, by Newton's iteration inside a bracket."""
-    low, high = 0.0, length
-    going = velocity if velocity != 0.0 else acceleration
-    t = length * velocity / (velocity - last)
-    if t < 0.01 * length:  # it starts from rest, and that is not the turn
-        t = 0.5 * length
-    for _ in range(30):
-        step = advance_oscillator(stiffness, t, velocity, acceleration, -force_rate, 0.0)
-        if step.velocity * going > 0.0:
-            low = t
-        else:
-            high = t
-        now = acceleration - force_rate * t - stiffness * step.displacement
-        better = t - step.velocity / now if now != 0.0 else 0.5 * (low + high)
-        if not low <= better <= high:
-            better = 0.5 * (low + high)
-        close = abs(better - t) < 1e-8 * length  # the displacement is stationary there
-        t = better
-        if close:
-            break
-    return t

@@ -114,16 +114,6 @@ def finite_plate_modes(
     return rates, weights, instant_weight(rates[-1])
 
 
-def finite_plate_kernel(
-    lag: NDArray[np.float64], diffusivity: float, thickness: float, *, insulated: bool
-) -> NDArray[np.float64]:
-    """Return the kernel G [s^-1/2] itself at lags [s], by its images; for checks."""
-    sign = 1.0 if insulated else -1.0
-    n = np.arange(1.0, 200.0)
-    images = sign**n * np.exp(-np.outer(1.0 / (diffusivity * lag), (n * thickness) ** 2))
-    return (1.0 + 2.0 * images.sum(axis=1)) / np.sqrt(lag)
-
-
 @kernel
 def exp_neg(x: float) -> float:
     """Return exp(-x), within three units of the last place; quick for x from 0 to 700."""

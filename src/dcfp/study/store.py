@@ -19,7 +19,7 @@ from zarr.storage import MemoryStore
 
 from dcfp.analysis.response import NOT_RUN
 from dcfp.errors import InputError
-from dcfp.inference.earthquake import event_of
+from dcfp.inference.case import event_of
 from dcfp.schema.nomenclature import quantity
 from dcfp.study.factors import factor
 from dcfp.study.plan import Block, Plan

@@ -9,8 +9,8 @@ from dcfp.analysis import Response, respond
 from dcfp.arrays import FloatArray
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.inference import Case, Methods, compare
-from dcfp.inference.calibration import calibration_set, cases_at
 from dcfp.inference.case import analysed_of
+from dcfp.inference.forecast import calibration_set, cases_at
 from dcfp.inference.refit import average_slope, change_ratio, fall_ratio
 from dcfp.inference.statistics import displacement_over_change, ratios, scatter
 from dcfp.methods.li_2020 import LI_2020, predict_from_pgv, predict_from_pulses, predict_simplified

@@ -8,12 +8,12 @@ from dcfp.analysis.rig import Measurement
 from dcfp.arrays import freeze
 from dcfp.inference.identification import DEFAULT, friction_history
 from dcfp.inference.identification.fit import fit_law
-from dcfp.inference.identification.samples import Constants, Samples
-from dcfp.system import LI_2020, FittedFriction, SimplifiedHeating
+from dcfp.inference.identification.samples import Samples, value_of
+from dcfp.system import LI_2020, FittedFriction, SimplifiedHeating, System
 
 TRIALS = 100
 LAW, HEATING = FittedFriction(), SimplifiedHeating()
-CONSTANTS = Constants(LAW, HEATING)
+SYSTEM = System(LI_2020, LAW, HEATING)
 HEAT = ("mu_0", "pressure_exponent", "speed_drop", "speed_rate", "conductivity")
 
 
@@ -22,14 +22,14 @@ class Study:
 
     def __init__(self, trials: int, make, names=DEFAULT) -> None:
         self.names = names
-        self.truth = np.array([CONSTANTS.value(name) for name in names])
+        self.truth = np.array([value_of(SYSTEM, name) for name in names])
         fits = [self._fit(make(np.random.default_rng(seed))) for seed in range(trials)]
         self.error = np.array([[fit.values[name] for name in names] for fit in fits]) - self.truth
         self.half = np.array([fit.jackknife.half_width for fit in fits])
 
     def _fit(self, tests):
-        histories = [friction_history(test, LI_2020, HEATING) for test in tests]
-        return fit_law(Samples.of(histories, HEATING.ambient), CONSTANTS, self.names)
+        histories = [friction_history(test, SYSTEM) for test in tests]
+        return fit_law(Samples.of(histories, HEATING.ambient), SYSTEM, self.names)
 
     @property
     def covered(self):

@@ -19,7 +19,16 @@ from dcfp.arrays import freeze
 from dcfp.errors import InputError
 from dcfp.inference.identification import friction_history
 from dcfp.inference.identification.friction_history import contact_temperature
-from dcfp.system import LI_2020, Bearing, FittedFriction, NoHeating, PreciseHeating, SimplifiedHeating
+from dcfp.inference.identification.smoothing import Smoothed
+from dcfp.system import (
+    LI_2020,
+    Bearing,
+    FittedFriction,
+    NoHeating,
+    PreciseHeating,
+    SimplifiedHeating,
+    System,
+)
 
 TWO = Bearing((2000.0, 3000.0), 300.0, 60.0, 1.0e6)
 
@@ -96,10 +105,11 @@ def test_a_sample_is_not_heated_by_its_own_noise(bearing, heating) -> None:
     time = np.linspace(0.0, 3.0, 301)
     displacement, velocity = 100.0 * np.sin(2.0 * time), 200.0 * np.cos(2.0 * time)
     force = 1e5 * np.sign(velocity)
+    motion = Smoothed(displacement, velocity, 0)
     kick = np.where(np.arange(301) == 60, 1e4, 0.0)
 
     def temperature(values, used):
-        return contact_temperature(time, displacement, velocity, values, used, bearing, heating)
+        return contact_temperature(time, motion, values, used, System(bearing, heating=heating))
 
     none, all_used = np.zeros(301, bool), np.ones(301, bool)
     felt = temperature(force + kick, none) - temperature(force, none)

@@ -8,10 +8,9 @@ import pytest
 from dcfp.analysis.rig import read_measurement
 from dcfp.arrays import freeze
 from dcfp.inference.identification import DEFAULT, friction_history, identify
-from dcfp.inference.identification.fit import fit_law
-from dcfp.inference.identification.intervals import jackknife
-from dcfp.inference.identification.samples import Constants, LawAtSamples, Samples
-from dcfp.system import LI_2020, FittedFriction, PreciseHeating, SimplifiedHeating
+from dcfp.inference.identification.fit import fit_law, jackknife
+from dcfp.inference.identification.samples import LawAtSamples, Samples, value_of
+from dcfp.system import LI_2020, FittedFriction, PreciseHeating, SimplifiedHeating, System
 
 OTHER = FittedFriction(
     mu_0=0.11, pressure_exponent=0.35, speed_drop=0.4, speed_rate=0.03, temperature_rate=0.004
@@ -36,7 +35,7 @@ def test_conductivity_comes_back_where_the_rate_is_known(measure) -> None:
     steel = SimplifiedHeating(conductivity=24.0)
     tests = measure(*TESTS, heating=steel)
     found = identify(tests, LI_2020, SimplifiedHeating(), fit=["mu_0", "conductivity"])
-    assert found.heating.conductivity == pytest.approx(24.0, rel=2e-3)
+    assert found.system.heating.conductivity == pytest.approx(24.0, rel=2e-3)
     assert found.law.temperature_rate == 0.007
     # rises are those with the conductivity that was found
     hottest = max(float(one.max()) for one in found.temperatures)
@@ -46,11 +45,11 @@ def test_conductivity_comes_back_where_the_rate_is_known(measure) -> None:
 
 
 def test_derivatives_are_those_of_the_law(dependency) -> None:
-    constants = Constants(OTHER, SimplifiedHeating())
-    history = friction_history(dependency["V400"], LI_2020, constants.heating)
-    law = LawAtSamples(Samples.of([history], 20.0), constants)
+    system = System(friction=OTHER)
+    history = friction_history(dependency["V400"], system)
+    law = LawAtSamples(Samples.of([history], 20.0), system)
     names = (*DEFAULT, "pressure_floor", "conductivity")
-    at = {name: constants.value(name) for name in names}
+    at = {name: value_of(system, name) for name in names}
     coefficient, slopes = law.derivatives(at, names)
     exact = OTHER.coefficient(history.pressure, history.speed, history.temperature)[history.used]
     assert coefficient == pytest.approx(exact, rel=1e-12)
@@ -141,9 +140,9 @@ def test_the_jackknife_is_leaving_blocks_out() -> None:
 
 
 def test_fit_law_alone_is_what_identify_uses(dependency) -> None:
-    constants = Constants(FittedFriction(), SimplifiedHeating())
-    histories = [friction_history(t, LI_2020, constants.heating) for t in dependency.values()]
-    found = fit_law(Samples.of(histories, 20.0), constants, DEFAULT)
+    system = System(friction=FittedFriction())
+    histories = [friction_history(t, system) for t in dependency.values()]
+    found = fit_law(Samples.of(histories, 20.0), system, DEFAULT)
     assert values(identify(list(dependency.values())).law) == pytest.approx(
         [found.values[name] for name in DEFAULT], rel=1e-12
     )

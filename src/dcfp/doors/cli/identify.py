@@ -10,8 +10,7 @@ from dcfp.doors.cli.console import Block, Page, grid
 from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.errors import InputError
 from dcfp.inference.identification import Identification, bearing_file, identify
-from dcfp.inference.identification.predict import predicted_table
-from dcfp.inference.identification.result import ESTIMATES, HELD, RESIDUALS, Estimate
+from dcfp.inference.identification.result import ESTIMATES, HELD, RESIDUALS, Estimate, predicted_table
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import NONE
@@ -65,13 +64,13 @@ def _origin(found: Identification) -> tuple[str, ...]:
 
 
 def _page(found: Identification) -> Page:
-    bearing = found.bearing
+    bearing, heating = found.system.bearing, found.system.heating
     radii = " + ".join(f"{radius:g}" for radius in bearing.radii)
     blocks: list[Block] = [
         [
             ("Bearing", f"{bearing.name}: radius {radii} mm, slider {bearing.slider_diameter:g} mm"),
             ("Law", _FORM),
-            ("Heating", f"{found.heating.name}, from {found.heating.ambient:g} °C"),
+            ("Heating", f"{heating.name}, from {heating.ambient:g} °C"),
         ],
         grid(Table(tuple(ESTIMATES), found.estimates)),
         grid(Table(tuple(HELD), found.held)),

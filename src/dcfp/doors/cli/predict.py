@@ -9,9 +9,8 @@ from dcfp.doors.cli import inputs
 from dcfp.doors.cli.console import Page, grid, grouped, progress
 from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.inference import Case, Methods, compare
-from dcfp.inference.calibration import SET, calibration_set, cases_at
 from dcfp.inference.design_space import COEFFICIENTS, RADII, held_table, survey
-from dcfp.inference.forecast import Forecast, forecast, forecast_from_pgv
+from dcfp.inference.forecast import SET, Forecast, calibration_set, cases_at, forecast, forecast_from_pgv
 from dcfp.inference.told import forecast_lines, forecast_objects, interval_lines
 from dcfp.methods.prediction import Constants, Ground, Nominal, nominal_coefficient
 from dcfp.methods.pulse_march import march

@@ -4,10 +4,10 @@ from dcfp.inference.identification.friction_history import FrictionHistory as Fr
 from dcfp.inference.identification.friction_history import friction_history as friction_history
 from dcfp.inference.identification.identify import DEFAULT as DEFAULT
 from dcfp.inference.identification.identify import identify as identify
-from dcfp.inference.identification.predict import Prediction as Prediction
-from dcfp.inference.identification.predict import predict as predict
 from dcfp.inference.identification.result import Estimate as Estimate
 from dcfp.inference.identification.result import Held as Held
 from dcfp.inference.identification.result import Identification as Identification
+from dcfp.inference.identification.result import Prediction as Prediction
 from dcfp.inference.identification.result import bearing_file as bearing_file
+from dcfp.inference.identification.result import predict as predict
 from dcfp.inference.identification.samples import PARAMETERS as PARAMETERS

@@ -1,23 +1,70 @@
-"""Least squares fit of the law to the samples of sliding: what it leaves unexplained, and what the data must span for a parameter to be determined."""
+"""Least squares fit of the law to the samples of sliding, how sure its estimates are, and what it leaves unexplained."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import lmfit
 import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import t as student
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import AnalysisError
 from dcfp.inference.identification.friction_history import FrictionHistory
-from dcfp.inference.identification.intervals import Jackknife, jackknife
-from dcfp.inference.identification.result import ResidualStatistics
-from dcfp.inference.identification.samples import PARAMETERS, Constants, LawAtSamples, Samples, parameter
+from dcfp.inference.identification.result import CONFIDENCE, ResidualStatistics
+from dcfp.inference.identification.samples import PARAMETERS, LawAtSamples, Samples, value_of
+from dcfp.system import System
 
 #: Times that the scatter of each test is taken from the residuals and the fit repeated.
 _ROUNDS = 2
 #: Least scatter of a test over the coefficient, below which weights would tell of rounding errors [-].
 _LEAST_SCATTER = 1e-6
+#: Condition of scaled normal equations above which they determine nothing.
+_LARGEST_CONDITION = 1e12
+#: Length of a block over that of the correlation of the residuals, below which the intervals may be too short [-].
+_LEAST_BLOCK = 4.0
+#: Mean residual over the standard error of a stroke's mean, above which the law is said to miss a test [-], and over the coefficient [-].
+_MISSES, _LEAST_MISS = 5.0, 0.01
+
+
+@dataclass(frozen=True, eq=False)
+class Jackknife:
+    """Spread of least squares estimates.
+
+    Attributes
+    ----------
+    covariance
+        Of the estimates, shape (parameters, parameters); infinite where a block alone determines one.
+    freedom
+        Degrees of freedom of each variance, shape (parameters,).
+    blocks
+        Number of blocks.
+    lost
+        Number of the parameter that cannot be told from the others, where there is one.
+    """
+
+    covariance: FloatArray
+    freedom: FloatArray
+    blocks: int
+    lost: int | None = None
+
+    @property
+    def standard_error(self) -> FloatArray:
+        """Standard errors of the estimates."""
+        return np.sqrt(np.diag(self.covariance))
+
+    @property
+    def half_width(self) -> FloatArray:
+        """Half of the length of the 95 % intervals."""
+        return np.asarray(student.ppf(0.5 + 0.5 * CONFIDENCE, self.freedom)) * self.standard_error
+
+    @property
+    def correlation(self) -> FloatArray:
+        """Correlation of the estimates."""
+        error = self.standard_error
+        with np.errstate(invalid="ignore"):
+            return np.clip(self.covariance / np.outer(error, error), -1.0, 1.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,8 +79,6 @@ class Fit:
         Of every parameter.
     jackknife
         How sure the free ones are.
-    fitted
-        Coefficient by the law at each sample [-].
     residual
         Measured less fitted [-].
     scatter
@@ -43,13 +88,12 @@ class Fit:
     names: tuple[str, ...]
     values: dict[str, float]
     jackknife: Jackknife
-    fitted: FloatArray
     residual: FloatArray
     scatter: FloatArray
 
 
-def fit_law(samples: Samples, constants: Constants, names: Sequence[str]) -> Fit:
-    """Fit the parameters `names` to the samples; the others are those of `constants`.
+def fit_law(samples: Samples, system: System, names: Sequence[str]) -> Fit:
+    """Fit the parameters `names` to the samples; the others are those of the system's law and heating model.
 
     The squares of the residuals are weighted by the scatter of each test, which two rounds of the fit find; the solver is that of
     lmfit, a trust region within the limits of the parameters, with exact derivatives.
@@ -59,36 +103,31 @@ def fit_law(samples: Samples, constants: Constants, names: Sequence[str]) -> Fit
     AnalysisError
         If the solver does not end.
     """
-    law = LawAtSamples(samples, constants)
-    start = {one.name: constants.value(one.name) for one in PARAMETERS}
+    law, measured = LawAtSamples(samples, system), samples.coefficient
+    values = {name: value_of(system, name) for name in PARAMETERS}
     if "mu_0" in names:
-        shape = law({**start, "mu_0": 1.0})
-        start["mu_0"] = float(np.clip(np.median(samples.coefficient / shape), 1e-3, 0.9))
-    tests = int(samples.test.max()) + 1
-    values = _solve(law, samples.coefficient, np.ones(samples.test.size), start, names)
-    for _ in range(_ROUNDS):
-        scatter = _scatter(samples, samples.coefficient - law(values), tests)
-        weight = 1.0 / scatter[samples.test]
-        values = _solve(law, samples.coefficient, weight, values, names)
-    fitted, slopes = law.derivatives(values, names)
-    residual = samples.coefficient - fitted
-    scatter = _scatter(samples, residual, tests)
+        shape = law({**values, "mu_0": 1.0})
+        values["mu_0"] = float(np.clip(np.median(measured / shape), 1e-3, 0.9))
+    scatter = np.ones(int(samples.test.max()) + 1)
+    for _ in range(_ROUNDS + 1):
+        values = _solve(law, measured, 1.0 / scatter[samples.test], values, names)
+        scatter = _scatter(samples, measured - law(values))
     weight = 1.0 / scatter[samples.test]
+    fitted, slopes = law.derivatives(values, names)
+    residual = measured - fitted
     return Fit(
         names=tuple(names),
         values=values,
         jackknife=jackknife(slopes * weight[:, None], residual * weight, samples.block),
-        fitted=fitted,
         residual=residual,
         scatter=scatter,
     )
 
 
-def _scatter(samples: Samples, residual: FloatArray, tests: int) -> FloatArray:
+def _scatter(samples: Samples, residual: FloatArray) -> FloatArray:
     """Return the root mean square of the residuals of each test [-]."""
-    squares = np.bincount(samples.test, residual**2, minlength=tests)
     least = _LEAST_SCATTER * float(np.median(samples.coefficient))
-    return np.maximum(np.sqrt(squares / np.bincount(samples.test, minlength=tests)), least)
+    return np.maximum(np.sqrt(np.bincount(samples.test, residual**2) / np.bincount(samples.test)), least)
 
 
 def _solve(
@@ -101,7 +140,7 @@ def _solve(
     """Return the values of the parameters at the least sum of weighted squares."""
     free: Any = lmfit.Parameters()
     for name, value in start.items():
-        one = parameter(name)
+        one = PARAMETERS[name]
         free.add(name, value=value, min=one.least, max=one.most, vary=name in names)
 
     def residual(parameters: Any) -> FloatArray:
@@ -121,15 +160,51 @@ def _solve(
     return {name: float(value) for name, value in solved.params.valuesdict().items()}
 
 
+def jackknife(slopes: FloatArray, residual: FloatArray, block: NDArray[np.int64]) -> Jackknife:
+    r"""Return the covariance of least squares estimates by leaving out one block of samples after another.
+
+    .. math:: \mathrm{Cov} = \frac{G - 1}{G} \sum_g d_g d_g^T, \quad d_g = (J^T J - J_g^T J_g)^{-1} J_g^T r_g
+
+    Parameters
+    ----------
+    slopes, residual
+        J and r at the solution, weighted, shapes (n, parameters) and (n,).
+    block
+        Number of the block of each sample, from zero without gaps, shape (n,).
+
+    Notes
+    -----
+    :math:`d_g` is the change of the estimates when block g is left out, to first order. Within a block errors may depend on each
+    other and differ in size as they like; from block to block they must not. This is the estimator CR3 for clustered errors (Bell and McCaffrey 2002), which
+    is not too small in the mean where blocks weigh unequally. The degrees of freedom for Student's t follow from the part :math:`\tau_g^2` that each block has in the variance if
+    all errors are alike, :math:`\nu = (\sum \tau_g^2)^2 / \sum \tau_g^4` (Satterthwaite).
+    """
+    blocks, count = int(block.max()) + 1, int(slopes.shape[1])
+    size = np.sqrt((slopes**2).sum(axis=0))
+    size[size == 0.0] = 1.0
+    order = np.argsort(block, kind="stable")
+    bounds = np.searchsorted(block[order], np.arange(blocks))
+    scaled = slopes[order] / size
+    parts: list[FloatArray] = [part.T @ part for part in np.split(scaled, bounds[1:])]
+    own: FloatArray = np.array(parts)
+    pull: FloatArray = np.add.reduceat(scaled * residual[order, None], bounds, axis=0)
+    whole: FloatArray = own.sum(axis=0)
+    left: FloatArray = whole - own
+    weakest = int(np.argmax(np.linalg.cond(left)))
+    if not np.linalg.cond(left[weakest]) < _LARGEST_CONDITION:
+        # the parameter that the equations tell least of; of several the last
+        direction: FloatArray = np.abs(np.linalg.eigh(left[weakest])[1][:, 0])
+        lost = int(np.flatnonzero(direction > 0.9 * direction.max())[-1])
+        return Jackknife(np.full((count, count), np.inf), np.ones(count), blocks, lost)
+    change = np.asarray(np.linalg.solve(left, pull[:, :, None])[:, :, 0], dtype=np.float64)
+    covariance: FloatArray = (blocks - 1) / blocks * change.T @ change
+    inverse = np.asarray(np.linalg.inv(whole), dtype=np.float64)
+    share: FloatArray = np.einsum("ij,gjk,ki->gi", inverse, own, inverse)
+    freedom = np.asarray(share.sum(axis=0) ** 2 / (share**2).sum(axis=0))
+    return Jackknife(covariance / np.outer(size, size), freedom, blocks)
+
+
 # What the law leaves unexplained, and what must be known of it.
-
-
-#: Length of a block over that of the correlation of the residuals, below which the intervals may be too short [-].
-_LEAST_BLOCK = 4.0
-#: Mean residual over the standard error of a stroke's mean, above which the law is said to miss a test [-].
-_MISSES = 5.0
-#: And over the coefficient [-].
-_LEAST_MISS = 0.01
 
 
 def residuals_of(
@@ -166,7 +241,7 @@ def remarks_on(histories: Sequence[FrictionHistory], samples: Samples, found: Fi
     """Return what must be known of a fit."""
     remarks: list[str] = []
     for name in found.names:
-        one = parameter(name)
+        one = PARAMETERS[name]
         span = one.most - one.least
         for limit in (one.least, one.most):
             if abs(found.values[name] - limit) < 1e-6 * span and not (one.is_scale and limit == one.least):
@@ -174,7 +249,7 @@ def remarks_on(histories: Sequence[FrictionHistory], samples: Samples, found: Fi
     for i, history in enumerate(histories):
         own = samples.test == i
         residual = found.residual[own]
-        sizes = np.unique(samples.block[own], return_counts=True)[1]
+        blocks, sizes = np.unique(samples.block[own], return_counts=True)
         length = _correlation_length(residual, int(sizes.max()))
         if length * _LEAST_BLOCK > float(np.median(sizes)):
             remarks.append(
@@ -182,7 +257,7 @@ def remarks_on(histories: Sequence[FrictionHistory], samples: Samples, found: Fi
                 " they may be too short."
             )
         miss = abs(float(residual.mean()))
-        means = np.bincount(samples.block[own], residual)[np.unique(samples.block[own])] / sizes
+        means = np.bincount(samples.block[own], residual)[blocks] / sizes
         spread = float(np.std(means)) / np.sqrt(sizes.size)
         if miss > _MISSES * spread and miss > _LEAST_MISS * float(samples.coefficient[own].mean()):
             remarks.append(
@@ -204,168 +279,3 @@ def _correlation_length(residual: FloatArray, longest: int) -> int:
     while lag < longest and _correlation(residual, lag) > np.exp(-1.0):
         lag = lag + 1 if lag < 20 else int(1.2 * lag)
     return lag
-
-
-# What the data must span for a parameter to be determined, and the sentence where they do not.
-
-
-#: Least ratio of pressures, of pressures for the floor, and of speeds [-]; least range of temperature [degC].
-_PRESSURES, _PRESSURES_OF_FLOOR, _SPEEDS, _TEMPERATURES = 1.1, 2.0, 3.0, 5.0
-#: Pressures that differ by less than that are one [-].
-_SAME_PRESSURE = 1.1
-#: Correlation of two estimates above which they are said to go together [-].
-_GO_TOGETHER = 0.9
-
-
-@dataclass(frozen=True)
-class _Need:
-    """What a parameter needs: the quantity, what it spans in words, whether that is enough, and the test that would help."""
-
-    quantity: str
-    spans: Callable[[Samples], str]
-    is_met: Callable[[Samples], bool]
-    help: str
-
-
-def _range(values: FloatArray, samples: Samples) -> tuple[float, float]:
-    """Return between what limits the tests are, but for a twentieth of the samples of each at either end."""
-    parts = [np.quantile(values[samples.test == i], (0.05, 0.95)) for i in np.unique(samples.test)]
-    return float(min(part[0] for part in parts)), float(max(part[1] for part in parts))
-
-
-def _levels(samples: Samples) -> int:
-    """Count the pressures, in tests or within them, that differ."""
-    means = np.sort(np.bincount(samples.block, samples.pressure) / np.bincount(samples.block))
-    count, last = 0, 0.0
-    for mean in means.tolist():
-        if mean > _SAME_PRESSURE * last:
-            count, last = count + 1, mean
-    return count
-
-
-def _pressures(samples: Samples) -> str:
-    least, most = _range(samples.pressure, samples)
-    if most < 1.02 * least:
-        return f"every test has a pressure of {0.5 * (least + most):.3g} N/mm2"
-    return f"the pressures of the tests are {_levels(samples)} from {least:.3g} to {most:.3g} N/mm2"
-
-
-def _speeds(samples: Samples) -> str:
-    least, most = _range(samples.speed, samples)
-    return f"the speeds of the tests span {least:.3g} to {most:.3g} mm/s"
-
-
-def _temperatures(samples: Samples) -> str:
-    least, most = _range(samples.rise, samples)
-    return f"the tests heat the contact by {max(least, 0.0):.3g} to {most:.3g} degC"
-
-
-def _ratio(values: Callable[[Samples], FloatArray], least: float) -> Callable[[Samples], bool]:
-    def is_met(samples: Samples) -> bool:
-        low, high = _range(values(samples), samples)
-        return high >= least * low
-
-    return is_met
-
-
-def _heats(samples: Samples) -> bool:
-    low, high = _range(samples.rise, samples)
-    return high - low >= _TEMPERATURES
-
-
-_PRESSURE = _Need(
-    "pressures", _pressures, _ratio(lambda s: s.pressure, _PRESSURES), "add a test at another pressure"
-)
-_FLOOR = _Need(
-    "pressures",
-    _pressures,
-    lambda s: _levels(s) >= 3 and _ratio(lambda s: s.pressure, _PRESSURES_OF_FLOOR)(s),
-    "add tests, so that there are three pressures over a factor of two",
-)
-_SPEED = _Need("speeds", _speeds, _ratio(lambda s: s.speed, _SPEEDS), "add a test at another speed")
-_HEAT = _Need("temperatures", _temperatures, _heats, "add a faster or longer test, which heats up more")
-_NEEDS: Mapping[str, _Need] = {
-    "pressure_exponent": _PRESSURE,
-    "pressure_floor": _FLOOR,
-    "speed_drop": _SPEED,
-    "speed_rate": _SPEED,
-    "temperature_rate": _HEAT,
-    "conductivity": _HEAT,
-}
-
-
-def why_not(name: str, names: Sequence[str], samples: Samples, constants: Constants) -> str | None:
-    """Return why the samples cannot determine a parameter along with others, and the ways out; None where nothing speaks against it."""
-    need = _NEEDS.get(name)
-    if need is None:
-        return None
-    if need is _HEAT and constants.heating.name == "none":
-        return f"without a heating model the temperature is the same throughout; choose the simplified or the precise one (heating), or {_fix(name)}"
-    if name == "conductivity" and "temperature_rate" in names:
-        return (
-            "where every test starts at the same temperature it acts only through its ratio to temperature_rate; fix one of the two"
-            f" ({_option(name)} or {_option('temperature_rate')})"
-        )
-    if name == "conductivity" and constants.law.temperature_rate == 0.0:
-        return (
-            "with a temperature_rate of zero nothing depends on it; give that its value"
-            f" ({_option('temperature_rate')}), or {_fix(name)}"
-        )
-    if need.is_met(samples):
-        return None
-    return f"{need.spans(samples)}; {need.help}, or {_fix(name)}"
-
-
-def poorest(fit: Fit) -> tuple[str, str] | None:
-    """Return which parameter is determined worst, if its interval is too long to be of use, and why."""
-    if fit.jackknife.lost is not None:
-        name = fit.names[fit.jackknife.lost]
-        others = ", ".join(other for other in fit.names if other != name)
-        return name, f"its effect cannot be told from that of {others}"
-    halves = zip(fit.names, fit.jackknife.half_width.tolist(), strict=True)
-    excess = {name: _size(fit, name, half) / parameter(name).worth for name, half in halves}
-    worst = max(excess, key=lambda name: excess[name])
-    return (worst, _why_poor(worst, fit)) if excess[worst] > 1.0 else None
-
-
-def _size(fit: Fit, name: str, half: float) -> float:
-    """Return half of the length of an interval, over the estimate of a parameter that is a scale."""
-    return half / fit.values[name] if parameter(name).is_scale else half
-
-
-def companion(name: str, fit: Fit) -> str | None:
-    """Return the parameter whose estimate goes most with that of another, which is to be kept."""
-    others = [other for other in fit.names if other != name]
-    relation = fit.jackknife.correlation[fit.names.index(name)]
-    return max(others, key=lambda other: abs(relation[fit.names.index(other)])) if others else None
-
-
-def _why_poor(name: str, fit: Fit) -> str:
-    place = fit.names.index(name)
-    unit = parameter(name).unit
-    half = float(fit.jackknife.half_width[place])
-    text = f"its 95 % interval would be {fit.values[name]:.3g} ± {half:.2g}{f' {unit}' if unit else ''}"
-    other = companion(name, fit)
-    if other is not None:
-        relation = float(fit.jackknife.correlation[place, fit.names.index(other)])
-        if abs(relation) > _GO_TOGETHER:
-            text += f", for it goes with {other} (correlation {relation:.3f})"
-    return text
-
-
-def way_out(name: str, fit: Fit, samples: Samples) -> str:
-    """Return what the samples span, and what would determine a parameter better."""
-    cause = name
-    if name not in _NEEDS:  # mu_0 is poor where what it goes with is
-        cause = companion(name, fit) or name
-    need = _NEEDS.get(cause, _SPEED)
-    fix = _fix(name) if cause == name else f"fix {cause} ({_option(cause)})"
-    return f"{need.spans(samples)}; add tests over a wider range of {need.quantity}, or {fix}"
-
-
-def _fix(name: str) -> str:
-    return f"fix it ({_option(name)})"
-
-
-def _option(name: str) -> str:
-    return f"fix {name}=VALUE"

@@ -13,8 +13,7 @@ from dcfp.inference.identification.smoothing import Smoothed, find_strokes, smoo
 from dcfp.kernels.heat_state import ODD_LENGTH, STEP_ENTRIES, STEP_ENTRY
 from dcfp.kernels.heating import prepare, surface_temperature
 from dcfp.schema.notebook import card
-from dcfp.system import Bearing, Heating, System
-from dcfp.system.friction import FittedFriction
+from dcfp.system import Heating, System, SystemLike
 from dcfp.system.plates import (
     PlateHeat,
     cold_plates,
@@ -90,7 +89,9 @@ class FrictionHistory:
         return card(f"Friction in {self.name}", facts)
 
 
-def friction_history(measurement: Measurement, bearing: Bearing, heating: Heating) -> FrictionHistory:
+def friction_history(
+    measurement: Measurement, bearing: SystemLike = None, heating: Heating | str | None = None
+) -> FrictionHistory:
     r"""Take the friction out of a measured loop.
 
     .. math:: \mu = \pm \frac{F - N y / R}{N}
@@ -119,23 +120,20 @@ def friction_history(measurement: Measurement, bearing: Bearing, heating: Heatin
 
     On two plates that differ, both are taken to have the coefficient of the whole bearing, and the temperature is the mean by their share of the travel.
     """
-    time, force = measurement.time, measurement.force
+    system = System.of(bearing, None, heating)
+    bearing = system.bearing
+    time, force, displacement = measurement.time, measurement.force, measurement.displacement
     check_load(measurement.load, bearing)
-    strokes = find_strokes(
-        measurement.displacement, _LEAST_STROKE * float(np.abs(measurement.displacement).max())
-    )
-    motion = smooth(measurement.displacement, time, strokes, _DISPLACEMENT_ORDER)
-    load = smooth(
-        measurement.load, time, strokes, _LOAD_ORDER, _LOAD_SCATTER * float(measurement.load.mean())
-    )
+    strokes = find_strokes(displacement, _LEAST_STROKE * float(np.abs(displacement).max()))
+    motion = smooth(displacement, time, strokes, _DISPLACEMENT_ORDER)
+    scatter = _LOAD_SCATTER * float(measurement.load.mean())
+    load = smooth(measurement.load, time, strokes, _LOAD_ORDER, scatter)
     friction_force = force - load.values * motion.values / bearing.effective_radius
     number = np.full(time.size, -1, dtype=np.int64)
     side = np.sign(motion.slope)
     for i, stroke in enumerate(strokes):
         number[stroke] = i
-        side[stroke] = np.sign(
-            measurement.displacement[stroke.stop - 1] - measurement.displacement[stroke.start]
-        )
+        side[stroke] = np.sign(displacement[stroke.stop - 1] - displacement[stroke.start])
     coefficient = side * friction_force / load.values
     used = _sliding(motion, side, number, coefficient, load.values / bearing.elastic_stiffness, strokes)
     if np.count_nonzero(used) < _FEWEST_SAMPLES:
@@ -145,9 +143,7 @@ def friction_history(measurement: Measurement, bearing: Bearing, heating: Heatin
         )
         raise InputError(msg)
     _check_size(coefficient[used], (coefficient * load.values * side * motion.slope)[used], measurement.name)
-    temperature = contact_temperature(
-        time, motion.values, motion.slope, friction_force, used, bearing, heating
-    )
+    temperature = contact_temperature(time, motion, friction_force, used, system)
     return FrictionHistory(
         measurement=measurement,
         coefficient=freeze(coefficient),
@@ -210,25 +206,23 @@ _SECOND, _FIRST = -1.0 / 6.0, 4.0 / 6.0
 
 def contact_temperature(
     time: FloatArray,
-    displacement: FloatArray,
-    velocity: FloatArray,
+    motion: Smoothed,
     friction_force: FloatArray,
     used: NDArray[np.bool_],
-    bearing: Bearing,
-    heating: Heating,
+    system: System,
 ) -> FloatArray:
     """Return the temperature of the contact [degC] under the measured flux, the friction force times the velocity over the slider's area.
 
     Parameters
     ----------
-    time, displacement, velocity
+    time, motion
         The motion, without its noise [s, mm, mm/s].
     friction_force
         F - N y / R, as it was measured [N].
     used
         Samples of steady sliding.
-    bearing, heating
-        What was tested, and how it heats up; it starts at the ambient temperature.
+    system
+        The bearing that was tested, and how it heats up; it starts at the ambient temperature.
 
     Notes
     -----
@@ -236,18 +230,12 @@ def contact_temperature(
     would seem less steep than it is, by 0.7 % instead of 0.3 % where two cycles of 440 mm at up to 400 mm/s have 2 % of noise. In what a sample heats at itself its own force
     is therefore replaced by what its neighbours say of it.
     """
-    flux = friction_force * velocity / bearing.slider_area
-    _leave_out_loading(
-        flux,
-        displacement,
-        friction_force / bearing.elastic_stiffness,
-        int(np.argmax(used)) if used.any() else 1,
-    )
-    system = System(bearing, FittedFriction(), heating)
+    bearing, displacement = system.bearing, motion.values
+    flux = friction_force * motion.slope / bearing.slider_area
+    first = int(np.argmax(used)) if used.any() else 1
+    _leave_out_loading(flux, displacement, friction_force / bearing.elastic_stiffness, first)
     plates = cold_plates(
-        system,
-        reach=float(np.abs(displacement).max()),
-        horizon=horizon_for(float(time[-1])),
+        system, reach=float(np.abs(displacement).max()), horizon=horizon_for(float(time[-1]))
     )
     constants = system_constants(system)
     temperatures = np.empty((time.size, constants.plates))
@@ -262,7 +250,7 @@ def contact_temperature(
         )
         raise AnalysisError(msg)
     mean = mean_temperature(bearing, temperatures)
-    return mean - own * _noise(friction_force, used) * velocity / bearing.slider_area
+    return mean - own * _noise(friction_force, used) * motion.slope / bearing.slider_area
 
 
 def _leave_out_loading(

@@ -1,56 +1,69 @@
-"""What an identification gives, and its bearing, friction law and heating model as a bearing file."""
+"""What an identification gives: constants with their intervals, tests that were held out beside the law, and a bearing file."""
 
-from dataclasses import asdict, dataclass
-from typing import cast
+import math
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, replace
+from typing import Any, cast
 
 import numpy as np
 import tomli_w
 
+from dcfp.analysis.rig import Cycle, Program, Recorded, RigTest, VerticalLoad, run_program
+from dcfp.analysis.rig.measures import ForceHistory, measured_cycles
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.inference.identification.friction_history import FrictionHistory
-from dcfp.inference.identification.intervals import CONFIDENCE
-from dcfp.inference.identification.predict import Prediction
-from dcfp.schema.notebook import card
+from dcfp.inference.identification.samples import PARAMETERS, unit_of
+from dcfp.schema.notebook import card, told
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table, csv_text
-from dcfp.schema.units import DEGC, MM_PER_S, N_PER_MM2, NONE, PERCENT
-from dcfp.system import Bearing, Heating, System, UserFriction
+from dcfp.schema.units import DEGC, KN_M, KN_PER_MM, MM_PER_S, N_PER_MM2, NONE, PERCENT
+from dcfp.system import System, UserFriction
 from dcfp.system.friction import FittedFriction
+
+#: Probability that an interval contains the truth.
+CONFIDENCE = 0.95
 
 
 @dataclass(frozen=True)
-class Estimate:
-    """A parameter that was fitted, in its own unit.
+class Constant:
+    """A constant of the law or of the plates, in its own unit."""
+
+    name: str
+    value: float
+
+    @property
+    def unit(self) -> str:
+        """Its unit, empty for a number."""
+        return unit_of(self.name)
+
+
+@dataclass(frozen=True)
+class Estimate(Constant):
+    """A constant that was fitted: the value is where the sum of weighted squares is least.
 
     Attributes
     ----------
-    name, unit, words
-        Of the parameter; the unit of a number is empty.
-    value
-        Where the sum of weighted squares is least.
     standard_error
         By leaving out strokes; see `jackknife`.
     lower, upper
         Ends of the 95 % interval.
     """
 
-    name: str
-    unit: str
-    words: str
-    value: float
     standard_error: float
     lower: float
     upper: float
 
+    @property
+    def words(self) -> str:
+        """What it is."""
+        return PARAMETERS[self.name].words
+
 
 @dataclass(frozen=True)
-class Held:
-    """A constant that was not fitted, in its own unit, and why."""
+class Held(Constant):
+    """A constant that was not fitted, and why."""
 
-    name: str
-    unit: str
-    value: float
     reason: str
 
 
@@ -100,7 +113,7 @@ ESTIMATES = [
     Quantity("lower", "lower end of the interval", NONE, digits=5, head="95 % from\n", get="lower"),
     Quantity("upper", "upper end of the interval", NONE, digits=5, head="to\n", get="upper"),
     Quantity("Unit", "its unit", get=lambda one: one.unit or "-", stored=False),
-]  # fmt: skip
+]
 HELD = [
     Quantity("name", "constant", head="Held", get="name"),
     Quantity("unit", "its unit", get="unit", printed=False),
@@ -110,22 +123,119 @@ HELD = [
 ]
 RESIDUALS = [
     Quantity("name", "test", head="Test", get="name"),
-    Quantity("p", "mean pressure", N_PER_MM2, decimals=1, get="pressure", stored=False),
-    Quantity("v_max", "largest speed", MM_PER_S, decimals=0, get="peak_speed", stored=False),
-    Quantity("T_max", "highest temperature", DEGC, decimals=0, get="peak_temperature", stored=False),
+    Quantity("pressure", "mean pressure", N_PER_MM2, decimals=1, head="p", get="pressure"),
+    Quantity("peak_speed", "largest speed", MM_PER_S, decimals=0, head="v_max", get="peak_speed"),
+    Quantity("peak_temperature", "highest temperature", DEGC, decimals=0, head="T_max", get="peak_temperature"),
     Quantity("samples", "samples that were used", NONE, head="used\n", get="samples"),
     Quantity("left_out", "samples that were not", NONE, head="left out\n", get="left_out"),
     Quantity("scatter", "root mean square of measured less fitted", NONE, decimals=5, get="scatter"),
-    Quantity("of mu", "the same over the mean coefficient", NONE, PERCENT, 2, get="relative_scatter", stored=False),
+    Quantity("relative_scatter", "the same over the mean coefficient", NONE, PERCENT, 2, head="of mu", get="relative_scatter"),
     Quantity("bias", "mean of measured less fitted", NONE, decimals=5, head="mean", get="bias", signed=True),
-    Quantity("relative_scatter", "root mean square over the mean coefficient", NONE, get="relative_scatter", printed=False),
     Quantity("correlation", "correlation of each residual with the next", NONE, decimals=2, head="lag-1 corr.", get="correlation"),
-    Quantity("pressure", "mean pressure", N_PER_MM2, get="pressure", printed=False),
-    Quantity("peak_speed", "largest speed", MM_PER_S, get="peak_speed", printed=False),
-    Quantity("peak_temperature", "highest temperature", DEGC, get="peak_temperature", printed=False),
     Quantity("speed_window", "length of the filter of the speed", NONE, get="speed_window", printed=False),
     Quantity("load_window", "length of the filter of the load", NONE, get="load_window", printed=False),
 ]  # fmt: skip
+#: What is compared of each cycle of a test that was held out.
+COMPARED = [
+    Quantity("keff_kN_mm", "effective stiffness", KN_PER_MM, decimals=3, head="k_eff", get="effective_stiffness"),
+    Quantity("energy_kN_m", "energy per cycle", KN_M, decimals=1, head="E", get="energy"),
+    Quantity("friction_at_zero", "coefficient at zero displacement", NONE, decimals=4, head="mu at 0", get="friction"),
+]  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class Prediction:
+    """A test that was held out by the law that was found without it, beside what was measured.
+
+    Attributes
+    ----------
+    history
+        What was measured.
+    force
+        Horizontal force by the law [N].
+    friction, temperature
+        Coefficient [-] and temperature of the contact [degC] by the law.
+    measured, predicted
+        Measures of each cycle.
+    """
+
+    history: FrictionHistory
+    force: FloatArray
+    friction: FloatArray
+    temperature: FloatArray
+    measured: tuple[Cycle, ...]
+    predicted: tuple[Cycle, ...]
+
+    @property
+    def name(self) -> str:
+        """Name of the test."""
+        return self.history.name
+
+    @property
+    def force_error(self) -> float:
+        """Root mean square of the difference of the forces over the largest measured one [-]."""
+        measured = self.history.measurement.force
+        return float(np.sqrt(np.mean((self.force - measured) ** 2)) / np.abs(measured).max())
+
+    def rows(self) -> list[dict[str, Any]]:
+        """Return for each cycle its measures: measured, predicted and the ratio of predicted to measured."""
+        return predicted_table([self]).objects()
+
+    def _repr_html_(self) -> str:
+        table = predicted_table([self])
+        rows = [told(table.columns, row) for row in table.results]
+        return card(f"Test {self.name} by the law", {"force_error": self.force_error}, rows=rows)
+
+
+def predicted_table(predictions: Sequence[Prediction]) -> Table:
+    """Return a line for each cycle of the tests that were held out: each measure as it was measured, as it is predicted, and their ratio."""
+    rows: list[dict[str, Any]] = []
+    for one in predictions:
+        for number, (measured, predicted) in enumerate(zip(one.measured, one.predicted, strict=True), 1):
+            row: dict[str, Any] = {"test": one.name, "cycle": number, "force_error": one.force_error}
+            for measure in COMPARED:
+                before, after = measure.of(measured), measure.of(predicted)
+                row[f"{measure.key}_measured"], row[f"{measure.key}_predicted"] = before, after
+                first, last = measure.datum(measured), measure.datum(predicted)
+                row[f"{measure.key}_ratio"] = last / first if first and last is not None else math.nan
+            rows.append(row)
+    columns = [
+        Quantity("test", "name of the test", head="Held out"),
+        Quantity("cycle", "number of the cycle", NONE, head="Cycle\n"),
+        Quantity("force_error", "difference of the forces over the largest", NONE, printed=False),
+    ]
+    for one in COMPARED:
+        columns += [
+            replace(one, key=f"{one.key}_measured", get=None),
+            replace(one, key=f"{one.key}_predicted", head="predicted\n", get=None),
+            Quantity(f"{one.key}_ratio", "predicted over measured", NONE, decimals=3, head="ratio\n"),
+        ]
+    return Table(tuple(columns), rows)
+
+
+def predict(history: FrictionHistory, system: System) -> Prediction:
+    """Drive the bearing along the motion of a test, under its load, both without their noise.
+
+    The cycles of both are taken between the same times, those at which the measured displacement passes zero; the force that was measured is as it is.
+    """
+    measurement = history.measurement
+    test = RigTest(
+        history.name,
+        Recorded(measurement.time, history.displacement, history.name),
+        VerticalLoad(tuple(history.load.tolist()), tuple(measurement.time.tolist()), is_pressure=False),
+    )
+    # what was measured did not go beyond the plate
+    free = replace(system, bearing=replace(system.bearing, displacement_capacity=None))
+    (loops,) = run_program(Program("held out", (test,)), free)
+    motion, bounds = (measurement.time, history.displacement), measurement.cycle_times
+    return Prediction(
+        history=history,
+        force=loops.force,
+        friction=loops.friction,
+        temperature=loops.temperature,
+        measured=measured_cycles(ForceHistory(*motion, measurement.force, history.load, bounds)),
+        predicted=measured_cycles(ForceHistory(*motion, loops.force, history.load, bounds)),
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,19 +276,9 @@ class Identification:
     remarks: tuple[str, ...]
 
     @property
-    def bearing(self) -> Bearing:
-        """Bearing that was tested."""
-        return self.system.bearing
-
-    @property
     def law(self) -> FittedFriction:
         """Law that was found."""
         return cast("FittedFriction", self.system.friction)
-
-    @property
-    def heating(self) -> Heating:
-        """Heating model that it goes with."""
-        return self.system.heating
 
     def fitted(self, test: int) -> FloatArray:
         """Return the coefficient of the law along a test [-]."""
@@ -191,47 +291,38 @@ class Identification:
 
     def summary(self) -> dict[str, object]:
         """Return what JSON holds."""
+        heating, names = self.system.heating, [one.name for one in self.estimates]
         return {
             "estimates": Table(tuple(ESTIMATES), self.estimates).objects(),
             "held": Table(tuple(HELD), self.held).objects(),
             "confidence": CONFIDENCE,
             "blocks": self.blocks,
             "correlation": {
-                one.name: dict(zip((other.name for other in self.estimates), row, strict=True))
-                for one, row in zip(self.estimates, np.asarray(self.correlation).tolist(), strict=True)
+                name: dict(zip(names, row, strict=True))
+                for name, row in zip(names, np.asarray(self.correlation).tolist(), strict=True)
             },
             "residuals": Table(tuple(RESIDUALS), self.residuals).objects(),
-            "predictions": [row for one in self.predictions for row in one.rows()],
-            "bearing": asdict(self.bearing),
+            "predictions": predicted_table(self.predictions).objects(),
+            "bearing": asdict(self.system.bearing),
             "friction": {"law": self.law.name, **asdict(self.law)},
-            "heating": {"model": self.heating.name, **asdict(self.heating)},
+            "heating": {"model": heating.name, **asdict(heating)},
             "remarks": list(self.remarks),
         }
 
     def csv(self) -> str:
         """Return a line for each constant, fitted or held."""
-        heads = ("name", "unit", "value", "standard_error", "lower", "upper", "held", "words")
-        rows = [
-            (one.name, one.unit or "-", one.value, one.standard_error, one.lower, one.upper, None, one.words)
-            for one in self.estimates
-        ]
-        held = [
-            (one.name, one.unit or "-", one.value, None, None, None, one.reason, None) for one in self.held
-        ]
-        return csv_text(heads, [*rows, *held])
+        names = ("value", "standard_error", "lower", "upper", "reason", "words")
+        return csv_text(
+            ("name", "unit", *names[:4], "held", "words"),
+            (
+                (one.name, one.unit or "-", *(getattr(one, name, None) for name in names))
+                for one in (*self.estimates, *self.held)
+            ),
+        )
 
     def _repr_html_(self) -> str:
-        rows = [
-            {
-                "constant": one.name,
-                "unit": one.unit,
-                "value": one.value,
-                "95 % from": one.lower,
-                "to": one.upper,
-            }
-            for one in self.estimates
-        ]
-        return card(f"Friction law of {self.bearing.name}", rows=rows, remarks=self.remarks)
+        rows = Table(tuple(ESTIMATES), self.estimates).objects()
+        return card(f"Friction law of {self.system.bearing.name}", rows=rows, remarks=self.remarks)
 
 
 def bearing_file(system: System, notes: tuple[str, ...] = ()) -> str:

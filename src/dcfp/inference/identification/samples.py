@@ -1,9 +1,9 @@
-"""The parameters that can be fitted, with their words, units and limits; all samples of sliding of several tests, one after another, and the law at them."""
+"""The parameters that can be fitted; all samples of sliding of several tests, one after another, and the law at them."""
 
-import difflib
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,62 +11,53 @@ from numpy.typing import NDArray
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.inference.identification.friction_history import FrictionHistory
-from dcfp.system import Heating
+from dcfp.schema.parameters import Parameter, parameters, unknown
+from dcfp.system import Heating, System
 from dcfp.system.friction import FittedFriction
+from dcfp.system.system import OF_LAW
+
+_DECLARED = {**parameters(FittedFriction), **parameters(Heating)}
 
 
 @dataclass(frozen=True)
-class Parameter:
-    """A constant of the law, or of the heat.
+class FitParameter(Parameter):
+    """A declared constant of the law, or of the plates, that can be fitted.
 
     Attributes
     ----------
-    name
-        On the command line, and in `FittedFriction` or the heating model.
-    symbol
-        In mathematics.
-    unit
-        Empty for a number.
-    words
-        What it is.
-    least, most
-        Limits of the fit.
     worth
         Half of the longest 95 % interval at which the data are said to determine it, in its unit; where it `is_scale`, over the estimate.
     is_scale
         Positive by its nature, so that its interval is symmetric in its logarithm.
     """
 
-    name: str
-    symbol: str
-    unit: str
-    words: str
-    least: float
-    most: float
-    worth: float
+    worth: float = math.inf
     is_scale: bool = False
 
-    @property
-    def label(self) -> str:
-        """Name with the unit."""
-        return f"{self.name} [{self.unit or '-'}]"
+
+def _fitted(name: str, worth: float, *, is_scale: bool = False, **limits: float) -> FitParameter:
+    known: dict[str, Any] = vars(_DECLARED[name]) | limits
+    return FitParameter(**known, worth=worth, is_scale=is_scale)
 
 
-PARAMETERS = (
-    Parameter("mu_0", r"\mu_0", "", "coefficient at the reference pressure and temperature and at high speed", 1e-4, 0.99, 0.25, True),
-    Parameter("pressure_exponent", "n", "", "exponent of the pressure", 0.0, 5.0, 0.15),
-    Parameter("pressure_floor", "c", "", "part of the coefficient that no pressure takes away", 0.0, 0.999, 0.5),
-    Parameter("speed_drop", "a", "", "part of the coefficient that is missing at zero speed", 0.0, 0.999, 0.25),
-    Parameter("speed_rate", "b", "s/mm", "rate at which the coefficient rises with speed", 1e-5, 10.0, 0.5, True),
-    Parameter("temperature_rate", "r", "1/degC", "rate at which the coefficient falls with temperature", 0.0, 0.2, 0.007),
-    Parameter("conductivity", "k", "N/(s degC)", "thermal conductivity of the plates", 0.1, 1e4, 0.5, True),
-)  # fmt: skip
-
+#: What can be fitted, by name, in the order in which it is told; of the limits some are closer than those of the law.
+PARAMETERS = {
+    one.name: one
+    for one in (
+        _fitted("mu_0", 0.25, is_scale=True, least=1e-4, most=0.99),
+        _fitted("pressure_exponent", 0.15),
+        _fitted("pressure_floor", 0.5, most=0.999),
+        _fitted("speed_drop", 0.25),
+        _fitted("speed_rate", 0.5, is_scale=True, least=1e-5),
+        _fitted("temperature_rate", 0.007),
+        _fitted("conductivity", 0.5, is_scale=True),
+    )
+}
 #: What can only be fixed.
 REFERENCES = ("reference_pressure", "reference_temperature", "diffusivity")
 
 
-def parameter(name: str) -> Parameter:
+def parameter(name: str) -> FitParameter:
     """Return a parameter by its name.
 
     Raises
@@ -74,62 +65,48 @@ def parameter(name: str) -> Parameter:
     InputError
         If there is none of that name, or it is one that can only be fixed.
     """
-    for one in PARAMETERS:
-        if one.name == name:
-            return one
+    if name in PARAMETERS:
+        return PARAMETERS[name]
     if name == "diffusivity":
         msg = (
             "The diffusivity cannot be fitted: in a half-space only sqrt(diffusivity) / conductivity acts on the temperature of the contact;"
             " fit the conductivity, or fix both."
         )
-        raise InputError(msg)
-    if name in REFERENCES:
+    elif name in REFERENCES:
         msg = f"The {name} cannot be fitted, it is where mu_0 stands; choose it (fix {name}=VALUE)."
-        raise InputError(msg)
-    names = [one.name for one in PARAMETERS]
-    near = difflib.get_close_matches(name, names, n=1)
-    hint = f" (did you mean {near[0]!r}?)" if near else ""
-    msg = f"There is no parameter {name!r}{hint}; the choices are {', '.join(names)}."
+    else:
+        msg = f"Identification: {unknown(name, PARAMETERS, 'parameter')}"
     raise InputError(msg)
 
 
-@dataclass(frozen=True)
-class Constants:
-    """A law and a heating model, whose constants are starting values, fixed or fitted."""
+def unit_of(name: str) -> str:
+    """Return the unit of a constant as it is typed; empty for a number."""
+    unit = _DECLARED[name].unit
+    return unit.name.replace("°", "deg").replace("²", "2") if unit.has_dimension else ""
 
-    law: FittedFriction
-    heating: Heating
 
-    def value(self, name: str) -> float:
-        """Return a constant by its name."""
-        return float(getattr(self.heating if name in ("conductivity", "diffusivity") else self.law, name))
+def value_of(system: System, name: str) -> float:
+    """Return a constant of the law or of the plates by its name."""
+    return float(getattr(system.friction if hasattr(system.friction, name) else system.heating, name))
 
-    def changed(self, values: Mapping[str, float]) -> "Constants":
-        """Return the constants with some of them changed.
 
-        Raises
-        ------
-        InputError
-            If there is none of a name, or a value is out of range.
-        """
-        law, heating = self.law, self.heating
-        for name, value in values.items():
-            if name not in REFERENCES:
-                one = parameter(name)
-                if not (math.isfinite(value) and one.least <= value <= one.most):
-                    msg = f"The {name} must lie between {one.least:g} and {one.most:g}{f' {one.unit}' if one.unit else ''}, not {value!r}."
-                    raise InputError(msg)
-            if name in ("conductivity", "diffusivity"):
-                heating = replace(heating, **{name: value})
-            else:
-                law = replace(law, **{name: value})
-        return Constants(law, heating)
+def with_values(system: System, values: Mapping[str, float]) -> System:
+    """Return a system with some of the constants of its law and of its plates changed.
+
+    Raises
+    ------
+    InputError
+        If there is none of a name, or a value is out of range.
+    """
+    known = [name if name in REFERENCES else parameter(name).name for name in values]
+    of_law = parameters(FittedFriction)
+    return system.changed({f"{OF_LAW}{name}" if name in of_law else name: values[name] for name in known})
 
 
 def in_order(names: Iterable[str]) -> tuple[str, ...]:
     """Return the names of parameters in the order in which they are told, each once."""
     wanted = set(names)
-    return tuple(one.name for one in PARAMETERS if one.name in wanted)
+    return tuple(name for name in PARAMETERS if name in wanted)
 
 
 #: Blocks that the samples are cut into, at least; a stroke is one where there are enough of them.
@@ -173,9 +150,7 @@ class Samples:
         )
 
 
-def _blocks(
-    strokes: Sequence[NDArray[np.int64]],
-) -> NDArray[np.int64]:
+def _blocks(strokes: Sequence[NDArray[np.int64]]) -> NDArray[np.int64]:
     """Return the number of the stroke of each sample of all tests; where strokes are few, each is cut in equal parts."""
     found = sum(np.unique(own).size for own in strokes)
     parts = -(-_FEWEST_BLOCKS // found)
@@ -198,16 +173,16 @@ class LawAtSamples:
     ----------
     samples
         Where.
-    constants
+    system
         What is fixed, and the conductivity and the ambient temperature with which the rises were reckoned.
     """
 
-    def __init__(self, samples: Samples, constants: Constants) -> None:
+    def __init__(self, samples: Samples, system: System) -> None:
         self.speed = samples.speed
         self.rise = samples.rise
-        self.pressure = np.log(samples.pressure / constants.law.reference_pressure)
-        self.start = constants.heating.ambient - constants.law.reference_temperature
-        self.conductivity = constants.heating.conductivity
+        self.pressure = np.log(samples.pressure / value_of(system, "reference_pressure"))
+        self.start = system.heating.ambient - value_of(system, "reference_temperature")
+        self.conductivity = system.heating.conductivity
 
     def __call__(self, values: Mapping[str, float]) -> FloatArray:
         """Return the coefficient [-]."""

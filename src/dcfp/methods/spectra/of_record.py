@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
-from dcfp.kernels import oscillators as k
+from dcfp.kernels import oscillator as k
 from dcfp.methods.spectra.elastic import TabulatedSpectrum
 from dcfp.motion.ground_motion import GroundMotion, refined
 from dcfp.schema.notebook import fields_card
@@ -195,11 +195,10 @@ def response_spectrum(
     largest = np.empty(periods.size)
     for part, parts in pieces(motion, periods):
         step = motion.time_step / max(parts, 1)
-        run = k.respond_all if parts else k.respond_slowly
         state = np.zeros((k.ROWS, periods[part].size))
-        run(
+        k.respond_all(
             coefficients(np.ascontiguousarray(periods[part]), damping, step),
-            step,
+            step if parts else None,
             refined(motion.acceleration, parts),
             state,
         )

@@ -75,7 +75,7 @@ def _drawn(found: "Identification") -> list[_Drawn]:
 
 def _write_head(head: Any, found: "Identification") -> None:
     count = len(found.histories)
-    words = f"{found.bearing.name}: friction from {count} test{'' if count == 1 else 's'}"
+    words = f"{found.system.bearing.name}: friction from {count} test{'' if count == 1 else 's'}"
     title = head.text(0.012, 0.7, style.drawable(words), size=10, weight="bold", va="center")
     title.set_parse_math(False)
     intervals = [_interval(found, one.name) for one in found.estimates]
@@ -89,7 +89,7 @@ def _interval(found: "Identification", name: str) -> str:
     one = found.estimate(name)
     from dcfp.inference.identification import PARAMETERS  # late: it imports the kernels
 
-    symbol = next(parameter.symbol for parameter in PARAMETERS if parameter.name == name)
+    symbol = PARAMETERS[name].symbol
     named = "" if name == "mu_0" else f"{name.replace('_', ' ')} "
     decimals = min(5, max(0, 1 - math.floor(math.log10(max(one.upper - one.lower, 1e-12)))))
     unit = {"": "", "1/degC": "/°C", "N/(s degC)": " N/(s °C)"}.get(one.unit, f" {one.unit}")

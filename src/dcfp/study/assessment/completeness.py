@@ -7,7 +7,7 @@ import xarray
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
-from dcfp.inference.intervals import quantile
+from dcfp.inference.statistics import quantile
 from dcfp.schema.citations import citations_of
 from dcfp.study.assessment.selection import coordinates_of
 
@@ -110,7 +110,7 @@ def _counts(status: xarray.DataArray) -> dict[str, int]:
 def quantiles_over_records(values: xarray.DataArray, parts: Sequence[float]) -> xarray.DataArray:
     """Return quantiles over the dimension ``record``, along a new first dimension ``quantile``.
 
-    A quantile is the value that another record will be below with a probability of `parts` [-], see `dcfp.inference.intervals.quantile`. Records
+    A quantile is the value that another record will be below with a probability of `parts` [-], see `dcfp.inference.statistics.quantile`. Records
     without a value do not count; of none the quantile is not a number.
 
     Raises

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dcfp.inference.intervals import quantile
+from dcfp.inference.statistics import quantile
 from dcfp.schema.nomenclature import quantity
 from dcfp.schema.quantities import NOTHING, Quantity
 from dcfp.schema.table import Table
