@@ -2,13 +2,13 @@
 
 import numpy as np
 import pytest
-from motions import mavroeidis_papageorgiou
 
 from dcfp.analysis import respond
 from dcfp.analysis.swings import Swing, swings_of
 from dcfp.inference.case import governing_pulse
 from dcfp.methods import Pulses, find_pulses, march_through_pulses
 from dcfp.motion.load import load_motion
+from dcfp.motion.synthetic import mavroeidis_papageorgiou
 from dcfp.system import LI_2020, Li2020, SimplifiedHeating
 
 #: Changes of 300, -500, 400 and -350 mm/s, to peaks at 1, 2, 3 and 4 s.

@@ -2,14 +2,13 @@
 
 import numpy as np
 import pytest
-from motions import mavroeidis_papageorgiou
 
 from dcfp.errors import InputError
 from dcfp.methods import Pulses, find_pulses
 from dcfp.methods.li_2020 import predict_from_pulses
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import load_motion
-from dcfp.motion.synthetic import harmonic, ricker
+from dcfp.motion.synthetic import harmonic, mavroeidis_papageorgiou, ricker
 from dcfp.motion.treatment import resample
 
 NAMES = ["KNA", "NCC", "LPG", "IVD"]

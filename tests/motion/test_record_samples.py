@@ -5,11 +5,10 @@ import re
 
 import numpy as np
 import pytest
-from motions import without_leading_mean
 
 from dcfp.motion.load import read_motion, read_motions
 from dcfp.motion.measures import baseline_warning
-from dcfp.motion.treatment import high_pass, remove_mean
+from dcfp.motion.treatment import high_pass, remove_leading_mean, remove_mean
 
 FILTERED = "pre-event mean removed + zero-phase Butterworth HP 0.05 Hz"
 
@@ -34,7 +33,7 @@ def test_index(samples):
         motion = read_row(samples, row)
         treatment = row["baseline_treatment_of_the_PGV"]
         if treatment == FILTERED:
-            motion = without_leading_mean(motion, 5.0)
+            motion = remove_leading_mean(motion, 5.0)
         assert motion.peak_acceleration / 1000.0 == pytest.approx(float(row["PGA_m_s2"]), rel=1e-3, abs=6e-5)
         if row["npts"]:
             assert motion.acceleration.size == int(row["npts"])
@@ -116,9 +115,9 @@ def test_raw_records_are_suspected_and_processed_ones_are_not(samples):
     for path in (samples / "knet").iterdir():
         raw = read_motion(path)
         assert "untreated baseline" in (baseline_warning(raw) or "")
-        treated = high_pass(without_leading_mean(raw, 5.0), 0.05)
+        treated = high_pass(remove_leading_mean(raw, 5.0), 0.05)
         assert baseline_warning(treated) is None
-        assert len(treated.treatment) == 1
+        assert len(treated.treatment) == 2
     for folder in ("peer_at2", "esm", "csmip_v2", "cosmos"):
         for path in (samples / folder).iterdir():
             assert all(baseline_warning(motion) is None for motion in read_motions(path))

@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from motions import mavroeidis_papageorgiou
 
 from dcfp.errors import InputError
-from dcfp.motion.synthetic import harmonic, ricker
+from dcfp.motion.synthetic import harmonic, mavroeidis_papageorgiou, ricker
 
 positive = st.floats(0.05, 20.0)
 amplitudes = st.floats(1.0, 5000.0)
@@ -107,8 +106,8 @@ def test_whole_oscillation_or_odd_phase_leaves_no_displacement(oscillation, phas
 
 
 def test_parameters_are_in_the_origin():
-    text = harmonic(800.0, 0.5, 2.0, phase=0.3).origin.source
-    for word in ("800 mm/s2", "0.5 s", "2 cycles", "phase 0.3 rad"):
+    text = mavroeidis_papageorgiou(800.0, 0.5, 2.0, phase=0.3).origin.source
+    for word in ("800 mm/s", "0.5 Hz", "gamma = 2", "nu = 0.3"):
         assert word in text
 
 
@@ -124,6 +123,11 @@ def test_parameters_are_in_the_origin():
         lambda: harmonic(1.0, 1.0, 1e12),
         lambda: ricker(1.0, 0.0),
         lambda: ricker(1.0, 1.0, quantity="displacement"),
+        lambda: mavroeidis_papageorgiou(1.0, 1.0, 1.0),
+        lambda: mavroeidis_papageorgiou(1.0, 1.0, float("nan")),
+        lambda: mavroeidis_papageorgiou(1.0, 1.0, 2.0, peak_time=0.5),
+        lambda: mavroeidis_papageorgiou(1.0, 1.0, 2.0, duration=1.5),
+        lambda: mavroeidis_papageorgiou(1.0, 1.0, 2.0, time_step=1e-12),
     ],
 )
 def test_bad_parameters(call):

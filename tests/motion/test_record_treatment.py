@@ -10,6 +10,8 @@ from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.treatment import (
     high_pass,
+    remove_leading_mean,
+    remove_linear_acceleration,
     remove_linear_velocity,
     remove_mean,
     resample,
@@ -22,9 +24,28 @@ def motion(acceleration, time_step=0.01):
     return GroundMotion(np.asarray(acceleration, dtype=float), time_step, "test")
 
 
+@given(acceleration=values, offset=st.floats(-1e3, 1e3))
+def test_mean_of_the_beginning(acceleration, offset):
+    quiet = np.concatenate([np.zeros(20), acceleration])
+    treated = remove_leading_mean(motion(quiet + offset), 0.2)
+    np.testing.assert_allclose(treated.acceleration, quiet, atol=1e-8)
+    assert treated.treatment == ("mean of the first 0.2 s removed",)
+
+
 @given(acceleration=values)
 def test_mean(acceleration):
     assert abs(remove_mean(motion(acceleration)).acceleration.mean()) < 1e-8
+
+
+@given(acceleration=values, offset=st.floats(-1e3, 1e3), slope=st.floats(-1e3, 1e3))
+def test_a_line_in_acceleration_leaves_no_trace(acceleration, offset, slope):
+    plain = motion(acceleration)
+    tilted = motion(acceleration + offset + slope * plain.time)
+    np.testing.assert_allclose(
+        remove_linear_acceleration(tilted).acceleration,
+        remove_linear_acceleration(plain).acceleration,
+        atol=1e-7,
+    )
 
 
 @given(acceleration=values, slope=st.floats(-1e3, 1e3))
@@ -76,7 +97,7 @@ def test_high_pass_ends_at_rest_with_its_margins():
 
 def test_steps_add_up_and_the_origin_stays():
     old = sine(1.0)
-    new = resample(high_pass(remove_mean(old), 0.1), 2)
+    new = resample(high_pass(remove_leading_mean(old, 1.0), 0.1), 2)
     assert len(new.treatment) == 3
     assert new.origin == old.origin
     assert old.treatment == ()
@@ -85,6 +106,10 @@ def test_steps_add_up_and_the_origin_stays():
 @pytest.mark.parametrize(
     "call",
     [
+        lambda m: remove_leading_mean(m, 0.0),
+        lambda m: remove_leading_mean(m, -1.0),
+        lambda m: remove_leading_mean(m, 1e9),
+        lambda m: remove_leading_mean(m, float("nan")),
         lambda m: high_pass(m, 0.0),
         lambda m: high_pass(m, 50.0),
         lambda m: high_pass(m, float("nan")),

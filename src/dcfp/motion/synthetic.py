@@ -1,4 +1,4 @@
-"""Ground motions from formulas: harmonic, and the Ricker wavelet."""
+"""Ground motions from formulas: harmonic, Ricker wavelet, and the pulse of Mavroeidis and Papageorgiou."""
 
 import math
 
@@ -18,6 +18,7 @@ MAXIMUM_POINTS = 10_000_000
 
 _POSITIVE = Parameter("positive", NONE, 0.0, above=True)
 _FINITE = Parameter("any", NONE)
+_OSCILLATION = Parameter("oscillation", NONE, 1.0, 1000.0, above=True)
 
 
 def harmonic(
@@ -119,6 +120,83 @@ def ricker(
         values = peak * (1.0 - 2.0 * u**2) * np.exp(-(u**2))
     unit = "mm/s" if quantity == "velocity" else "mm/s2"
     return _motion("Ricker wavelet", values, step, f"{quantity}, peak {peak:g} {unit}, f = {frequency:g} Hz")
+
+
+def mavroeidis_papageorgiou(
+    amplitude: float,
+    frequency: float,
+    oscillation: float,
+    *,
+    phase: float = 0.0,
+    peak_time: float | None = None,
+    duration: float | None = None,
+    time_step: float | None = None,
+) -> GroundMotion:
+    r"""Return the near-fault velocity pulse of Mavroeidis and Papageorgiou (2003).
+
+    .. math::
+        v(t) = \frac{A}{2}\left[1 + \cos\frac{2\pi f_p}{\gamma}(t-t_0)\right]
+               \cos\left[2\pi f_p (t-t_0) + \nu\right], \quad |t - t_0| \le \frac{\gamma}{2 f_p}
+
+    and zero elsewhere. The acceleration is its exact derivative.
+
+    Parameters
+    ----------
+    amplitude
+        :math:`A`, the amplitude of the envelope of the velocity [mm/s]; PGV equals it where the phase is 0.
+    frequency
+        :math:`f_p`, the prevailing frequency [Hz].
+    oscillation
+        :math:`\gamma`, which sets how many cycles there are [-]; greater than 1.
+    phase
+        :math:`\nu` [rad]; 0 gives a symmetric and :math:`\pm\pi/2` an antisymmetric velocity.
+    peak_time
+        :math:`t_0`, the time of the envelope's peak [s]; :math:`\gamma/2f_p`, the earliest, when not given.
+    duration
+        Length of the motion [s]; to the end of the pulse when not given.
+    time_step
+        Interval between two values [s]; `STEPS_PER_PERIOD` to ``1 / frequency`` when not given.
+
+    Raises
+    ------
+    InputError
+        If a parameter is out of these bounds, or the pulse does not fit between 0 and the duration.
+
+    Notes
+    -----
+    The ground comes to rest, but not where it was: its displacement afterwards is
+
+    .. math:: d = \frac{A \cos\nu \sin\pi\gamma}{2\pi f_p\,(1-\gamma^2)}
+
+    which is zero only for a whole :math:`\gamma` or :math:`\nu = \pm\pi/2`.
+
+    Reference: Mavroeidis, G. P., and Papageorgiou, A. S. (2003), A mathematical representation of near-fault
+    ground motions, Bulletin of the Seismological Society of America 93, 1099-1131.
+    """
+    name = "Mavroeidis-Papageorgiou pulse"
+    _check(name, _POSITIVE, amplitude=amplitude, frequency=frequency)
+    _check(name, _FINITE, phase=phase)
+    _check(name, _OSCILLATION, oscillation=oscillation)
+    half = 0.5 * oscillation / frequency
+    centre = half if peak_time is None else peak_time
+    length = centre + half if duration is None else duration
+    if not (half * (1.0 - 1e-9) <= centre <= (length - half) * (1.0 + 1e-9)):
+        msg = f"{name}: the pulse lasts {half:g} s before and after its peak; this must fit into the motion."
+        raise InputError(msg)
+    time, step = _times(name, length, 1.0 / frequency, time_step)
+    values = _pulse_acceleration(time - centre, amplitude, frequency, oscillation, phase)
+    text = f"A = {amplitude:g} mm/s, f_p = {frequency:g} Hz, gamma = {oscillation:g}, nu = {phase:g} rad"
+    return _motion(name, values, step, f"{text}, t_0 = {centre:g} s")
+
+
+def _pulse_acceleration(
+    time: FloatArray, amplitude: float, frequency: float, oscillation: float, phase: float
+) -> FloatArray:
+    slow = 2.0 * math.pi * frequency / oscillation * time
+    fast = 2.0 * math.pi * frequency * time + phase
+    shape = np.sin(slow) * np.cos(fast) + oscillation * np.sin(fast) * (1.0 + np.cos(slow))
+    inside = np.abs(slow) < math.pi
+    return np.where(inside, -amplitude * math.pi * frequency / oscillation * shape, 0.0)
 
 
 def _times(name: str, length: float, period: float, time_step: float | None) -> tuple[FloatArray, float]:

@@ -35,10 +35,41 @@ def treated(motion: GroundMotion, *, baseline: bool = False, corner: float | Non
     return motion
 
 
+def remove_leading_mean(motion: GroundMotion, duration: float) -> GroundMotion:
+    """Subtract the mean of the first part of the acceleration, as for an instrument's offset.
+
+    Parameters
+    ----------
+    motion
+        The ground motion.
+    duration
+        Length of that part [s]; the noise before the first arrival is meant.
+
+    Raises
+    ------
+    InputError
+        If the duration is not positive, or longer than the motion.
+    """
+    if not 0.0 < duration <= motion.duration:
+        msg = f"{motion.name}: the mean can be taken of up to {motion.duration:g} s, not of {duration!r} s."
+        raise InputError(msg)
+    points = max(1, round(duration / motion.time_step))
+    values = motion.acceleration - motion.acceleration[:points].mean()
+    return _treated(motion, values, f"mean of the first {duration:g} s removed")
+
+
 def remove_mean(motion: GroundMotion) -> GroundMotion:
     """Subtract the mean of the whole acceleration."""
     values = motion.acceleration - motion.acceleration.mean()
     return _treated(motion, values, "mean removed")
+
+
+def remove_linear_acceleration(motion: GroundMotion) -> GroundMotion:
+    """Subtract the straight line that fits the acceleration best (least squares)."""
+    centred = motion.time - motion.time.mean()
+    slope = float(centred @ motion.acceleration) / float(centred @ centred)
+    line = motion.acceleration.mean() + slope * centred
+    return _treated(motion, motion.acceleration - line, "linear baseline in acceleration removed")
 
 
 def remove_linear_velocity(motion: GroundMotion) -> GroundMotion:
