@@ -1,4 +1,4 @@
-"""Tables of parameters and quantities, read from their declarations."""
+"""Tables of parameters, quantities and methods, read from their declarations."""
 
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -9,7 +9,9 @@ from sphinx.util.docutils import SphinxDirective
 
 from dcfp.analysis.rig import Loops as Loops  # every kind of result adds its quantities when it is imported
 from dcfp.inference import Case as Case
+from dcfp.methods import METHODS
 from dcfp.motion.formats.registry import FORMATS
+from dcfp.schema.citations import citation
 from dcfp.schema.nomenclature import NOMENCLATURE
 from dcfp.schema.parameters import Parameter, parameters
 from dcfp.study.factors import catalogue
@@ -62,6 +64,20 @@ def quantity_table() -> str:
     return _table(["symbol", "quantity", "unit inside", "shown in", "name in data sets"], rows)
 
 
+def method_table() -> str:
+    """Return every method that says how far a bearing moves, with its name in studies, as a table in Markdown."""
+    rows = [
+        [
+            method.name,
+            f"`{method.key}`",
+            ", ".join(one.words for one in method.knows),
+            "; ".join(f"{citation(key).partition(')')[0]})" for key in method.citations),
+        ]
+        for method in METHODS.values()
+    ]
+    return _table(["method", "name in studies", "knows", "source"], rows)
+
+
 def _table(head: list[str], rows: Iterable[list[str]]) -> str:
     lines = [head, ["---"] * len(head), *rows]
     return "\n".join(f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in line)} |" for line in lines)
@@ -104,9 +120,18 @@ class Formats(SphinxDirective):
         return self.parse_text_to_nodes(format_table())
 
 
+class Methods(SphinxDirective):
+    """The methods of prediction and of codes."""
+
+    def run(self) -> list[nodes.Node]:
+        """List them."""
+        return self.parse_text_to_nodes(method_table())
+
+
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register with Sphinx."""
     app.add_directive("dcfp-parameters", Parameters)
     app.add_directive("dcfp-quantities", Quantities)
     app.add_directive("dcfp-formats", Formats)
+    app.add_directive("dcfp-methods", Methods)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}
