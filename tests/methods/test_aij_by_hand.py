@@ -7,9 +7,8 @@ import math
 
 import pytest
 
-from dcfp.methods.aij_2016 import method_1
+from dcfp.methods.aij_2016 import Notification2000Spectrum, method_1
 from dcfp.methods.equivalent_linear import PendulumWithFriction
-from dcfp.methods.spectra import Notification2000Spectrum
 
 
 def test_the_iteration_by_hand() -> None:

@@ -21,7 +21,6 @@ from dcfp.methods.aij_2016 import AIJ_1 as AIJ_1
 from dcfp.methods.aij_2016 import AIJ_2 as AIJ_2
 from dcfp.methods.aij_2016 import AIJ_ENERGY as AIJ_ENERGY
 from dcfp.methods.iwan_1980 import IWAN_1980 as IWAN_1980
-from dcfp.methods.spectra import notification_2000 as notification_2000
 # isort: on
 
 from dcfp.methods.method import METHODS as METHODS

@@ -1,4 +1,4 @@
-"""The two equivalent-linear methods and the energy balance of the AIJ recommendations for isolated buildings (2016).
+"""The two equivalent-linear methods and the energy balance of the AIJ recommendations for isolated buildings (2016), and the spectrum of the notifications (2000).
 
 The recommendations themselves were not read: Li et al. (2020), section 2, describe the methods, and the equations follow from that. F_h is that of
 Notification 2009 and agrees in five sources; its floor of 0.4 is in one, word for word. The part of 0.8 of the loop's damping was found nowhere (the calculation
@@ -8,8 +8,10 @@ basis of matsumok/Squid-N takes the whole).
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Annotated, ClassVar
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.methods.code import (
@@ -27,9 +29,11 @@ from dcfp.methods.code import (
 )
 from dcfp.methods.equivalent_linear import PendulumWithFriction, halved
 from dcfp.methods.method import Look, register
-from dcfp.methods.spectra.elastic import ElasticSpectrum, velocity
+from dcfp.methods.spectra.elastic import DesignSpectrum, ElasticSpectrum, velocity
 from dcfp.schema.checks import positive
 from dcfp.schema.formulas import Formula, number
+from dcfp.schema.parameters import Parameter, declared
+from dcfp.schema.units import NONE
 
 METHOD_1, METHOD_2, ENERGY_BALANCE = "AIJ method 1", "AIJ method 2", "AIJ energy balance"
 #: Part of the damping of a steady loop that counts in an earthquake [-].
@@ -236,3 +240,62 @@ AIJ_ENERGY = register(
         formulas=_formulas_energy,
     )
 )
+
+
+# The very rare earthquake of the Japanese notifications 1457 and 1461 (2000) and 2009 (2000).
+#
+# The notifications themselves were not read. The spectrum on the bedrock agrees in three public programs (the calculation basis of matsumok/Squid-N, a
+# ``soil.py`` and a ``japan.js``), the amplification of all soil classes in the last two. Published points of class 1, and one of class 2, are in the tests.
+
+
+#: Corner periods [s] and levels [m/s2] of the spectrum on the engineering bedrock.
+_RISE_END, _PLATEAU_END, _AT_ZERO, _SLOPE, _PLATEAU, _FALL = 0.16, 0.64, 3.2, 30.0, 8.0, 5.12
+#: Amplification of soil class 1: largest, where it begins to fall [s], and least.
+_CLASS_1 = (1.5, 0.576, 1.35)
+#: Of classes 2 and 3: largest at short periods, and at long ones.
+_SHORT, _LONG = 1.5, {2: 2.025, 3: 2.7}
+
+
+@declared
+class Notification2000Spectrum(DesignSpectrum):
+    """Spectrum on the engineering bedrock times the amplification of the soil.
+
+    Parameters
+    ----------
+    soil
+        Class 1 (hard), 2 or 3 (soft).
+    zone
+        Zone factor Z [-].
+    level
+        1 for the very rare earthquake, 0.2 for the rare one [-].
+    """
+
+    noun = "a spectrum of Notification 1457"
+    option: ClassVar[str] = "japan"
+    words: ClassVar[str] = "very rare earthquake of Notification 1457 on soil class 1, 2 or 3"
+
+    soil: Annotated[int, Parameter("soil class", NONE, 1, 3)] = 2
+    zone: Annotated[float, Parameter("zone factor", NONE, 0.1, 10.0, symbol="Z", option=False)] = 1.0
+    level: Annotated[
+        float, Parameter("level, 0.2 for the rare earthquake", NONE, 0.01, 10.0, option=False)
+    ] = 1.0
+
+    @property
+    def name(self) -> str:
+        """What to call it."""
+        return f"Notification 1457, soil {self.soil}"
+
+    def acceleration(self, period: ArrayLike) -> FloatArray:
+        """Pseudo-acceleration at a damping of 5 % [mm/s2] at a period [s]."""
+        T = np.maximum(np.asarray(period, dtype=np.float64), 1e-9)
+        rising = _AT_ZERO + _SLOPE * T
+        bedrock = np.where(T < _RISE_END, rising, np.where(T < _PLATEAU_END, _PLATEAU, _FALL / T))
+        return np.asarray(self.level * self.zone * bedrock * self.amplification(T) * 1e3)
+
+    def amplification(self, period: FloatArray) -> FloatArray:
+        """Amplification G_s of the soil [-] at a period [s]."""
+        T = period
+        if self.soil == 1:
+            most, begins, least = _CLASS_1
+            return np.asarray(np.clip(most * begins / T, least, most))
+        return np.asarray(np.clip(_SHORT * T / _PLATEAU_END, _SHORT, _LONG[self.soil]))

@@ -266,16 +266,6 @@ class CodeInputs:
         return replace(self, pendulum=replace(self.pendulum, friction=self.pendulum.friction * factor))
 
 
-def _no_remarks(results: Sequence[CodeResult], inputs: CodeInputs) -> tuple[str, ...]:
-    del results, inputs
-    return ()
-
-
-def _no_formulas(result: CodeResult, inputs: CodeInputs) -> tuple[Formula, ...]:
-    del result, inputs
-    return ()
-
-
 @dataclass(frozen=True, kw_only=True)
 class CodeMethod(Method):
     """A method of a design code.
@@ -288,7 +278,7 @@ class CodeMethod(Method):
         Returns sentences that a reader must know, of its results with both bounds, the governing one first, whose friction the inputs then have; of nominal
         properties there is one result.
     formulas
-        Returns the last round with its numbers, for the report.
+        Returns the last round with its numbers, for the report; None where the report has none.
     symbols
         Of displacement, period, damping and base shear, as its remarks have them.
     needs_record
@@ -296,8 +286,8 @@ class CodeMethod(Method):
     """
 
     calculate: Callable[[CodeInputs], CodeResult]
-    remarks: Callable[[Sequence[CodeResult], CodeInputs], tuple[str, ...]] = _no_remarks
-    formulas: Callable[[CodeResult, CodeInputs], tuple[Formula, ...]] = _no_formulas
+    remarks: Callable[[Sequence[CodeResult], CodeInputs], tuple[str, ...]] | None = None
+    formulas: Callable[[CodeResult, CodeInputs], tuple[Formula, ...]] | None = None
     knows: tuple[Information, ...] = (Information.SPECTRUM,)
     symbols: tuple[str, str, str, str] = ("D", "T_eq", "h_eq", "Q/W")
     needs_record: bool = False
@@ -316,7 +306,8 @@ class CodeMethod(Method):
         order = sorted(range(len(results)), key=lambda place: -results[place].displacement)
         governing, *others = (results[place] for place in order)
         remarks = [remark for one in results for remark in one.remarks]
-        remarks += self.remarks([governing, *others], inputs.with_friction(factors[order[0]]))
+        if self.remarks is not None:
+            remarks += self.remarks([governing, *others], inputs.with_friction(factors[order[0]]))
         conditions, unconfirmed = governing.conditions, dict.fromkeys(governing.unconfirmed)
         names = ("lower", "upper") if order[0] == 0 else ("upper", "lower")
         for other in others:

@@ -8,7 +8,6 @@ pulse leaves it for the next. Spring (a) pulls it back. And the coefficient of f
 """
 
 import math
-import time
 from dataclasses import dataclass
 
 import numpy as np
@@ -47,8 +46,6 @@ class PulseMarch:
         Displacement in which it rests at the end [mm].
     time, displacement
         Path [s, mm], shape (n,).
-    elapsed
-        Computing time [s].
     """
 
     prediction: Prediction
@@ -58,7 +55,6 @@ class PulseMarch:
     residual_displacement: float
     time: FloatArray
     displacement: FloatArray
-    elapsed: float
 
     def _repr_html_(self) -> str:
         facts = {"comes to rest": self.rests, "peak_temperature [degC]": self.peak_temperature}
@@ -94,8 +90,7 @@ def march_through_pulses(
     """
     pulses = ground if isinstance(ground, Pulses) else find_pulses(ground, MARCH_THRESHOLD)
     system = System.of(bearing, friction, heating)
-    rows = _rows(pulses, parts) if with_path else 0
-    state, path, elapsed = _marched(pulses, system, parts, rows)
+    state, path = _marched(pulses, system, parts, with_path=with_path)
     if not np.isfinite(state[:-1]).all():
         what = "the march through the pulses"
         raise system.friction.no_number(what)
@@ -107,53 +102,38 @@ def march_through_pulses(
             displacement=state.peak_displacement,
             total_velocity=math.sqrt(2.0 * max(state.input, 0.0)),
         ),
-        pulse=_pulse_of(state.peak_leg, pulses),
+        # the last leg has no pulse of its own; not a number is below nothing
+        pulse=int(state.peak_leg) if state.peak_leg < pulses.count else None,
         rests=state.slip_sign == 0.0,
         peak_temperature=state.peak_temperature,
         residual_displacement=state.displacement,
         time=freeze(path[:, k.PATH_TIME].copy()),
         displacement=freeze(path[:, k.PATH_DISPLACEMENT].copy()),
-        elapsed=elapsed,
     )
 
 
-def _marched(pulses: Pulses, system: System, parts: int, rows: int) -> tuple[k.PulseState, FloatArray, float]:
-    """Return state and path at the end, and the computing time [s]; again with more cells where they did not suffice."""
+def _marched(
+    pulses: Pulses, system: System, parts: int, *, with_path: bool
+) -> tuple[k.PulseState, FloatArray]:
+    """Return state and path at the end; again with more cells where they did not suffice."""
+    legs = np.maximum(parts, np.ceil(np.diff(pulses.times) / LONGEST_STEP))
+    rows = int(legs.sum()) + k.FREE_STEPS if with_path else 0
     plates = cold_plates(system)
     while True:
         state = np.zeros(1, k.PULSE_STATE)
         state["peak_temperature"], state["peak_leg"] = system.heating.ambient, math.nan
         path = np.empty((rows, k.PATH_SIZE))
         model = kernel_model(system, heat_of(plates, system))
-        began = time.perf_counter()
         written, fits = k.integrate_pulses(
             model, pulses.times, pulses.velocities, parts, LONGEST_STEP, state, path
         )
-        elapsed = time.perf_counter() - began
         if fits:
-            return k.PulseState(*state[0].item()), path[:written], elapsed
+            return k.PulseState(*state[0].item()), path[:written]
         plates = cold_plates(system).with_room(plates.cells.shape[1])
 
 
-def _rows(pulses: Pulses, parts: int) -> int:
-    legs = np.maximum(parts, np.ceil(np.diff(pulses.times) / LONGEST_STEP))
-    return int(legs.sum()) + k.FREE_STEPS
-
-
-def _pulse_of(leg: float, pulses: Pulses) -> int | None:
-    """Return the pulse whose rise is a leg; the last leg has no pulse of its own."""
-    if math.isnan(leg) or leg >= pulses.count:
-        return None
-    return int(leg)
-
-
-def march(ground: Ground, methods: Methods, *, with_path: bool = False) -> PulseMarch:
-    """March through the pulses of a record; `with_path` as for `march_through_pulses`."""
-    return march_through_pulses(ground.pulses(methods.march_threshold), methods.system, with_path=with_path)
-
-
 def _predict(ground: Ground, methods: Methods) -> Predicted:
-    marched = march(ground, methods)
+    marched = march_through_pulses(ground.pulses(methods.march_threshold), methods.system)
     name = "" if ground.motion is None else ground.motion.name
     still = (
         f"{name}: the march still slides two minutes after the last peak; its dy does not count that slide."

@@ -82,18 +82,17 @@ class Pulses:
     @property
     def changes(self) -> FloatArray:
         """Differences dvg_i [mm/s], shape (count,): Eq. (14)."""
-        return velocity_change(self.velocities[: self.count], self.velocities[1 : 1 + self.count])
+        return np.diff(self.velocities)[: self.count]
 
     @property
     def mean_accelerations(self) -> FloatArray:
         """Slopes kg_i before the peaks [mm/s2], shape (count,): Eq. (18)."""
-        return mean_acceleration(self.changes, self.peaks - self.starts)
+        return self.changes / (self.peaks - self.starts)
 
     @property
     def next_mean_accelerations(self) -> FloatArray:
         """Slopes kg_(i+1) after the peaks [mm/s2], shape (count,): Eq. (18)."""
-        after = velocity_change(self.velocities[1 : 1 + self.count], self.velocities[2 : 2 + self.count])
-        return mean_acceleration(after, self.ends - self.peaks)
+        return np.diff(self.velocities)[1 : 1 + self.count] / (self.ends - self.peaks)
 
     def scaled(self, factor: float) -> "Pulses":
         """Return the pulses of the same motion multiplied by `factor` [-].
@@ -114,19 +113,6 @@ class Pulses:
             for time, velocity in zip(self.times.tolist(), self.velocities.tolist(), strict=True)
         ]
         return card(f"{self.count} velocity pulses", {"threshold": self.threshold}, rows=rows)
-
-
-def velocity_change(before: FloatArray, peak: FloatArray) -> FloatArray:
-    """Difference dvg_i of the velocity at a peak from that at the peak before [mm/s]: Li et al. (2020), Eq. (14)."""
-    return peak - before
-
-
-def mean_acceleration(change: FloatArray, duration: FloatArray) -> FloatArray:
-    """Mean ground acceleration kg between two peaks [mm/s2]: Li et al. (2020), Eq. (18).
-
-    `change` [mm/s] in `duration` [s].
-    """
-    return change / duration
 
 
 def find_pulses(motion: Motion, threshold: float = THRESHOLD) -> Pulses:

@@ -5,9 +5,10 @@ import pytest
 
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
+from dcfp.methods.aij_2016 import Notification2000Spectrum
 from dcfp.methods.asce_2016 import Asce2016Spectrum
 from dcfp.methods.eurocode_8 import Eurocode8Spectrum
-from dcfp.methods.spectra import Notification2000Spectrum, TabulatedSpectrum
+from dcfp.methods.spectra import TabulatedSpectrum
 from dcfp.methods.spectra.elastic import displacement, velocity
 
 KINDS = [(kind, ground) for kind in (1, 2) for ground in "ABCDE"]

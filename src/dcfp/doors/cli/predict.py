@@ -12,8 +12,9 @@ from dcfp.inference import Case, Methods, compare
 from dcfp.inference.design_space import COEFFICIENTS, RADII, held_table, survey
 from dcfp.inference.forecast import SET, Forecast, calibration_set, cases_at, forecast, forecast_from_pgv
 from dcfp.inference.told import forecast_lines, forecast_objects, interval_lines
-from dcfp.methods.prediction import Constants, Ground, Nominal, nominal_coefficient
-from dcfp.methods.pulse_march import march
+from dcfp.methods.prediction import Constants, Nominal, nominal_coefficient
+from dcfp.methods.pulse_march import march_through_pulses
+from dcfp.methods.pulses import find_pulses
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import motion_remarks
 from dcfp.system import System
@@ -158,7 +159,8 @@ def pulse_figure(case: Case, methods: Methods) -> "Figure":
     from dcfp.present.figures import plot_pulses  # late: Matplotlib takes long to import
     from dcfp.present.figures.pulses import response_of
 
-    marched = march(Ground.of(response_of(case).motion), methods, with_path=True)
+    pulses = find_pulses(response_of(case).motion, methods.march_threshold)
+    marched = march_through_pulses(pulses, methods.system, with_path=True)
     return plot_pulses(case, marched, constants=methods.constants)
 
 

@@ -92,6 +92,14 @@ class Constants(Declared):
         """Whether mu_n g is below kg_ave, as the simplified and the design method need."""
         return self.friction_deceleration < self.average_slope
 
+    def velocity_change(self, pgv: float) -> float:
+        """Velocity change |dvg| of the largest pulse of an earthquake with a PGV [mm/s], in mm/s: Eq. (29)."""
+        return self.change_ratio * pgv
+
+    def slope(self, pgv: float) -> float:
+        """Slope kg of that pulse [mm/s2]: Eq. (30)."""
+        return self.average_slope * pgv / self.reference_pgv
+
     def remarks(self, pgv: float) -> tuple[str, ...]:
         """Return what must be known of the methods at a PGV [mm/s]."""
         if not self.slides_on_average:

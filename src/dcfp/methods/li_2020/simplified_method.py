@@ -15,16 +15,8 @@ from dcfp.schema.checks import positive
 from dcfp.schema.formulas import Formula, number
 
 
-def next_slope(slope: FloatArray, fall_ratio: float) -> FloatArray:
-    """Slope kg_(i+1) of the ground velocity after the peak [mm/s2]: Eq. (26).
-
-    `slope` kg_i before it [mm/s2]; `fall_ratio` eps [-].
-    """
-    return -fall_ratio * slope
-
-
 def absorbed_velocity_ratio(ratio: FloatArray, fall_ratio: float) -> FloatArray:
-    """V_dEhr_pre over V_dE_pre [-]: Eq. (27), and 1 where ku/kg exceeds 1.
+    """V_dEhr_pre over V_dE_pre [-]: Eq. (27), which has the slope kg_(i+1) = -eps kg_i of Eq. (26), and 1 where ku/kg exceeds 1.
 
     `ratio` ku/kg [-]; `fall_ratio` eps [-].
     """
@@ -47,22 +39,6 @@ def displacement_change(hysteretic_velocity: FloatArray, friction_deceleration: 
     `friction_deceleration` mu_n g [mm/s2].
     """
     return hysteretic_velocity**2 / (2.0 * friction_deceleration)
-
-
-def velocity_change(pgv: float, change_ratio: float) -> float:
-    """Velocity change |dvg| of the largest pulse of an earthquake [mm/s]: Eq. (29).
-
-    `pgv` [mm/s]; `change_ratio` zeta [-].
-    """
-    return change_ratio * pgv
-
-
-def slope(pgv: float, average_slope: float, reference_pgv: float) -> float:
-    """Slope kg of that pulse [mm/s2]: Eq. (30).
-
-    `pgv` [mm/s]; `average_slope` kg_ave [mm/s2] at `reference_pgv` [mm/s].
-    """
-    return average_slope * pgv / reference_pgv
 
 
 def hysteretic_velocity(
@@ -122,8 +98,8 @@ def predict_from_pgv(pgv: float, constants: Constants = LI_2020) -> Prediction:
         raise InputError(msg)
     _check_slope(constants)
     k_u, k_ave = constants.friction_deceleration, constants.average_slope
-    put_in = float(input_velocity(np.array(velocity_change(pgv, constants.change_ratio)), k_u, k_ave))
-    k_g = slope(pgv, k_ave, constants.reference_pgv)
+    put_in = float(input_velocity(np.array(constants.velocity_change(pgv)), k_u, k_ave))
+    k_g = constants.slope(pgv)
     dissipated = hysteretic_velocity(put_in, k_u, k_g, constants.fall_ratio)
     return Prediction(float(displacement_change(np.array(dissipated), k_u)), put_in, dissipated)
 
@@ -139,8 +115,8 @@ def friction_that_holds(allowed: float, pgv: float, constants: Constants = LI_20
         If `allowed` or the PGV is not positive.
     """
     positive(allowed, "displacement to be held", "mm")
-    dv, eps = velocity_change(positive(pgv, "PGV", "mm/s"), constants.change_ratio), constants.fall_ratio
-    k_ave, k_g = constants.average_slope, slope(pgv, constants.average_slope, constants.reference_pgv)
+    dv, eps = constants.velocity_change(positive(pgv, "PGV", "mm/s")), constants.fall_ratio
+    k_ave, k_g = constants.average_slope, constants.slope(pgv)
     # Eqs (31)-(33) together: dy = dv^2 (1 - k_u / k_ave) (1 + eps) / (2 (k_u + eps k_g)), and eps = 0 where k_u > k_g
     k_u = (dv**2 * (1.0 + eps) - 2.0 * allowed * eps * k_g) / (2.0 * allowed + dv**2 * (1.0 + eps) / k_ave)
     if k_u > k_g:
@@ -204,8 +180,8 @@ def _formulas_from_pgv(ground: Ground, methods: Methods) -> tuple[Formula, ...]:
     if predicted is None:
         return ()
     said, k_u = predicted.prediction, constants.friction_deceleration
-    k_g = slope(pgv, constants.average_slope, constants.reference_pgv)
-    dv = velocity_change(pgv, constants.change_ratio)
+    k_g = constants.slope(pgv)
+    dv = constants.velocity_change(pgv)
     u, s, put_in = number(k_u, 1), number(k_g, 1), number(said.input_velocity, 1)
     eps, ave, zeta = (f"{value:g}" for value in (constants.fall_ratio, constants.average_slope, constants.change_ratio))  # fmt: skip
     absorbed = ("sqrt(((1 + epsilon) k_u) / (k_u + epsilon k_g))", f"{put_in} times sqrt(((1 + {eps}) times {u}) / ({u} + {eps} times {s}))")  # fmt: skip

@@ -1,9 +1,7 @@
-"""Elastic response and input energy spectra of records; the registry of design spectra, most of which are with their codes."""
+"""Elastic response and input energy spectra of records, and spectra from files; those of codes are with their codes."""
 
-from dcfp.methods.spectra.elastic import DESIGN_SPECTRA as DESIGN_SPECTRA
 from dcfp.methods.spectra.elastic import ElasticSpectrum as ElasticSpectrum
 from dcfp.methods.spectra.elastic import TabulatedSpectrum as TabulatedSpectrum
-from dcfp.methods.spectra.notification_2000 import Notification2000Spectrum as Notification2000Spectrum
 from dcfp.methods.spectra.of_record import EnergySpectrum as EnergySpectrum
 from dcfp.methods.spectra.of_record import ResponseSpectrum as ResponseSpectrum
 from dcfp.methods.spectra.of_record import input_energy_spectrum as input_energy_spectrum

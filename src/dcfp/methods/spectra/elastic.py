@@ -1,7 +1,7 @@
 """What the methods of codes take of a spectrum: the pseudo-acceleration at a damping of 5 %; and a spectrum of the user's own from a file of columns."""
 
 import re
-from abc import ABC, abstractmethod
+from abc import abstractmethod
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import ClassVar, NoReturn, Protocol
@@ -23,18 +23,18 @@ class ElasticSpectrum(Protocol):
     """An elastic spectrum at a damping of 5 %."""
 
     @property
+    @abstractmethod
     def name(self) -> str:
         """What to call it."""
-        ...
 
     @property
     def unconfirmed(self) -> tuple[str, ...]:
         """What in it could not be confirmed in its source; nothing where all could."""
-        ...
+        return ()
 
+    @abstractmethod
     def acceleration(self, period: ArrayLike) -> FloatArray:
         """Pseudo-acceleration S_a [mm/s2] at a period [s]."""
-        ...
 
 
 def displacement(spectrum: ElasticSpectrum, period: ArrayLike) -> FloatArray:
@@ -51,7 +51,7 @@ def velocity(spectrum: ElasticSpectrum, period: ArrayLike) -> FloatArray:
 DESIGN_SPECTRA: "Registry[type[DesignSpectrum]]" = Registry("design spectrum")
 
 
-class DesignSpectrum(Declared, ABC):
+class DesignSpectrum(Declared, ElasticSpectrum):
     """An elastic spectrum of a code; a class with an ``option`` of its own registers itself.
 
     Attributes
@@ -86,15 +86,6 @@ class DesignSpectrum(Declared, ABC):
     def unconfirmed(self) -> tuple[str, ...]:
         """What in it could not be confirmed in its source."""
         return self.doubts
-
-    @property
-    @abstractmethod
-    def name(self) -> str:
-        """What to call it."""
-
-    @abstractmethod
-    def acceleration(self, period: ArrayLike) -> FloatArray:
-        """Pseudo-acceleration S_a at a damping of 5 % [mm/s2] at a period [s]."""
 
 
 @dataclass(frozen=True, eq=False)

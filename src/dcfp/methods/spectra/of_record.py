@@ -39,14 +39,8 @@ _SERIES, _TERMS = 0.5, 16
 SHORTEST, LONGEST = 0.01, 100.0
 
 
-def checked(periods: FloatArray, damping: float) -> FloatArray:
-    """Return periods as an array.
-
-    Raises
-    ------
-    InputError
-        If there is none, or one is out of range, or they do not increase, or the damping is not from 0 to below 1.
-    """
+def _checked(periods: FloatArray, damping: float) -> FloatArray:
+    """Return periods as an array, if they and the damping may be those of a spectrum."""
     values = np.atleast_1d(np.asarray(periods, dtype=np.float64))
     if values.ndim != 1 or values.size == 0 or not np.isfinite(values).all():
         msg = "A spectrum needs a row of periods, each a finite number of seconds."
@@ -62,13 +56,9 @@ def checked(periods: FloatArray, damping: float) -> FloatArray:
     return values
 
 
-def coefficients(periods: FloatArray, damping: float, step: float) -> FloatArray:
-    """Return the kernel's coefficients for a step [s], shape (COEFFICIENTS, periods): exact for an acceleration that is linear over it."""
-    return _coefficients(periods.tobytes(), damping, step)
-
-
 @lru_cache(maxsize=64)
 def _coefficients(periods: bytes, damping: float, step: float) -> FloatArray:
+    """Return the kernel's coefficients for a step [s], shape (COEFFICIENTS, periods): exact for an acceleration that is linear over it."""
     omega = 2.0 * np.pi / np.frombuffer(periods, dtype=np.float64)
     damped = omega * np.sqrt(1.0 - damping**2)
     fade = np.exp(-damping * omega * step)
@@ -109,7 +99,7 @@ def _series(angle: FloatArray, damping: float) -> tuple[FloatArray, FloatArray]:
     return constant, growing
 
 
-def pieces(motion: GroundMotion, periods: FloatArray) -> list[tuple[slice, int]]:
+def _pieces(motion: GroundMotion, periods: FloatArray) -> list[tuple[slice, int]]:
     """Return groups of periods, and into how many parts the record's step is divided for each.
 
     The step must be short beside the period for the largest displacement to be seen, and need not be shorter for the others. A group
@@ -122,6 +112,23 @@ def pieces(motion: GroundMotion, periods: FloatArray) -> list[tuple[slice, int]]
     ends = -(-(np.flatnonzero(np.diff(parts)) + 1) // _AT_ONCE) * _AT_ONCE
     edges = [0, *np.unique(ends[ends < periods.size]).tolist(), periods.size]
     return [(slice(a, b), int(parts[a])) for a, b in pairwise(edges)]
+
+
+def _marched(motion: GroundMotion, periods: FloatArray, damping: float, *, with_energy: bool) -> FloatArray:
+    """Return the state of every oscillator after the motion, shape (ROWS, periods); without energies only its largest displacement counts."""
+    found = np.empty((k.ROWS, periods.size))
+    for part, parts in _pieces(motion, periods):
+        step = motion.time_step / max(parts, 1)
+        acceleration = refined(motion.acceleration, parts)
+        rows = _coefficients(periods[part].tobytes(), damping, step)
+        state = np.zeros((k.ROWS, periods[part].size))
+        if with_energy:
+            ground = np.concatenate(([0.0], np.cumsum(0.5 * step * (acceleration[1:] + acceleration[:-1]))))
+            k.respond_with_energy(rows, step, acceleration, ground, state)
+        else:
+            k.respond_all(rows, step if parts else None, acceleration, state)
+        found[:, part] = state
+    return found
 
 
 #: Acceleration in place of none, of which there is no logarithm [mm/s2].
@@ -149,11 +156,6 @@ class ResponseSpectrum:
     displacement: FloatArray
     name: str = "record"
     unconfirmed: tuple[str, ...] = ()
-
-    @property
-    def pseudo_velocity(self) -> FloatArray:
-        """Pseudo-velocity S_v = omega S_d [mm/s], shape (n,)."""
-        return self.displacement * (2.0 * np.pi / self.periods)
 
     @property
     def pseudo_acceleration(self) -> FloatArray:
@@ -191,18 +193,8 @@ def response_spectrum(
     InputError
         If a period or the damping is out of range.
     """
-    periods = checked(periods, damping)
-    largest = np.empty(periods.size)
-    for part, parts in pieces(motion, periods):
-        step = motion.time_step / max(parts, 1)
-        state = np.zeros((k.ROWS, periods[part].size))
-        k.respond_all(
-            coefficients(np.ascontiguousarray(periods[part]), damping, step),
-            step if parts else None,
-            refined(motion.acceleration, parts),
-            state,
-        )
-        largest[part] = state[k.PEAK_U]
+    periods = _checked(periods, damping)
+    largest = _marched(motion, periods, damping, with_energy=False)[k.PEAK_U]
     return ResponseSpectrum(freeze(periods), damping, freeze(largest), motion.name)
 
 
@@ -282,16 +274,8 @@ def input_energy_spectrum(
     The relative input energy, - integral of a_g dv over the relative displacement, is in closed form between samples; the absolute one, the work of the
     ground on the oscillator, is more by v_g (v_g / 2 + v) for each unit of mass.
     """
-    periods = checked(periods, damping)
-    found = np.empty((k.ROWS, periods.size))
-    for part, parts in pieces(motion, periods):
-        step = motion.time_step / max(parts, 1)
-        acceleration = refined(motion.acceleration, parts)
-        ground = np.concatenate(([0.0], np.cumsum(0.5 * step * (acceleration[1:] + acceleration[:-1]))))
-        state = np.zeros((k.ROWS, periods[part].size))
-        rows = coefficients(np.ascontiguousarray(periods[part]), damping, step)
-        k.respond_with_energy(rows, step, acceleration, ground, state)
-        found[:, part] = state
+    periods = _checked(periods, damping)
+    found = _marched(motion, periods, damping, with_energy=True)
     return EnergySpectrum(
         periods=freeze(periods),
         damping=damping,
@@ -309,21 +293,13 @@ def input_energy_spectrum(
 
 
 class Ordinates(NamedTuple):
-    """The spectra of a ground motion at one period."""
+    """The spectra of a ground motion at one period [s, mm, mm2/s2]."""
 
     motion: GroundMotion
-    spectrum: EnergySpectrum
-    place: int
-
-    @property
-    def period(self) -> float:
-        """Period [s]."""
-        return float(self.spectrum.periods[self.place])
-
-    @property
-    def displacement(self) -> float:
-        """S_d [mm]."""
-        return float(self.spectrum.displacement[self.place])
+    period: float
+    displacement: float
+    relative: float
+    absolute: float
 
     @property
     def frequency(self) -> float:
@@ -333,7 +309,8 @@ class Ordinates(NamedTuple):
 
 def ordinates(motion: GroundMotion, spectrum: EnergySpectrum) -> list[Ordinates]:
     """Return the spectra of a motion at every period."""
-    return [Ordinates(motion, spectrum, place) for place in range(spectrum.periods.size)]
+    columns = (spectrum.periods, spectrum.displacement, spectrum.relative, spectrum.absolute)
+    return [Ordinates(motion, *row) for row in np.column_stack(columns).tolist()]
 
 
 ORDINATES = [
@@ -343,6 +320,6 @@ ORDINATES = [
     Quantity("S_d_mm", "spectral displacement", MM, decimals=1, name="S_d", get="displacement"),
     Quantity("S_v_mm_s", "pseudo-velocity", MM_PER_S, M_PER_S, 3, name="S_v", get=lambda one: one.displacement * one.frequency),
     Quantity("S_a_mm_s2", "pseudo-acceleration", MM_PER_S2, M_PER_S2, 3, name="S_a", get=lambda one: one.displacement * one.frequency**2),
-    Quantity("V_E_mm_s", "equivalent velocity of the relative input energy", MM_PER_S, M_PER_S, 3, name="V_E", get=lambda one: (2.0 * float(one.spectrum.relative[one.place])) ** 0.5),
-    Quantity("V_E_absolute_mm_s", "equivalent velocity of the absolute input energy", MM_PER_S, M_PER_S, 3, name="V_E_absolute", head="V_E abs.", get=lambda one: (2.0 * float(one.spectrum.absolute[one.place])) ** 0.5),
+    Quantity("V_E_mm_s", "equivalent velocity of the relative input energy", MM_PER_S, M_PER_S, 3, name="V_E", get=lambda one: (2.0 * one.relative) ** 0.5),
+    Quantity("V_E_absolute_mm_s", "equivalent velocity of the absolute input energy", MM_PER_S, M_PER_S, 3, name="V_E_absolute", head="V_E abs.", get=lambda one: (2.0 * one.absolute) ** 0.5),
 ]  # fmt: skip

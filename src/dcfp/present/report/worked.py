@@ -57,7 +57,7 @@ def worked_out(calculation: Calculation) -> Worked:
         _prediction(method, ground, calculation.methods) for method in prediction_methods().values()
     ]
     codes = {
-        name: code_methods()[name].formulas(code_result, inputs)
+        name: () if (formulas := code_methods()[name].formulas) is None else formulas(code_result, inputs)
         for name, code_result in result.case.codes.items()
     }
     name = label_of(result)
