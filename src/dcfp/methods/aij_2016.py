@@ -148,7 +148,7 @@ def _remarks_energy(results: Sequence[CodeResult], inputs: CodeInputs) -> tuple[
     del results
     words = (
         "largest relative input energy at the period of the pendulum and a damping of 10 %"
-        if inputs.has_energy
+        if inputs.energy_velocity is not None or inputs.motion is not None
         else "the largest pseudo-velocity of the spectrum, which is a lower bound"
     )
     return (f"V_E {inputs.input_velocity:.0f} mm/s: {words}.",)
@@ -258,23 +258,13 @@ _SHORT, _LONG = 1.5, {2: 2.025, 3: 2.7}
 
 @declared
 class Notification2000Spectrum(DesignSpectrum):
-    """Spectrum on the engineering bedrock times the amplification of the soil.
-
-    Parameters
-    ----------
-    soil
-        Class 1 (hard), 2 or 3 (soft).
-    zone
-        Zone factor Z [-].
-    level
-        1 for the very rare earthquake, 0.2 for the rare one [-].
-    """
+    """Spectrum on the engineering bedrock times the amplification of the soil."""
 
     noun = "a spectrum of Notification 1457"
     option: ClassVar[str] = "japan"
     words: ClassVar[str] = "very rare earthquake of Notification 1457 on soil class 1, 2 or 3"
 
-    soil: Annotated[int, Parameter("soil class", NONE, 1, 3)] = 2
+    soil: Annotated[int, Parameter("soil class", NONE, 1, 3, more="1 is hard, 3 soft")] = 2
     zone: Annotated[float, Parameter("zone factor", NONE, 0.1, 10.0, symbol="Z", option=False)] = 1.0
     level: Annotated[
         float, Parameter("level, 0.2 for the rare earthquake", NONE, 0.01, 10.0, option=False)

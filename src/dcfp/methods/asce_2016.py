@@ -217,17 +217,7 @@ _START, _AT_ZERO = 0.2, 0.4
 
 @declared
 class Asce2016Spectrum(DesignSpectrum):
-    """Four branches: rising, constant acceleration, constant velocity, constant displacement.
-
-    Parameters
-    ----------
-    short
-        S_MS, acceleration at short periods, in units of gravity [-].
-    one_second
-        S_M1, acceleration at 1 s, in units of gravity [-].
-    long_period
-        T_L, from which on the displacement is constant [s].
-    """
+    """Four branches: rising, constant acceleration, constant velocity, constant displacement."""
 
     noun = "a spectrum of ASCE 7-16"
     option: ClassVar[str] = "asce"

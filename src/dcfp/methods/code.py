@@ -89,23 +89,7 @@ class CodeResult:
 
 @declared
 class Structure(Declared):
-    """A building on the isolation layer; what is None is not known, and the conditions that ask for it say so.
-
-    Parameters
-    ----------
-    fixed_base_period
-        Of the structure without isolation [s]; 0 for a rigid one.
-    height
-        Above the isolation [mm].
-    site_class
-        After ASCE/SEI 7, ``"A"`` to ``"F"``.
-    plan
-        Larger dimension of the plan [mm].
-    fault_distance
-        To the nearest fault of a magnitude of 6.5 or more [mm].
-    weight_above
-        Weight of the structure above the base level over the whole weight, W_s / W [-].
-    """
+    """A building on the isolation layer; what is None is not known, and the conditions that ask for it say so."""
 
     noun = "a building and its site"
 
@@ -184,15 +168,7 @@ def code_objects(results: Iterable[CodeResult]) -> list[dict[str, Any]]:
 
 @declared
 class Bounds(Declared):
-    """Property modification factors on the coefficient of friction, the same for every code: ASCE/SEI 7-16, section 17.2.8 (and EN 1998-1, 10.8, from memory).
-
-    Parameters
-    ----------
-    least, largest
-        lambda_min and lambda_max [-].
-    source
-        Where they come from, in words.
-    """
+    """Property modification factors on the coefficient of friction, the same for every code: ASCE/SEI 7-16, section 17.2.8 (and EN 1998-1, 10.8, from memory)."""
 
     noun = "bounds of the properties"
 
@@ -239,11 +215,6 @@ class CodeInputs:
         """Return what the codes are given of a record itself, with a constant coefficient of friction [-]."""
         pendulum = PendulumWithFriction(bearing.effective_radius, friction)
         return cls(response_spectrum(motion), pendulum, structure or Structure(), motion, bearing)
-
-    @property
-    def has_energy(self) -> bool:
-        """Whether V_E is known, and not only a lower bound of it."""
-        return self.energy_velocity is not None or self.motion is not None
 
     @cached_property
     def input_velocity(self) -> float:

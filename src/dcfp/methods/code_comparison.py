@@ -23,7 +23,7 @@ from dcfp.methods.equivalent_linear import PendulumWithFriction
 from dcfp.methods.spectra.elastic import ElasticSpectrum
 from dcfp.methods.spectra.of_record import ResponseSpectrum, spectrum_of_set
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.schema.notebook import card
+from dcfp.schema.notebook import card, told
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import M_PER_S, MM, NONE
 from dcfp.system import Bearing, System
@@ -104,10 +104,7 @@ class CodeComparison:
         return (f"{self.name}: beyond the capacity of {capacity:.0f} mm: {what}.",) if beyond else ()
 
     def _repr_html_(self) -> str:
-        rows = [
-            {key: value for key, value in one.items() if not isinstance(value, list)}
-            for one in code_objects(self.results.values())
-        ]
+        rows = [told(CODE_RESULTS, one) for one in self.results.values()]
         return card(self.name, {"analysis [mm]": self.displacement}, rows=rows, remarks=self.remarks)
 
 

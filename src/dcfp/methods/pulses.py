@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import dataclass, field, replace
-from operator import attrgetter
 
 import numpy as np
 
@@ -206,16 +205,11 @@ PREDICTION_QUANTITIES = Quantities("quantity of a prediction")
 #: Largest change of displacement between two successive peaks, and largest displacement.
 CHANGE = PREDICTION_QUANTITIES.tell("displacement_change", "dy_mm", name="dy", decimals=1)
 DISPLACEMENT = PREDICTION_QUANTITIES.tell(
-    "peak_displacement", "y_mm", name="y", head="y_max", decimals=1, get=attrgetter("displacement")
+    "peak_displacement", "y_mm", name="y", head="y_max", decimals=1, get="displacement"
 )
 #: Equivalent velocities of the energies put in and dissipated during a swing, and of all the energy put in.
 INPUT = PREDICTION_QUANTITIES.tell(
-    "swing_input_velocity",
-    "V_dE_mm_s",
-    name="V_dE",
-    shown=MM_PER_S,
-    decimals=1,
-    get=attrgetter("input_velocity"),
+    "swing_input_velocity", "V_dE_mm_s", name="V_dE", shown=MM_PER_S, decimals=1, get="input_velocity"
 )
 HYSTERETIC = PREDICTION_QUANTITIES.tell(
     "swing_hysteretic_velocity",
@@ -223,10 +217,10 @@ HYSTERETIC = PREDICTION_QUANTITIES.tell(
     name="V_dEhr",
     shown=MM_PER_S,
     decimals=1,
-    get=attrgetter("hysteretic_velocity"),
+    get="hysteretic_velocity",
 )
 TOTAL = PREDICTION_QUANTITIES.tell(
-    "input_velocity", "V_E_mm_s", name="V_E", shown=MM_PER_S, decimals=1, get=attrgetter("total_velocity")
+    "input_velocity", "V_E_mm_s", name="V_E", shown=MM_PER_S, decimals=1, get="total_velocity"
 )
 
 
@@ -263,25 +257,18 @@ class PulsePrediction:
     @property
     def largest(self) -> Prediction:
         """Largest displacement and energies of all pulses, each by itself; zero where there is no pulse. This is blind: it knows the record only."""
-        return Prediction(
-            *(
-                float(values.max(initial=0.0))
-                for values in (self.displacement_change, self.input_velocity, self.hysteretic_velocity)
-            )
-        )
+        return Prediction(*(float(values.max(initial=0.0)) for values in self._values))
+
+    @property
+    def _values(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        return self.displacement_change, self.input_velocity, self.hysteretic_velocity
 
     def of(self, pulse: int | None) -> Prediction:
         """Return what one pulse does, counted from zero; not a number where it is None.
 
         With the pulse that the analysis shows to have caused the largest displacement, this is informed.
         """
-        if pulse is None:
-            return NOTHING
-        return Prediction(
-            float(self.displacement_change[pulse]),
-            float(self.input_velocity[pulse]),
-            float(self.hysteretic_velocity[pulse]),
-        )
+        return NOTHING if pulse is None else Prediction(*(float(values[pulse]) for values in self._values))
 
     def _repr_html_(self) -> str:
         facts = {"pulses": self.pulses.count, "governing pulse": self.governing}

@@ -180,24 +180,28 @@ def read_spectrum(path: str | Path, name: str | None = None) -> TabulatedSpectru
     lines = _lines(path)
     if not lines:
         _fail(path, f"the file is empty; it must begin with a header such as {_EXAMPLE}.")
-    separator = _separator(lines[0][1])
-    header = _split(lines[0][1], separator, is_header=True)
-    first, second, size = _columns(path, lines[0][0], header)
+    number, header = lines[0]
+    separator = next(
+        (mark for mark in ("\t", ";", ",") if mark in header), None
+    )  # blanks, where there is none
+    heads = _split(header, separator, is_header=True)
+    (first, time), (second, unit) = (_column(path, number, heads, what) for what in _NAMES)
+    if time.lower() not in _SECONDS:
+        _fail(path, f"the periods are in {time!r}, and must be in s.", number)
+    if canonical_unit(unit) is None:
+        _fail(path, f"the accelerations are in {unit!r}; use one of g, m/s2, cm/s2, gal, mm/s2.", number)
     periods: list[float] = []
     values: list[float] = []
     for number, line in lines[1:]:
         words = _split(line, separator)
-        if len(words) != len(header):
-            _fail(path, f"{len(words)} values stand where the header names {len(header)} columns.", number)
+        if len(words) != len(heads):
+            _fail(path, f"{len(words)} values stand where the header names {len(heads)} columns.", number)
         period = _value(path, number, words[first], _PERIOD, separator)
         if periods and period <= periods[-1]:
-            _fail(
-                path,
-                f"the period of {period:g} s follows that of {periods[-1]:g} s; they must increase.",
-                number,
-            )
+            what = f"the period of {period:g} s follows that of {periods[-1]:g} s; they must increase."
+            _fail(path, what, number)
         periods.append(period)
-        values.append(_value(path, number, words[second], _ACCELERATION, separator) * size)
+        values.append(_value(path, number, words[second], _ACCELERATION, separator) * unit_size(unit))
     if len(periods) < 2:
         _fail(path, f"a spectrum needs at least two rows below its header, and this one has {len(periods)}.")
     return TabulatedSpectrum(np.array(periods), np.array(values), Path(path).stem if name is None else name)
@@ -208,20 +212,10 @@ def _lines(path: str | Path) -> list[tuple[int, str]]:
     content = read_bytes(path, f"a spectrum is a file with a header such as {_EXAMPLE}")
     try:
         text = content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        msg = f"{path}: this is not a file of text; a spectrum begins with a header such as {_EXAMPLE}."
-        raise InputError(msg) from error
-    lines: list[tuple[int, str]] = []
-    for number, line in enumerate(text.splitlines(), 1):
-        bare = _COMMENT.sub("", line).rstrip()
-        if bare.strip(" \t,;"):
-            lines.append((number, bare))
-    return lines
-
-
-def _separator(header: str) -> str | None:
-    """Return what parts the columns; None for blanks."""
-    return next((mark for mark in ("\t", ";", ",") if mark in header), None)
+    except UnicodeDecodeError:
+        _fail(path, f"this is not a file of text; a spectrum begins with a header such as {_EXAMPLE}.")
+    bare = ((number, _COMMENT.sub("", line).rstrip()) for number, line in enumerate(text.splitlines(), 1))
+    return [(number, line) for number, line in bare if line.strip(" \t,;")]
 
 
 def _split(line: str, separator: str | None, *, is_header: bool = False) -> list[str]:
@@ -236,33 +230,22 @@ def _split(line: str, separator: str | None, *, is_header: bool = False) -> list
     return words
 
 
-def _columns(path: str | Path, number: int, header: list[str]) -> tuple[int, int, float]:
-    """Return the places of the two columns, and the size of the unit of the acceleration [mm/s2]."""
-    found: dict[str, tuple[int, str]] = {}
-    for place, word in enumerate(header):
-        parts = _COLUMN.fullmatch(word.strip().strip("\"'"))
-        spelling = _EXTRAS.sub("", parts[1] if parts else word).lower()
-        what = next((key for key, names in _NAMES.items() if spelling in names), None)
-        if what is None:
-            continue
-        if what in found:
-            _fail(path, f"the header names two columns of {what}, and only one can count.", number)
-        if parts is None:
-            _fail(
-                path,
-                f"the column {word.strip()!r} has no unit; write it in brackets, as in {_EXAMPLE}.",
-                number,
-            )
-        found[what] = (place, parts[2].strip())
-    for what in (_PERIOD, _ACCELERATION):
-        if what not in found:
-            _fail(path, f"the header names no column of {what}; it must be such as {_EXAMPLE}.", number)
-    (first, time), (second, unit) = found[_PERIOD], found[_ACCELERATION]
-    if time.lower() not in _SECONDS:
-        _fail(path, f"the periods are in {time!r}, and must be in s.", number)
-    if canonical_unit(unit) is None:
-        _fail(path, f"the accelerations are in {unit!r}; use one of g, m/s2, cm/s2, gal, mm/s2.", number)
-    return first, second, unit_size(unit)
+def _column(path: str | Path, number: int, heads: list[str], what: str) -> tuple[int, str]:
+    """Return the place of a column and its unit."""
+    found = [
+        (place, parts[2].strip() if parts else "", word.strip())
+        for place, word in enumerate(heads)
+        for parts in [_COLUMN.fullmatch(word.strip().strip("\"'"))]
+        if _EXTRAS.sub("", parts[1] if parts else word).lower() in _NAMES[what]
+    ]
+    if not found:
+        _fail(path, f"the header names no column of {what}; it must be such as {_EXAMPLE}.", number)
+    if len(found) > 1:
+        _fail(path, f"the header names two columns of {what}, and only one can count.", number)
+    place, unit, word = found[0]
+    if not unit:
+        _fail(path, f"the column {word!r} has no unit; write it in brackets, as in {_EXAMPLE}.", number)
+    return place, unit
 
 
 def _value(path: str | Path, number: int, word: str, what: str, separator: str | None) -> float:
