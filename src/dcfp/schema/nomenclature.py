@@ -33,18 +33,18 @@ class Quantities(Registry[Quantity]):
 
     def add(self, name: str, thing: Quantity) -> Quantity:
         """Add a quantity, of the result's attribute of that name unless it says how to get it."""
-        if thing.is_number and name not in NOMENCLATURE:
+        if thing.is_number and name not in NOMENCLATURE.defined:
             NOMENCLATURE.add(name, replace(thing, key=name, name="", unit=thing.unit.inner_unit, get=None))
         return super().add(name, thing if thing.get else replace(thing, get=attrgetter(name)))
 
     def tell(self, name: str, key: str = "", /, **changes: Any) -> Quantity:
         """Add a quantity of the nomenclature, under a key of JSON and with other changes."""
-        return self.add(name, replace(NOMENCLATURE[name], key=key or name, **changes))
+        return self.add(name, replace(NOMENCLATURE.defined[name], key=key or name, **changes))
 
     def take(self, other: "Quantities", *names: str) -> None:
         """Add quantities of another kind of result as they are there."""
         for name in names:
-            self.add(name, other[name])
+            self.add(name, other.defined[name])
 
 
 def quantity(name: str) -> Quantity:

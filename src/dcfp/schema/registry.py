@@ -36,6 +36,11 @@ class Registry(Mapping[str, T], Generic[T]):
         """Take a thing away again."""
         del self._things[name]
 
+    @property
+    def defined(self) -> Mapping[str, T]:
+        """What there is so far, without what other packages add: for a module that is only being imported."""
+        return self._things
+
     def find(self, name: object, where: str = "") -> T:
         """Return the thing of that name, in any case of letters.
 

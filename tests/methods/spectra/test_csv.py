@@ -86,5 +86,5 @@ def test_one_sentence_for_every_fault(write, content, sentence):
 def test_a_file_that_is_not_there(tmp_path):
     with pytest.raises(InputError, match="no such file"):
         read_spectrum(tmp_path / "absent.csv")
-    with pytest.raises(InputError, match="cannot be read"):
+    with pytest.raises(InputError, match="this is a folder"):
         read_spectrum(tmp_path)
