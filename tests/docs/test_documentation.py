@@ -17,7 +17,7 @@ import dcfp
 import dcfp.present
 from dcfp.doors.cli.main import command_of, commands
 from dcfp.errors import InputError
-from dcfp.verify.run import tasks
+from dcfp.verify.check import tasks
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"

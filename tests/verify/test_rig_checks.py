@@ -1,39 +1,14 @@
-"""Checks of the virtual test machine without OpenSees, and its brute-force integration by itself."""
+"""The brute-force integration of a test of the virtual machine by itself."""
 
 import numpy as np
 import pytest
 
 from dcfp.analysis.rig import Sine
 from dcfp.system import LI_2020, PreciseHeating, SimplifiedHeating
-from dcfp.verify import opensees, rig_opensees
-from dcfp.verify.check import Task
-from dcfp.verify.opensees import REQUIRED
 from dcfp.verify.rig import FinerSine, refined
 from dcfp.verify.rig_explicit import Path, integrate, sine, twice
 
 CONSTANT = np.array([0.043, 0.0, 0.0, 0.0, 0.0, 1.0])
-
-
-@pytest.fixture
-def without_opensees(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(opensees, "find_spec", lambda name: None)
-    monkeypatch.delenv(REQUIRED, raising=False)
-
-
-@pytest.mark.usefixtures("without_opensees")
-@pytest.mark.parametrize("task", rig_opensees.TASKS, ids=lambda task: task.name)
-def test_without_opensees_its_checks_are_skipped_with_a_way_to_get_it(task: Task) -> None:
-    outcome = task.run()
-    assert outcome.passed is None
-    assert "openseespy" in outcome.remark
-
-
-@pytest.mark.usefixtures("without_opensees")
-def test_without_opensees_its_checks_fail_where_it_is_required(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv(REQUIRED, "1")
-    outcome = rig_opensees.TASKS[0].run()
-    assert outcome.passed is False
-    assert REQUIRED in outcome.remark
 
 
 def test_a_finer_sine_is_the_same_sine() -> None:

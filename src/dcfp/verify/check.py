@@ -1,9 +1,17 @@
-"""A check: something computed beside what it ought to be, and how far apart the two may be."""
+"""A check: something computed beside what it ought to be, and how far apart the two may be.
+
+What is checked, against what, and within which limit stands in ``checks.toml``; how it is computed, in the function that a check names there.
+"""
 
 import math
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from functools import cache
+import tomllib
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cache, partial
+from importlib import import_module
+from importlib.resources import files
+from itertools import product
+from typing import Any, TypeAlias
 
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.named import VELOCITIES, all_keys, named_motion, read_stored
@@ -69,6 +77,46 @@ class Skipped:
     source: str = ""
 
 
+class CannotCheckError(Exception):
+    """A check cannot be made.
+
+    Parameters
+    ----------
+    reason
+        Why, in a sentence.
+    fails
+        Whether this counts as a failure.
+    """
+
+    def __init__(self, reason: str, *, fails: bool = False) -> None:
+        super().__init__(reason)
+        self.fails = fails
+
+
+@dataclass(frozen=True)
+class Found:
+    """What was computed, where that is more than a value and what it ought to be.
+
+    Attributes
+    ----------
+    computed, expected
+        Values.
+    limit
+        Largest difference, where it depends on them.
+    words
+        What the texts of the check hold in braces.
+    """
+
+    computed: float
+    expected: float
+    limit: float | None = None
+    words: Mapping[str, object] = field(default_factory=dict[str, object])
+
+
+#: What a check computes: a value, a value and what it ought to be, or differences of several, of which the largest is taken.
+Outcome: TypeAlias = float | tuple[float, float] | dict[str, float] | Found
+
+
 @dataclass(frozen=True)
 class Task:
     """A check that has not been made yet.
@@ -98,14 +146,99 @@ class Task:
         return judge(self.group, self.name, outcome)
 
 
+def tasks(full: bool = False) -> list[Task]:
+    """Return the checks to be made; all of them where `full`."""
+    text = files("dcfp.verify").joinpath("checks.toml").read_text(encoding="utf-8")
+    found = [
+        Task(
+            block["group"],
+            row["name"].format(**case, **own),
+            partial(_measure, row, case | own),
+            block.get("long", False) and case != block.get("short"),
+        )
+        for block in tomllib.loads(text)["block"]
+        for case in _cases(block)
+        for row in block["check"]
+        for own in _cases(row)
+    ]
+    return [task for task in found if full or not task.long]
+
+
+def _cases(table: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
+    """Yield each combination of the values that a block or a check has for its cases."""
+    cases: dict[str, list[Any]] = table.get("for", {})
+    for values in product(*cases.values()):
+        yield dict(zip(cases, values, strict=True))
+
+
+def _measure(row: Mapping[str, Any], case: dict[str, Any]) -> Finding | Skipped:
+    """Make a check of the table for one of its cases."""
+    module, _, name = row["by"].partition(".")
+    try:
+        outcome: Outcome = getattr(import_module(f"dcfp.verify.{module}"), name)(**case)
+    except CannotCheckError as error:
+        return Finding(math.nan, 0.0, "-", 0.0, str(error)) if error.fails else Skipped(str(error))
+    found = _found(outcome, row.get("expected", 0.0))
+    words = case | dict(found.words)
+    note, source, unit = (
+        str(row.get(key, other)).format(**words)
+        for key, other in (("note", ""), ("source", ""), ("unit", "-"))
+    )
+    return Finding(
+        found.computed,
+        found.expected,
+        unit,
+        row["limit"] if found.limit is None else found.limit,
+        note,
+        source,
+        relative=row.get("relative", False),
+        more_is_better=row.get("more_is_better", False),
+    )
+
+
+def _found(outcome: Outcome, expected: float) -> Found:
+    if isinstance(outcome, Found):
+        return outcome
+    if isinstance(outcome, tuple):
+        return Found(*outcome)
+    if isinstance(outcome, dict):
+        worst = max(outcome, key=lambda name: abs(outcome[name]))
+        return Found(outcome[worst], expected, words={"worst": worst, "count": len(outcome)})
+    return Found(outcome, expected)
+
+
+def run_checks(full: bool = False, report: Callable[[Check], None] | None = None) -> list[Check]:
+    """Make the checks and return their outcomes.
+
+    Parameters
+    ----------
+    full
+        Also make those that take longer.
+    report
+        Called with each check as soon as it is made.
+    """
+    checks: list[Check] = []
+    for task in tasks(full):
+        check = task.run()
+        checks.append(check)
+        if report is not None:
+            report(check)
+    return checks
+
+
 def judge(group: str, name: str, finding: Finding) -> Check:
     """Return the check that a finding amounts to; what is not a finite number never passes."""
     difference = finding.computed - finding.expected
     if finding.relative:
         difference /= abs(finding.expected)
+    better = finding.more_is_better and 0.0 < difference < math.inf
+    met = math.isfinite(difference) and (better or abs(difference) <= finding.limit)
+    ratio = abs(difference) / finding.limit if finding.limit > 0.0 else math.inf
+    if better or difference == 0.0:
+        ratio = 0.0
     return Check(
         name=name,
-        verdict=Verdict.of(math.isfinite(difference) and _is_close(difference, finding)),
+        verdict=Verdict.of(met),
         found=finding.computed,
         limit=_in_words(finding.limit, finding),
         source=finding.source,
@@ -113,20 +246,9 @@ def judge(group: str, name: str, finding: Finding) -> Check:
         unit=finding.unit,
         expected=finding.expected,
         difference=_in_words(difference, finding),
-        ratio=_ratio(difference, finding),
+        ratio=ratio if math.isfinite(ratio) else None,
         remark=finding.note,
     )
-
-
-def _ratio(difference: float, finding: Finding) -> float | None:
-    if difference == 0.0 or (finding.more_is_better and 0.0 < difference < math.inf):
-        return 0.0
-    ratio = abs(difference) / finding.limit if finding.limit > 0.0 else math.inf
-    return ratio if math.isfinite(ratio) else None
-
-
-def _is_close(difference: float, finding: Finding) -> bool:
-    return abs(difference) <= finding.limit or (finding.more_is_better and difference > 0.0)
 
 
 def _in_words(value: float, finding: Finding) -> str:
@@ -143,15 +265,9 @@ RECORDS = ("NCC", "KNA", "LPG", "IVD")
 
 
 @cache
-def record(name: str) -> GroundMotion:
-    """Return a named record as it is."""
-    return named_motion(name)
-
-
-@cache
 def scaled_record(name: str, velocity: float) -> GroundMotion:
     """Return a named record at a PGV [mm/s]."""
-    return record(name).scaled_to_pgv(velocity)
+    return named_motion(name).scaled_to_pgv(velocity)
 
 
 def sixteen_analyses() -> Iterator[tuple[str, GroundMotion]]:

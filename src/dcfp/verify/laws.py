@@ -1,49 +1,36 @@
-"""Laws that every response must obey, whatever the numbers: energy, symmetry, scale, resampling, restart, padding."""
+"""What every response must obey whatever the numbers, rigid structure or shear building, and the default settings against converged ones."""
 
-from collections.abc import Callable
+import math
 from dataclasses import replace
-from functools import partial
 from itertools import pairwise
 
 import numpy as np
 
-from dcfp.analysis import Response, respond
+from dcfp.analysis import respond
+from dcfp.analysis.building import respond_building, uniform_building
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.system import LI_2020, ConstantFriction, Heating, NoHeating, PreciseHeating, SimplifiedHeating
-from dcfp.verify.check import Finding, Task, scaled_record, sixteen_analyses
-
-GROUP = "Laws"
-_EXACT = "Allowed: what rounding may grow to over thousands of steps."
+from dcfp.motion.synthetic import ricker
+from dcfp.system import LI_2020, ConstantFriction, NoHeating, PreciseHeating
+from dcfp.verify.check import Found, hundred_components, scaled_record, sixteen_analyses
 
 
-def _energy(heating: Heating) -> Finding:
-    residuals = {
+def energy(heating: str) -> dict[str, float]:
+    """Return the residual of the energy balance over the largest input of 16 analyses [-]."""
+    return {
         name: respond(motion, heating=heating).energy.relative_residual for name, motion in sixteen_analyses()
     }
-    worst = max(residuals, key=residuals.__getitem__)
-    note = (
-        f"Largest of 16 analyses: {worst}. The energies are sums of closed forms, so only rounding is left."
-    )
-    source = "Li et al. (2020), Eq. (6): E - Es - Ek - Eh over the largest E"
-    return Finding(residuals[worst], 0.0, "-", 1e-9, note, source)
 
 
-def _difference(one: Response, other: Response) -> float:
-    """Largest difference of two displacement histories of the same length over the peak [-]."""
-    gap = np.abs(one.displacement - other.displacement).max()
-    return float(gap) / one.peak_displacement
-
-
-def _symmetry(heating: Heating) -> Finding:
+def symmetry(heating: str) -> float:
+    """Return the largest sum of the displacements under a motion and its mirror image over the peak [-]."""
     motion = scaled_record("LPG", 500.0)
     there = respond(motion, heating=heating, tail=5.0)
     back = respond(motion.scaled(-1.0), heating=heating, tail=5.0)
-    gap = float(np.abs(there.displacement + back.displacement).max()) / there.peak_displacement
-    note = "LPG at 0.5 m/s and its mirror image. " + _EXACT
-    return Finding(gap, 0.0, "-", 1e-12, note, "odd symmetry: y(-a_g) = -y(a_g)")
+    return float(np.abs(there.displacement + back.displacement).max()) / there.peak_displacement
 
 
-def _scale() -> Finding:
+def scale() -> float:
+    """Return the largest difference of displacement on a bearing of four times the area over the peak [-]."""
     motion = scaled_record("NCC", 500.0)
     larger = replace(
         LI_2020,
@@ -52,12 +39,7 @@ def _scale() -> Finding:
     )
     here = respond(motion, heating=NoHeating(), tail=5.0)
     there = respond(motion, larger, heating=NoHeating(), tail=5.0)
-    note = (
-        "Twice the slider's diameter at the same pressure and radii: N, m and kra are four times as large, and so is kf."
-        " Every force per mass is the same, and so is the motion, without heating; with it, the size of the contact matters. "
-        + _EXACT
-    )
-    return Finding(_difference(here, there), 0.0, "-", 1e-9, note, "m y'' + kra y + Ff = -m ag over m")
+    return float(np.abs(here.displacement - there.displacement).max()) / here.peak_displacement
 
 
 def _resampled(parts: int) -> tuple[GroundMotion, GroundMotion]:
@@ -68,27 +50,23 @@ def _resampled(parts: int) -> tuple[GroundMotion, GroundMotion]:
     return motion, GroundMotion(finer, motion.time_step / parts, f"{motion.name} at 1/{parts} of its step")
 
 
-def _resampling_without_heat(parts: int) -> Finding:
-    motion, finer = _resampled(parts)
-    coarse = respond(motion, LI_2020, ConstantFriction(), NoHeating(), tail=0.0)
-    fine = respond(finer, LI_2020, ConstantFriction(), NoHeating(), tail=0.0)
-    gap = np.abs(fine.displacement[::parts] - coarse.displacement).max() / coarse.peak_displacement
-    note = (
-        "KNA at 0.5 m/s: the same piecewise linear motion, constant friction; every phase is a closed form. "
-        + _EXACT
+def resampling_without_heat(parts: int) -> float:
+    """Return the largest difference of displacement under a motion sampled more finely over the peak [-]."""
+    coarse, fine = (
+        respond(motion, LI_2020, ConstantFriction(), NoHeating(), tail=0.0) for motion in _resampled(parts)
     )
-    return Finding(float(gap), 0.0, "-", 1e-9, note, "the motion does not depend on where it is sampled")
+    gap = np.abs(fine.displacement[::parts] - coarse.displacement).max()
+    return float(gap / coarse.peak_displacement)
 
 
-def _resampling_with_heat(parts: int) -> Finding:
-    motion, finer = _resampled(parts)
-    note = "KNA at 0.5 m/s; heating is followed to the default tolerance, which promises 0.1 % of the peak."
-    source = "the same motion at its own step"
-    fine, coarse = respond(finer, tail=0.0).peak_displacement, respond(motion, tail=0.0).peak_displacement
-    return Finding(fine, coarse, "mm", 1e-3, note, source, relative=True)
+def resampling_with_heat(parts: int) -> tuple[float, float]:
+    """Return the peak displacement under a motion sampled more finely, and that under the motion itself [mm]."""
+    coarse, fine = (respond(motion, tail=0.0).peak_displacement for motion in _resampled(parts))
+    return fine, coarse
 
 
-def _restart(heating: Heating) -> Finding:
+def restart(heating: str) -> float:
+    """Return the largest difference of displacement of an analysis in five pieces over the peak [-]."""
     motion = scaled_record("NCC", 750.0)
     whole = respond(motion, heating=heating, tail=0.0)
     displacement = np.zeros(whole.displacement.size)
@@ -99,12 +77,11 @@ def _restart(heating: Heating) -> Finding:
         part = respond(piece, heating=heating, tail=0.0, start=state)
         displacement[first : last + 1] = part.displacement
         state = part.final_state
-    gap = float(np.abs(displacement - whole.displacement).max()) / whole.peak_displacement
-    note = "NCC at 0.75 m/s in five pieces, each from the state in which the one before ended. " + _EXACT
-    return Finding(gap, 0.0, "-", 1e-9, note, "the same analysis in one piece")
+    return float(np.abs(displacement - whole.displacement).max()) / whole.peak_displacement
 
 
-def _padding() -> Finding:
+def padding() -> float:
+    """Return the largest difference of displacement with silence before and after the motion over the peak [-]."""
     motion = scaled_record("IVD", 500.0)
     silence = np.zeros(250)
     padded = GroundMotion(np.concatenate((silence, motion.acceleration, silence)), motion.time_step, "padded")
@@ -112,36 +89,65 @@ def _padding() -> Finding:
     # the first value of a record is seldom zero: between the silence and it the padded motion rises in one step
     first = np.concatenate(([0.0], motion.acceleration))
     before = respond(GroundMotion(first, motion.time_step, "IVD"), tail=0.0)
-    gap = float(np.abs(after - before.displacement[1:]).max()) / before.peak_displacement
-    note = "IVD at 0.5 m/s between two stretches of 250 zeros. " + _EXACT
-    return Finding(gap, 0.0, "-", 1e-9, note, "the same motion without them")
+    return float(np.abs(after - before.displacement[1:]).max()) / before.peak_displacement
 
 
-def _task(name: str, measure: Callable[[], Finding]) -> Task:
-    return Task(GROUP, name, measure)
+# ----- the default settings against converged ones -----
 
 
-TASKS = (
-    *(
-        _task(f"energy closes, {heating.name} heating", partial(_energy, heating))
-        for heating in (NoHeating(), SimplifiedHeating(), PreciseHeating())
-    ),
-    *(
-        _task(f"mirrored motion, {heating.name} heating", partial(_symmetry, heating))
-        for heating in (SimplifiedHeating(), PreciseHeating())
-    ),
-    _task("all forces and the mass times four", _scale),
-    *(
-        _task(f"record at 1/{parts} of its step, constant friction", partial(_resampling_without_heat, parts))
-        for parts in (2, 5)
-    ),
-    *(
-        _task(f"record at 1/{parts} of its step, peak displacement", partial(_resampling_with_heat, parts))
-        for parts in (2, 5)
-    ),
-    *(
-        _task(f"restart in five pieces, {heating.name} heating", partial(_restart, heating))
-        for heating in (SimplifiedHeating(), PreciseHeating())
-    ),
-    _task("zeros before and after", _padding),
-)
+def _peaks(motions: str, heating: str, quantity: str) -> dict[str, tuple[float, float]]:
+    """Return a peak with the default settings, and with settings at which nothing changes any more, by names of motions."""
+    fine = PreciseHeating(cells=200) if heating == "precise" else heating
+    found: dict[str, tuple[float, float]] = {}
+    for name, motion in sixteen_analyses() if motions == "16 analyses" else hundred_components(500.0):
+        best = respond(motion, heating=fine, step=motion.time_step / 16.0, tolerance=1e-6)
+        found[name] = (getattr(respond(motion, heating=heating), quantity), getattr(best, quantity))
+    return found
+
+
+def displacement_error(motions: str, heating: str) -> dict[str, float]:
+    """Return the relative errors of the peak displacement with the default settings [-]."""
+    peaks = _peaks(motions, heating, "peak_displacement")
+    return {name: default / best - 1.0 for name, (default, best) in peaks.items()}
+
+
+def temperature_error(motions: str, heating: str) -> dict[str, float]:
+    """Return the errors of the peak temperature with the default settings [degC]."""
+    peaks = _peaks(motions, heating, "peak_temperature")
+    return {name: default - best for name, (default, best) in peaks.items()}
+
+
+def order(quantity: str) -> Found:
+    """Return the slope of the error of a peak against the step, with the step's error control out of the way [-]."""
+    motion = ricker(500.0, 0.5, time_step=0.008)
+    settings = [(0.008 / 2.0**level, 0.999) for level in range(4)]
+    *peaks, reference = (
+        float(getattr(respond(motion, step=step, tolerance=tolerance), f"peak_{quantity}"))
+        for step, tolerance in (*settings, (0.008 / 256.0, 1e-9))
+    )
+    errors = [abs(peak - reference) for peak in peaks]
+    sizes = ", ".join(f"{error:.1e}" for error in errors)
+    return Found(math.log2(errors[0] / errors[-1]) / 3, 2.0, words={"sizes": sizes})
+
+
+# ----- a shear building -----
+
+
+def stiff_storeys(record: str) -> tuple[float, float]:
+    """Return the peak displacement below five storeys of 0.01 s, and that of a rigid structure [mm]."""
+    motion = scaled_record(record, 500.0)
+    response = respond_building(motion, uniform_building(5, 0.01))
+    return response.peak_displacement, respond(motion).peak_displacement
+
+
+def building_energy(record: str) -> float:
+    """Return the residual of the energy balance of five storeys of 0.5 s over the largest input [-]."""
+    motion = scaled_record(record, 500.0)
+    response = respond_building(motion, uniform_building(5, 0.5), heating=PreciseHeating())
+    return response.energy.relative_residual
+
+
+def building_input_velocity(record: str) -> tuple[float, float]:
+    """Return V_E of five storeys of 0.5 s, and that of a rigid structure [mm/s]."""
+    motion = scaled_record(record, 1000.0)
+    return respond_building(motion, uniform_building(5, 0.5)).input_velocity, respond(motion).input_velocity

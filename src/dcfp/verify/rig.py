@@ -1,33 +1,17 @@
 """The virtual test machine against closed forms, its energy balance, and its default settings against converged ones."""
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
+from functools import cache
 
 import numpy as np
 
+from dcfp.analysis.integration import DEFAULT
 from dcfp.analysis.rig import Loops, Program, RigTest, Sine, Triangle, VerticalLoad, run_program
 from dcfp.analysis.rig.waveform import Travel, Waveform
 from dcfp.arrays import FloatArray
-from dcfp.system import (
-    LI_2020,
-    Bearing,
-    ConstantFriction,
-    FrictionLaw,
-    Heating,
-    NoHeating,
-    PreciseHeating,
-    SimplifiedHeating,
-)
-from dcfp.verify.check import Finding, Task
-
-# What the checks of the virtual test machine share: the tests of Li et al. (2020), Tables 1 and 2, and how
-# they are run.
-
-
-GROUP = "Virtual test machine"
-HEATED: tuple[SimplifiedHeating | PreciseHeating, ...] = (SimplifiedHeating(), PreciseHeating())
+from dcfp.system import LI_2020, Bearing, ConstantFriction, FrictionLaw, Heating, PreciseHeating
+from dcfp.verify.check import Found
 
 #: Pressure [N/mm2], amplitude [mm], peak velocity [mm/s], cycles: tests that differ.
 SINES = {
@@ -71,33 +55,23 @@ def refined(travel: Travel, parts: int) -> Travel:
 
 def run_one(
     waveform: Waveform,
-    heating: Heating,
+    heating: Heating | str,
     friction: FrictionLaw | None = None,
     *,
     pressure: float = 60.0,
     bearing: Bearing = LI_2020,
-    tolerance: float | None = None,
+    tolerance: float = DEFAULT.tolerance,
 ) -> Loops:
     """Run one test on cold plates."""
     program = Program("check", (RigTest("T", waveform, VerticalLoad((pressure,))),))
-    if tolerance is None:
-        return run_program(program, bearing, friction, heating)[0]
     return run_program(program, bearing, friction, heating, tolerance=tolerance)[0]
 
 
-def run_named(name: str, heating: Heating) -> Loops:
+@cache
+def run_named(name: str, heating: str) -> Loops:
     """Run a test of `SINES` with the default settings."""
     pressure, amplitude, peak_velocity, cycles = SINES[name]
     return run_one(Sine(amplitude, peak_velocity, cycles), heating, pressure=pressure)
-
-
-def converged(name: str, heating: Heating) -> Loops:
-    """Run a test of `SINES` with settings at which nothing changes any more."""
-    pressure, amplitude, peak_velocity, cycles = SINES[name]
-    if isinstance(heating, PreciseHeating):
-        heating = PreciseHeating(cells=400)
-    waveform = FinerSine(amplitude, peak_velocity, cycles, parts=4)
-    return run_one(waveform, heating, pressure=pressure, tolerance=1e-6)
 
 
 def of_each_cycle(loops: Loops, quantity: str) -> FloatArray:
@@ -106,41 +80,32 @@ def of_each_cycle(loops: Loops, quantity: str) -> FloatArray:
 
 
 _AMPLITUDE, _MU = 200.0, 0.043
-_WAVES: tuple[Waveform, ...] = (Sine(_AMPLITUDE, 400.0, 3), Triangle(_AMPLITUDE, 400.0, 3))
-_COULOMB = "closed form of a Coulomb loop"
-#: What the default settings are to keep: measures of a cycle [-], temperature [degC].
-PROMISED_MEASURE, PROMISED_TEMPERATURE = 1e-3, 0.2
+_WAVES: dict[str, Waveform] = {
+    one.kind: one for one in (Sine(_AMPLITUDE, 400.0, 3), Triangle(_AMPLITUDE, 400.0, 3))
+}
 
 
-def _closed_forms() -> dict[str, tuple[str, float, str]]:
-    """Return for each measure of the second cycle its words, its closed form and its unit."""
+def closed_form(wave: str, measure: str) -> Found:
+    """Return a measure of the second cycle under constant friction, and its closed form."""
     bearing = LI_2020
     slip = _MU * bearing.vertical_force
     stiffness = bearing.restoring_stiffness + slip / _AMPLITUDE
     # spring (b) gives back what it stores at each end
     area = 4.0 * slip * (_AMPLITUDE - slip / bearing.elastic_stiffness)
     damping = 2.0 / math.pi * area / (stiffness * (2.0 * _AMPLITUDE) ** 2)
-    return {
-        "effective_stiffness": ("k_eff = N (1/R + mu/A)", stiffness, "N/mm"),
-        "energy": ("area of the loop 4 mu N (A - mu N/kf)", area, "N mm"),
-        "friction": ("coefficient at zero displacement mu", _MU, "-"),
-        "post_yield_stiffness": ("post-yield stiffness N/R", bearing.restoring_stiffness, "N/mm"),
-        "effective_damping": ("beta_eff of that loop", damping, "-"),
-    }
+    quantity, expected, unit = {
+        "k_eff = N (1/R + mu/A)": ("effective_stiffness", stiffness, "N/mm"),
+        "area of the loop 4 mu N (A - mu N/kf)": ("energy", area, "N mm"),
+        "coefficient at zero displacement mu": ("friction", _MU, "-"),
+        "post-yield stiffness N/R": ("post_yield_stiffness", bearing.restoring_stiffness, "N/mm"),
+        "beta_eff of that loop": ("effective_damping", damping, "-"),
+    }[measure]
+    cycle = run_one(_WAVES[wave], "none", ConstantFriction(_MU)).cycles[1]
+    return Found(float(getattr(cycle, quantity)), expected, words={"unit": unit})
 
 
-def _closed_form(waveform: Waveform, quantity: str) -> Finding:
-    words, expected, unit = _closed_forms()[quantity]
-    cycle = run_one(waveform, NoHeating(), ConstantFriction(_MU)).cycles[1]
-    note = (
-        f"{words}; second cycle of +-200 mm, constant friction. Allowed: rounding over some hundred samples."
-    )
-    computed = float(getattr(cycle, quantity))
-    return Finding(computed, expected, unit, 1e-9, note, _COULOMB, relative=True)
-
-
-def _energy(heating: Heating) -> Finding:
-    """Return the largest residual of work - stored - hysteretic under constant loads, over the work."""
+def energy(heating: str) -> dict[str, float]:
+    """Return the largest residual of work - stored - hysteretic under constant loads over the work, by tests [-]."""
     residuals: dict[str, float] = {}
     for name in SINES:
         loops = run_named(name, heating)
@@ -148,80 +113,52 @@ def _energy(heating: Heating) -> Finding:
         stored = pendulum + 0.5 * loops.bearing.elastic_stiffness * loops.elongation**2
         gap = np.abs(loops.work - loops.hysteretic_energy - (stored - stored[0])).max()
         residuals[name] = float(gap / loops.work[-1])
-    worst = max(residuals, key=residuals.__getitem__)
-    note = f"Largest of {len(SINES)} tests: {worst}. The work is summed by a rule that is exact for it, so only rounding is left."
-    return Finding(residuals[worst], 0.0, "-", 1e-9, note, "work = stored + hysteretic energy")
+    return residuals
 
 
-def _monotone(heating: Heating) -> Finding:
-    """Return the largest fall of the hysteretic energy between two samples over its end value."""
-    falls: dict[str, float] = {}
-    for name in SINES:
-        energy = run_named(name, heating).hysteretic_energy
-        falls[name] = max(0.0, -float(np.diff(energy).min()) / float(energy[-1]))
-    worst = max(falls, key=falls.__getitem__)
-    note = f"Largest fall of {len(SINES)} tests: {worst}. Allowed: rounding."
-    return Finding(falls[worst], 0.0, "-", 1e-12, note, "friction gives no energy back")
+def fall_of_energy(heating: str) -> dict[str, float]:
+    """Return the largest fall of the hysteretic energy between two samples over its end value, by tests [-]."""
+    energies = {name: run_named(name, heating).hysteretic_energy for name in SINES}
+    return {name: max(0.0, -float(np.diff(one).min()) / float(one[-1])) for name, one in energies.items()}
 
 
-def _default_measures(quantity: str, heating: Heating) -> Finding:
-    errors: dict[str, float] = {}
-    for name in SINES:
-        reference = of_each_cycle(converged(name, heating), quantity)
-        error = of_each_cycle(run_named(name, heating), quantity) / reference - 1.0
-        errors[name] = float(error[np.abs(error).argmax()])
-    worst = max(errors, key=lambda name: abs(errors[name]))
-    note = f"Largest relative difference of all cycles of {len(SINES)} tests: {worst}. Allowed: what the defaults promise."
-    return Finding(errors[worst], 0.0, "-", PROMISED_MEASURE, note, _CONVERGED)
+# ----- the default settings against converged ones -----
 
-
-def _default_temperature(heating: Heating) -> Finding:
-    errors = {
-        name: run_named(name, heating).peak_temperature - converged(name, heating).peak_temperature
-        for name in SINES
-    }
-    worst = max(errors, key=lambda name: abs(errors[name]))
-    note = f"Largest difference of peaks of {len(SINES)} tests: {worst}. Allowed: what the defaults promise."
-    return Finding(errors[worst], 0.0, "degC", PROMISED_TEMPERATURE, note, _CONVERGED)
-
-
-_CONVERGED = "the same test in 1600 pieces a cycle, tolerance 1e-6, 400 cells"
-
-
-def _task(name: str, measure: Callable[[], Finding], *, long: bool = False) -> Task:
-    return Task(GROUP, name, measure, long)
-
-
-_DEFAULTS = {
-    "friction": "coefficient at zero displacement",
-    "energy": "energy of a cycle",
-    "effective_stiffness": "effective stiffness",
+_MEASURES = {
+    "coefficient at zero displacement": "friction",
+    "energy of a cycle": "energy",
+    "effective stiffness": "effective_stiffness",
 }
 
-TASKS = (
-    *(
-        _task(f"{waveform.kind}, {words}", partial(_closed_form, waveform, quantity))
-        for waveform in _WAVES
-        for quantity, (words, _, _) in _closed_forms().items()
-    ),
-    *(_task(f"energy closes, {heating.name} heating", partial(_energy, heating)) for heating in HEATED),
-    *(
-        _task(f"hysteretic energy never falls, {heating.name} heating", partial(_monotone, heating))
-        for heating in HEATED
-    ),
-    *(
-        _task(
-            f"default settings, {words}, {heating.name} heating",
-            partial(_default_measures, quantity, heating),
+
+@cache
+def _converged(name: str, heating: str) -> Loops:
+    """Run a test of `SINES` with settings at which nothing changes any more."""
+    pressure, amplitude, peak_velocity, cycles = SINES[name]
+    model = PreciseHeating(cells=400) if heating == "precise" else heating
+    waveform = FinerSine(amplitude, peak_velocity, cycles, parts=4)
+    return run_one(waveform, model, pressure=pressure, tolerance=1e-6)
+
+
+def default_measure(heating: str, measure: str) -> dict[str, float]:
+    """Return the largest relative error of a measure of a cycle with the default settings, by tests [-]."""
+    errors: dict[str, float] = {}
+    for name in SINES:
+        found, reference = (
+            of_each_cycle(run(name, heating), _MEASURES[measure]) for run in (run_named, _converged)
         )
-        for heating in HEATED
-        for quantity, words in _DEFAULTS.items()
-    ),
-    *(
-        _task(
-            f"default settings, peak temperature, {heating.name} heating",
-            partial(_default_temperature, heating),
-        )
-        for heating in HEATED
-    ),
-)
+        errors[name] = worst_of(found / reference - 1.0)
+    return errors
+
+
+def default_temperature(heating: str) -> dict[str, float]:
+    """Return the errors of the peak temperature with the default settings, by tests [degC]."""
+    return {
+        name: run_named(name, heating).peak_temperature - _converged(name, heating).peak_temperature
+        for name in SINES
+    }
+
+
+def worst_of(differences: FloatArray) -> float:
+    """Return the largest difference with its sign."""
+    return float(differences[np.abs(differences).argmax()])

@@ -45,6 +45,11 @@ class Tone(Enum):
     OPEN = "open"
 
 
+#: What a box of a tone and a cell of a verdict are called in both forms.
+BOXES = {Tone.GOOD: "met", Tone.BAD: "broken", Tone.OPEN: "open"}
+COLOURS = {Verdict.MET: "met", Verdict.NOT_MET: "broken", Verdict.NOT_KNOWN: "open"}
+
+
 @dataclass(frozen=True)
 class Paragraph:
     """One paragraph."""
@@ -278,7 +283,7 @@ def heading_rows(document: Document) -> Table:
 def short_title(document: Document) -> str:
     """Return what stands at the top of every page."""
     heading = document.heading
-    return "  |  ".join(_short(word) for word in (heading.number, heading.project, document.title) if word)
+    return "  |  ".join(shortened(word) for word in (heading.number, heading.project, document.title) if word)
 
 
 def signatories(document: Document) -> tuple[tuple[str, str, str], ...]:
@@ -291,7 +296,8 @@ def signatories(document: Document) -> tuple[tuple[str, str, str], ...]:
     )
 
 
-def _short(text: str, most: int = 45) -> str:
+def shortened(text: str, most: int = 45) -> str:
+    """Return a text on one line, cut to so many characters."""
     plain = " ".join(text.split())
     return plain if len(plain) <= most else plain[: most - 1].rstrip() + "…"
 

@@ -1,12 +1,14 @@
 """A report as one page of HTML that needs no other file, no script and no connection."""
 
 import base64
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from html import escape as escape_html
 from importlib.resources import files
 from io import BytesIO
 
 from dcfp.present.report.document import (
+    BOXES,
+    COLOURS,
     Block,
     Bullets,
     Cell,
@@ -27,16 +29,7 @@ from dcfp.present.report.document import (
     signatories,
 )
 from dcfp.present.report.maths import mathml
-from dcfp.schema.check import Verdict
 
-_CLASSES = {Verdict.MET: "met", Verdict.NOT_MET: "broken", Verdict.NOT_KNOWN: "open"}
-_TONES = {
-    Tone.PLAIN: "",
-    Tone.NOTE: ' class="note"',
-    Tone.GOOD: ' class="box met"',
-    Tone.BAD: ' class="box broken"',
-    Tone.OPEN: ' class="box open"',
-}
 _ALIGNED = {"l": "", "r": ' class="right"', "c": ' class="centre"'}
 #: What a browser may load: only what is on the page.
 _POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
@@ -45,28 +38,34 @@ _POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
 def page_of(document: Document, advance: Callable[[], None] | None = None) -> str:
     """Return a report as HTML; `advance` is called after each figure."""
     writer = _Writer(advance)
+    head = [writer.block(heading_rows(document)), _signatures(document)]
+    front = (*head, *map(writer.block, document.front), _contents(document))
+    return _page(document.title, (*front, *writer.sections(document.sections)))
+
+
+def page_with(title: str, front: Iterable[Block], sections: Iterable[Section]) -> str:
+    """Return a page of HTML that is no report of a calculation."""
+    writer = _Writer(None)
+    return _page(title, (*map(writer.block, front), *writer.sections(sections)))
+
+
+def _page(title: str, parts: Iterable[str]) -> str:
     style = files("dcfp.present.report").joinpath("style.css").read_text(encoding="utf-8")
-    front = "\n".join(writer.block(block) for block in document.front)
-    body = "\n".join(writer.section(one, f"{i}") for i, one in enumerate(document.sections, 1))
-    title = escape(document.title)
+    inside = "\n".join(parts)
     return f"""<!doctype html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
 <meta http-equiv="Content-Security-Policy" content="{_POLICY}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{title}</title>
+<title>{escape(title)}</title>
 <style>
 {style}</style>
 </head>
 <body>
 <main>
-<h1>{title}</h1>
-{writer.block(heading_rows(document))}
-{_signatures(document)}
-{front}
-{_contents(document)}
-{body}
+<h1>{escape(title)}</h1>
+{inside}
 </main>
 </body>
 </html>
@@ -76,6 +75,9 @@ def page_of(document: Document, advance: Callable[[], None] | None = None) -> st
 class _Writer:
     def __init__(self, advance: Callable[[], None] | None) -> None:
         self.advance = advance
+
+    def sections(self, sections: Iterable[Section]) -> list[str]:
+        return [self.section(one, f"{place}") for place, one in enumerate(sections, 1)]
 
     def section(self, section: Section, number: str) -> str:
         level = number.count(".") + 2
@@ -87,8 +89,11 @@ class _Writer:
 
     def block(self, block: Block) -> str:
         match block:
+            case Paragraph(parts, Tone.PLAIN):
+                return f"<p>{_words(parts)}</p>"
             case Paragraph(parts, tone):
-                return f"<p{_TONES[tone]}>{_words(parts)}</p>"
+                kind = "note" if tone is Tone.NOTE else f"box {BOXES[tone]}"
+                return f'<p class="{kind}">{_words(parts)}</p>'
             case Bullets(items):
                 return "<ul>" + "".join(f"<li>{_words(item)}</li>" for item in items) + "</ul>"
             case Table():
@@ -166,7 +171,7 @@ def _row(row: tuple[Cell, ...], aligned: str) -> str:
         span = f' colspan="{cell.span}"' if cell.span > 1 else ""
         content = _words(cell.parts)
         if cell.verdict is not None:
-            content = f'<span class="{_CLASSES[cell.verdict]}">{content}</span>'
+            content = f'<span class="{COLOURS[cell.verdict]}">{content}</span>'
         if cell.strong:
             content = f"<strong>{content}</strong>"
         found.append(f"<td{_ALIGNED[aligned[place]]}{span}>{content}</td>")
@@ -194,13 +199,16 @@ def _signatures(document: Document) -> str:
 def _contents(document: Document) -> str:
     if not document.with_contents:
         return ""
-    items: list[str] = []
-    for i, one in enumerate(document.sections, 1):
-        within = "".join(
-            f'<li><a href="#s{i}.{j}">{escape(part.title)}</a></li>' for j, part in enumerate(one.parts, 1)
-        )
-        items.append(
-            f'<li><a href="#s{i}">{escape(one.title)}</a>'
-            + (f"<ol>{within}</ol></li>" if within else "</li>")
-        )
-    return f"<nav><h2>Contents</h2><ol>{''.join(items)}</ol></nav>"
+    items = "".join(_entry(one, f"{place}") for place, one in enumerate(document.sections, 1))
+    return f"<nav><h2>Contents</h2><ol>{items}</ol></nav>"
+
+
+def _entry(section: Section, number: str) -> str:
+    """Return the entry of a section in the contents, with those of the sections within it."""
+    within = (
+        []
+        if "." in number
+        else [_entry(part, f"{number}.{place}") for place, part in enumerate(section.parts, 1)]
+    )
+    inside = f"<ol>{''.join(within)}</ol>" if within else ""
+    return f'<li><a href="#s{number}">{escape(section.title)}</a>{inside}</li>'

@@ -10,6 +10,8 @@ from typing import Any
 
 from dcfp.errors import AnalysisError, InputError
 from dcfp.present.report.document import (
+    BOXES,
+    COLOURS,
     Block,
     Bullets,
     Cell,
@@ -30,7 +32,6 @@ from dcfp.present.report.document import (
     short_title,
     signatories,
 )
-from dcfp.schema.check import Verdict
 
 #: Last character up to which the fonts that come with Typst have all scripts of Europe.
 _LAST_EUROPEAN = 0x052F
@@ -113,9 +114,6 @@ def _figure(drawing: Drawing) -> bytes:
 # escaped and nothing else has a meaning.
 
 
-#: Colours of verdicts, by their names in the template.
-_COLOURS = {Verdict.MET: "met", Verdict.NOT_MET: "broken", Verdict.NOT_KNOWN: "open"}
-_BOXES = {Tone.GOOD: "met", Tone.BAD: "broken", Tone.OPEN: "open"}
 _ALIGNED = {"l": "left", "r": "right", "c": "center"}
 #: Words of so many characters may be broken: after signs, and every 15 characters. In a listing only those that no line can hold.
 _LONGEST, _LONGEST_LISTED = 22, 100
@@ -163,7 +161,7 @@ class _Writer:
             case Paragraph(parts, Tone.NOTE):
                 return f"#par(note[{_words(parts)}])"
             case Paragraph(parts, tone):
-                return f"#box-of({_BOXES[tone]})[{_words(parts)}]"
+                return f"#box-of({BOXES[tone]})[{_words(parts)}]"
             case Bullets(items):
                 return "#list(" + ", ".join(f"[{_words(item)}]" for item in items) + ")"
             case Table():
@@ -223,7 +221,7 @@ def _table(table: Table) -> str:
 def _cell(cell: Cell) -> str:
     content = f"[{_words(cell.parts)}]"
     if cell.verdict is not None:
-        content = f"verdict-of({_COLOURS[cell.verdict]}, {content})"
+        content = f"verdict-of({COLOURS[cell.verdict]}, {content})"
     if cell.strong:
         content = f"strong({content})"
     return content if cell.span == 1 else f"table.cell(colspan: {cell.span}, {content})"

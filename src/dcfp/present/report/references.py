@@ -1,36 +1,44 @@
-"""What a report rests on: its sources and the versions of the programs; and every number of it, ready for JSON."""
+"""What a report rests on: its cases and their checks, its sources, the versions of the programs; and every number of it, ready for JSON."""
 
 import platform
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from importlib import metadata
 from typing import Any
 
 from dcfp.inference.told import case_objects
 from dcfp.kernels._jit import source_digest
 from dcfp.methods.code import code_methods
-from dcfp.present.report.checks import checks_of
-from dcfp.present.report.document import DECIMALS
-from dcfp.schema.check import COLUMNS
+from dcfp.present.report.document import DECIMALS, written
+from dcfp.schema.check import COLUMNS, Check
 from dcfp.schema.citations import bibliography, citation
 from dcfp.schema.formulas import Formula
 from dcfp.study.scenario import Calculation, ScenarioResult
 from dcfp.version import version
 
+ANALYSIS = "analysis"
 #: What the checks of every analysis cite.
 _OF_CHECKS = ("fema_p695_2009",)
 
 
-def citation_keys(calculation: Calculation) -> tuple[str, ...]:
-    """Return the keys of the bibliography that a report cites."""
-    used = {name for one in calculation.results for name in one.case.codes}
-    codes = [key for name, method in code_methods().items() if name in used for key in method.citations]
-    law = calculation.scenario.model.friction.citation
-    return tuple(dict.fromkeys(key for key in ("li_2020", law, *codes, *_OF_CHECKS) if key))
+def label_of(result: ScenarioResult) -> str:
+    """Return the name of a case: the record and the PGV."""
+    return f"{result.motion.name}, {written('pgv_m_s', result.motion.peak_velocity / 1e3)} m/s"
+
+
+def checks_of(result: ScenarioResult) -> tuple[Check, ...]:
+    """Return every check of a case: those of the analysis, then the conditions of each code."""
+    of_analysis = [replace(one, of=ANALYSIS) for one in result.response.checks]
+    of_codes = [replace(one, of=name) for name, said in result.case.codes.items() for one in said.conditions]
+    return (*of_analysis, *of_codes)
 
 
 def sources_of(calculation: Calculation) -> tuple[str, ...]:
     """Return the references that a report cites, each as a line."""
-    return tuple(full_citation(key) for key in citation_keys(calculation))
+    used = {name for one in calculation.results for name in one.case.codes}
+    codes = [key for name, method in code_methods().items() if name in used for key in method.citations]
+    law = calculation.scenario.model.friction.citation
+    keys = dict.fromkeys(("li_2020", law, *codes, *_OF_CHECKS))
+    return tuple(full_citation(key) for key in keys if key)
 
 
 def full_citation(key: str) -> str:

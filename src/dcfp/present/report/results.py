@@ -8,9 +8,7 @@ from dcfp.analysis import Status
 from dcfp.inference.statistics import ratios
 from dcfp.methods import Prediction
 from dcfp.methods.code import CodeResult, code_methods, code_objects
-from dcfp.methods.method import Variant
 from dcfp.methods.pulses import CHANGE
-from dcfp.present.report.checks import label_of
 from dcfp.present.report.document import (
     Block,
     Cell,
@@ -23,20 +21,22 @@ from dcfp.present.report.document import (
     cells,
     heads,
     powered,
+    shortened,
     words,
     written,
 )
-from dcfp.present.report.references import energies_of
+from dcfp.present.report.references import energies_of, label_of
 from dcfp.schema.check import Verdict
 from dcfp.study.scenario import Calculation, ScenarioResult
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from dcfp.analysis import Response
-    from dcfp.methods.li_2020 import Constants
 
-
+#: Heights of the sheet of the analysis with the temperature along the plates, and of the pulses, so that both stand on one page [in].
+_SHEET_WITH_PROFILE, _PULSES = 5.35, 3.55
+#: Characters of a record's name that the head of a figure has room for.
+_LONGEST = 40
 _PEAKS: tuple[tuple[str, Parts, str], ...] = (
     ("pgv_m_s", ("PGV",), "m/s"),
     ("y_max_mm", (Maths('y_"max"'),), "mm"),
@@ -88,19 +88,33 @@ def _peaks_row(row: dict[str, Any]) -> tuple[Cell, ...]:
 
 
 def _case(one: ScenarioResult, calculation: Calculation) -> tuple[Block, ...]:
-    name = label_of(one)
-    blocks: list[Block] = [
+    name, shown = label_of(one), shortened(one.motion.name, _LONGEST)
+
+    def draw_response() -> "Figure":
+        from dcfp.present.figures import plot_response  # late: Matplotlib takes long to import
+
+        response = one.response
+        figure = plot_response(replace(response, motion=replace(response.motion, name=shown)))
+        if response.profiles is not None:
+            figure.set_figheight(_SHEET_WITH_PROFILE)
+        return figure
+
+    def draw_pulses() -> "Figure":
+        from dcfp.present.figures import plot_pulses
+
+        constants = calculation.methods.constants
+        figure = plot_pulses(replace(one.case, record=shown), response=one.response, constants=constants)
+        figure.set_figheight(_PULSES)
+        return figure
+
+    return (
         Drawing(
-            lambda: draw_response(one),
+            draw_response,
             f"Force-displacement loop and histories of velocity, displacement, temperature, friction and energy, {name}",
         ),
-        Drawing(
-            lambda: draw_pulses(one, calculation.methods.constants),
-            f"Ground velocity with its pulses, velocities and displacement, {name}",
-        ),
+        Drawing(draw_pulses, f"Ground velocity with its pulses, velocities and displacement, {name}"),
         _energies(one),
-    ]
-    return tuple(blocks)
+    )
 
 
 def _energies(one: ScenarioResult) -> Table:
@@ -138,38 +152,17 @@ def methods_section(calculation: Calculation) -> Section:
 
 
 def _methods(one: ScenarioResult) -> tuple[Block, ...]:
-    analysed = one.case.analysed.whole
     y = one.response.peak_displacement
-    rows: list[tuple[Cell, ...]] = [
-        tuple(
-            Cell((text,), strong=True)
-            for text in (
-                "analysis",
-                "",
-                written("dy_mm", analysed.displacement_change),
-                written("V_dE_mm_s", analysed.input_velocity),
-                written("V_dEhr_mm_s", analysed.hysteretic_velocity),
-                written("y_mm", y),
-                written("ratio", 1.0),
-                written("ratio", 1.0),
-                "",
-            )
-        )
-    ]
+    analysis = (*_row(("analysis", ""), one.case.analysed.whole, y, (1.0, 1.0)), *cells(""))
+    rows: list[tuple[Cell, ...]] = [tuple(replace(cell, strong=True) for cell in analysis)]
     for variant, said in one.case.predicted.items():
         if variant.method in one.case.codes:
             continue
-        values = (said.displacement_change, said.input_velocity, said.hysteretic_velocity)
-        rows.append(
-            (
-                *cells(variant.method, variant.information.words),
-                *cells(
-                    *(written(key, _known(value)) for (key, _), value in zip(_METHODS, values, strict=True))
-                ),
-                *cells(written("y_mm", _known(said.displacement))),
-                *_ratios(one, variant, said),
-            )
-        )
+        change = _known(float(ratios([one.case], variant, CHANGE)[0]))
+        bound = _known(said.bound / y) if y > 0.0 else None
+        texts = (variant.method, variant.information.words)
+        against = _against(change if said.displacement is None else bound)
+        rows.append((*_row(texts, said, said.displacement, (change, bound)), against))
     head = heads("Method", "Knows", *(words for _, words in _METHODS), (Maths('y_"max"'), "\n[mm]"), (Maths("Delta y"), " over\nanalysis\n[–]"), (Maths('y_"max"'), " over\nanalysis\n[–]"), "Against\nanalysis")  # fmt: skip
     blocks: list[Block] = [Table(head, tuple(rows), "llrrrrrrl", (1.0, 1.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.9), "Predictions")]  # fmt: skip
     if one.case.codes:
@@ -203,13 +196,17 @@ def _verdict(said: CodeResult) -> Verdict:
     return Verdict.MET if said.valid else Verdict.NOT_MET
 
 
-def _ratios(one: ScenarioResult, variant: Variant, said: Prediction) -> tuple[Cell, ...]:
-    """Return change of displacement and largest displacement over the analysis, and the word on what the method predicts."""
-    y = one.response.peak_displacement
-    change = _known(float(ratios([one.case], variant, CHANGE)[0]))
-    bound = _known(said.bound / y) if y > 0.0 else None
-    numbers = cells(written("ratio", change), written("ratio", bound))
-    return (*numbers, _against(change if said.displacement is None else bound))
+def _row(
+    texts: tuple[str, str],
+    said: Prediction,
+    displacement: float | None,
+    over: tuple[float | None, float | None],
+) -> tuple[Cell, ...]:
+    """Return what a method gives: dy, energies, y_max, and dy and y_max over the analysis."""
+    values = (said.displacement_change, said.input_velocity, said.hysteretic_velocity, displacement)
+    keys = (*(key for key, _ in _METHODS), "y_mm")
+    numbers = (written(key, _known(value)) for key, value in zip(keys, values, strict=True))
+    return cells(*texts, *numbers, *(written("ratio", one) for one in over))
 
 
 def _against(ratio: float | None) -> Cell:
@@ -221,45 +218,3 @@ def _against(ratio: float | None) -> Cell:
 
 def _known(value: float | None) -> float | None:
     return None if value is None or not math.isfinite(value) else value
-
-
-# The figures of a case, in heights that let both stand on one page.
-
-
-#: Heights of the sheet of the analysis with the temperature along the plates, and of the pulses [in].
-_SHEET_WITH_PROFILE, _PULSES = 5.35, 3.55
-#: Characters of a record's name that the head of a figure has room for.
-_LONGEST = 40
-
-
-def draw_response(result: "ScenarioResult") -> "Figure":
-    """Draw loop and histories."""
-    from dcfp.present.figures import plot_response  # late: Matplotlib takes long to import
-
-    figure = plot_response(_named_shortly(result.response))
-    if result.response.profiles is not None:
-        figure.set_figheight(_SHEET_WITH_PROFILE)
-    return figure
-
-
-def draw_pulses(result: "ScenarioResult", constants: "Constants") -> "Figure":
-    """Draw the pulses, the velocities and the displacement."""
-    from dcfp.present.figures import plot_pulses
-
-    case = replace(result.case, record=_short(result.case.record))
-    figure = plot_pulses(case, response=result.response, constants=constants)
-    figure.set_figheight(_PULSES)
-    return figure
-
-
-def _named_shortly(response: "Response") -> "Response":
-    name = _short(response.motion.name)
-    return (
-        response
-        if name == response.motion.name
-        else replace(response, motion=replace(response.motion, name=name))
-    )
-
-
-def _short(name: str) -> str:
-    return name if len(name) <= _LONGEST else f"{name[: _LONGEST - 1]}…"

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 
-from dcfp.present.report.checks import ANALYSIS, checks_of, label_of
 from dcfp.present.report.document import (
     Block,
     Cell,
@@ -16,6 +15,7 @@ from dcfp.present.report.document import (
     words,
     written,
 )
+from dcfp.present.report.references import ANALYSIS, checks_of, label_of
 from dcfp.present.report.results import peaks_table
 from dcfp.present.report.worked import governing
 from dcfp.schema.check import Check, Verdict
@@ -27,7 +27,6 @@ _BESIDE = 4
 _NAMED = 3
 #: Cases whose peaks stand on the first page.
 _FEW = 4
-_WORDS = {Verdict.MET: "met", Verdict.NOT_MET: "not met", Verdict.NOT_KNOWN: "not known"}
 
 
 def checks_section(calculation: Calculation) -> Section:
@@ -84,7 +83,7 @@ def _table(rows: dict[str, list[Check | None]], labels: list[str], places: list[
 def _found(one: Check | None, span: int = 1) -> Cell:
     if one is None:
         return Cell(("no answer",), Verdict.NOT_KNOWN, span)
-    return Cell((f"{one.found_words}: {_WORDS[one.verdict]}",), one.verdict, span)
+    return Cell((f"{one.found_words}: {one.verdict}",), one.verdict, span)
 
 
 def front_blocks(calculation: Calculation) -> tuple[Block, ...]:
@@ -128,7 +127,7 @@ def _worst(conditions: Sequence[Check]) -> Verdict:
 
 def _count(known: list[tuple[str, Check]], verdict: Verdict) -> str:
     count = sum(one.verdict is verdict for _, one in known)
-    return _WORDS[verdict] if count == len(known) else f"{_WORDS[verdict]} in {count} of {len(known)}"
+    return verdict if count == len(known) else f"{verdict} in {count} of {len(known)}"
 
 
 def _where(known: list[tuple[str, Check]], verdict: Verdict) -> str:

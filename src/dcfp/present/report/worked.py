@@ -11,7 +11,6 @@ from dcfp.inference.case import code_inputs
 from dcfp.methods.code import CodeResult, code_methods
 from dcfp.methods.prediction import Ground, Methods, PredictionMethod, prediction_methods
 from dcfp.methods.pulses import PulsePrediction
-from dcfp.present.report.checks import label_of
 from dcfp.present.report.document import (
     Block,
     Bullets,
@@ -26,7 +25,7 @@ from dcfp.present.report.document import (
     words,
     written,
 )
-from dcfp.present.report.references import source_of
+from dcfp.present.report.references import label_of, source_of
 from dcfp.schema.formulas import Formula, number
 from dcfp.study.scenario import Calculation, ScenarioResult
 
