@@ -1,7 +1,9 @@
 """The findings and figures of Li et al. (2020), section 6, made again and put beside what the paper prints."""
 
+import tomllib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from importlib.resources import files
 
 import numpy as np
 
@@ -171,183 +173,142 @@ OUTSIDE = [
 ]
 
 
+@dataclass(frozen=True)
+class _Found:
+    """Whether a finding is as printed, what its texts in ``findings.toml`` hold in braces, and the cases outside a printed range."""
+
+    agrees: bool | None
+    words: dict[str, object]
+    outside: tuple[Outside, ...] = ()
+
+
 def findings_of(analyses: Analyses) -> list[Finding]:
     """Return every printed finding of section 6, beside ours."""
-    return [
-        *(_range(variant, quantity, analyses) for variant, quantity in PRINTED_RANGES),
-        *_constants(analyses),
-        *(_design(pgv) for pgv in PRINTED_DESIGN),
-        _heating(analyses),
-        _larger_change(analyses),
-        _constant(analyses),
-    ]
+    by: dict[str, Callable[[Analyses], list[_Found]]] = {
+        "ranges": _ranges,
+        "average_slope": _average_slope,
+        "fall_ratio": _fall_ratio,
+        "change_ratio": _change_ratio,
+        "design": _design,
+        "heating": _heating,
+        "larger_change": _larger_change,
+        "constant": _constant,
+    }
+    text = files("dcfp.verify").joinpath("findings.toml").read_text(encoding="utf-8")
+    findings: list[Finding] = []
+    for row in tomllib.loads(text)["finding"]:
+        for found in by[row.pop("by")](analyses):
+            told = {key: str(words).format(**found.words) for key, words in row.items()}
+            findings.append(Finding(**told, agrees=found.agrees, outside=found.outside))
+    return findings
 
 
-def _range(variant: Variant, quantity: Quantity, analyses: Analyses) -> Finding:
-    low, high, place = PRINTED_RANGES[variant, quantity]
-    values = ratios(analyses.cases, variant, quantity)
-    outside = tuple(
-        Outside(case.record, case.pgv, float(value), explain(case, precise, constant, variant, quantity))
-        for case, precise, constant, value in zip(
-            analyses.cases, analyses.precise, analyses.constant, values, strict=True
+def _ranges(analyses: Analyses) -> list[_Found]:
+    """Return the printed ranges of predictions over analyses, half of the last printed digit allowed."""
+    together = list(zip(analyses.cases, analyses.precise, analyses.constant, strict=True))
+    found: list[_Found] = []
+    for (variant, quantity), (low, high, place) in PRINTED_RANGES.items():
+        values, hundred = (ratios(cases, variant, quantity) for cases in (analyses.cases, analyses.hundred))
+        least, most = low - PRINTED_ROUNDING, high + PRINTED_ROUNDING
+        outside = tuple(
+            Outside(case.record, case.pgv, float(value), explain(case, precise, constant, variant, quantity))
+            for (case, precise, constant), value in zip(together, values, strict=True)
+            if not least <= value <= most
         )
-        if not low - PRINTED_ROUNDING <= value <= high + PRINTED_ROUNDING
-    )
-    hundred = ratios(analyses.hundred, variant, quantity)
-    measures = scatter(hundred)
-    inside = (low - PRINTED_ROUNDING <= hundred) & (hundred <= high + PRINTED_ROUNDING)
-    return Finding(
-        name=f"{quantity.title}, {variant.method} method over analysis",
-        place=place,
-        paper=f"{low:.1f} to {high:.1f}",
-        ours=_span(values),
-        hundred=f"{measures.least:.2f} to {measures.largest:.2f}, {100.0 * inside.mean():.0f} % inside"
-        + (f", {measures.without} without a prediction" if measures.without else ""),
-        agrees=not outside,
-        words=f"{len(values) - len(outside)} of {len(values)} cases inside, half of the last printed digit allowed; by the pulse behind the"
-        f" largest swing (informed) {_span(ratios(analyses.cases, Variant(variant.method, Information.INFORMED), quantity))}.",
-        outside=outside,
-    )
+        measures = scatter(hundred)
+        informed = ratios(analyses.cases, Variant(variant.method, Information.INFORMED), quantity)
+        words = {
+            "quantity": quantity.title,
+            "method": variant.method,
+            "where": place,
+            "low": low,
+            "high": high,
+            "values": _span(values),
+            "spread": f"{measures.least:.2f} to {measures.largest:.2f}",
+            "part": 100.0 * ((least <= hundred) & (hundred <= most)).mean(),
+            "without": f", {measures.without} without a prediction" if measures.without else "",
+            "inside": len(values) - len(outside),
+            "count": len(values),
+            "informed": _span(informed),
+        }
+        found.append(_Found(not outside, words, outside))
+    return found
 
 
 def _span(values: FloatArray) -> str:
     return f"{np.nanmin(values):.2f} to {np.nanmax(values):.2f}"
 
 
-def _constants(analyses: Analyses) -> list[Finding]:
-    """Return the three constants of the design method, each with how far ours may be off for the printed digits to be the same."""
-    ours, hundred = analyses.cases, analyses.hundred
-    return [
-        _of_constant(
-            "kg_ave, mean slope of the governing pulses at PGV 0.25 m/s",
-            "section 6.2.2",
-            (LI_2020.average_slope, average_slope(ours), average_slope(hundred)),
-            5.0,
-            ".0f",
-            " mm/s²",
-            words=f"The paper's mean is of eight records, ours of {_records(analyses)} and of the hundred components; the slopes of"
-            f" ours: {_slopes(ours)} mm/s².",
-        ),
-        _of_constant(
-            "eps, closest curve of Eq. (27)",
-            "Figure 19",
-            (LI_2020.fall_ratio, fall_ratio(ours), fall_ratio(hundred)),
-            0.05,
-            words="By least squares over all cases with a governing pulse. The paper takes 0.25 as the most suitable of the curves that it draws; it does"
-            " not say by which measure. A smaller eps is more conservative.",
-            note=f", at PGV 0.25 m/s {fall_ratio(_weak(hundred)):.2f}",
-        ),
-        _of_constant(
-            "zeta, |dvg| of the governing pulses over PGV",
-            "Figure 25",
-            (LI_2020.change_ratio, change_ratio(ours), change_ratio(hundred)),
-            0.05,
-            words="Mean over all cases with a governing pulse.",
-        ),
-    ]
-
-
-def _of_constant(
-    name: str,
-    place: str,
-    values: tuple[float, float, float],
+def _constant_of_design(
+    paper: float,
+    measure: Callable[[Sequence[Case]], float],
     within: float,
-    form: str = ".2f",
-    unit: str = "",
-    *,
-    words: str,
-    note: str = "",
-) -> Finding:
-    """Return a constant of the paper beside those of our records and of the hundred, in this order in `values`."""
-    paper, ours, hundred = values
-    return Finding(
-        name=name,
-        place=place,
-        paper=f"{paper:g}{unit}",
-        ours=f"{ours:{form}}{unit}",
-        hundred=f"{hundred:{form}}{unit}{note}",
-        agrees=abs(ours - paper) <= within,
-        words=words,
+    analyses: Analyses,
+    **more: object,
+) -> list[_Found]:
+    """Return a constant of the design method, with how far ours may be off for the printed digits to be the same."""
+    ours, hundred = measure(analyses.cases), measure(analyses.hundred)
+    return [_Found(abs(ours - paper) <= within, {"paper": paper, "ours": ours, "hundred": hundred, **more})]
+
+
+def _average_slope(analyses: Analyses) -> list[_Found]:
+    records, slopes = _records(analyses), _slopes(analyses.cases)
+    return _constant_of_design(
+        LI_2020.average_slope, average_slope, 5.0, analyses, records=records, slopes=slopes
     )
 
 
-def _design(pgv: float) -> Finding:
-    known, said = PRINTED_DESIGN[pgv], predict_from_pgv(pgv)
-    put_in, dissipated, change = (known[quantity][0] for quantity in (INPUT, HYSTERETIC, CHANGE))
-    return Finding(
-        name=f"design method at PGV {pgv / 1e3:g} m/s: V_dE, V_dEhr, dy",
-        place="Eqs (31)–(33)",
-        paper=f"{put_in:.1f} mm/s, {dissipated:.1f} mm/s, {change:g} mm",
-        ours=f"{said.input_velocity:.1f} mm/s, {said.hysteretic_velocity:.1f} mm/s, {said.displacement_change:.1f} mm",
-        hundred="",
-        agrees=all(
+def _fall_ratio(analyses: Analyses) -> list[_Found]:
+    weak = fall_ratio(_weak(analyses.hundred))
+    return _constant_of_design(LI_2020.fall_ratio, fall_ratio, 0.05, analyses, weak=weak)
+
+
+def _change_ratio(analyses: Analyses) -> list[_Found]:
+    return _constant_of_design(LI_2020.change_ratio, change_ratio, 0.05, analyses)
+
+
+def _design(analyses: Analyses) -> list[_Found]:
+    del analyses  # from the PGV alone
+    found: list[_Found] = []
+    for pgv, known in PRINTED_DESIGN.items():
+        said = predict_from_pgv(pgv)
+        agrees = all(
             abs(value_of(said, quantity) - value) <= 0.5 * digit for quantity, (value, digit) in known.items()
-        ),
-        words="With mu_n g = 421.8 mm/s², as the paper has it.",
-    )
+        )
+        printed = [known[quantity][0] for quantity in (INPUT, HYSTERETIC, CHANGE)]
+        found.append(_Found(agrees, {"pgv": pgv / 1e3, "printed": printed, "said": said}))
+    return found
 
 
-def _heating(analyses: Analyses) -> Finding:
-    over = np.array(
-        [
-            case.analysed.whole.bound / response.peak_displacement
-            for case, response in zip(analyses.cases, analyses.precise, strict=True)
-        ]
-    )
+def _heating(analyses: Analyses) -> list[_Found]:
+    simplified = np.array([case.analysed.whole.bound for case in analyses.cases])
+    precise = np.array([response.peak_displacement for response in analyses.precise])
+    over = simplified / precise
     worst = int(np.argmax(np.abs(np.log(over))))
-    case = analyses.cases[worst]
-    others = np.delete(over, worst)
-    return Finding(
-        name="y_max, simplified over precise heating",
-        place="Figure 10, section 5.1",
-        paper="similar accuracy",
-        ours=f"{over.min():.2f} to {over.max():.2f}",
-        hundred="",
-        agrees=None,
-        words="Figure 10 is of JKB at 0.25 and 1.0 m/s; the paper says the same of all its records."
-        f" Furthest apart at {case.record}, {case.pgv / 1e3:g} m/s: {case.analysed.whole.bound:.0f} against"
-        f" {analyses.precise[worst].peak_displacement:.0f} mm, where the slider leaves the one monitoring point behind;"
-        f" the others within {100.0 * np.abs(others - 1.0).max():.0f} %.",
-    )
+    words = {
+        "span": _span(over),
+        "record": analyses.cases[worst].record,
+        "pgv": analyses.cases[worst].pgv / 1e3,
+        "simplified": simplified[worst],
+        "precise": precise[worst],
+        "others": 100.0 * np.abs(np.delete(over, worst) - 1.0).max(),
+    }
+    return [_Found(None, words)]
 
 
-def _larger_change(analyses: Analyses) -> Finding:
-    over = displacement_over_change(analyses.cases)
-    hundred = displacement_over_change(analyses.hundred)
-    return Finding(
-        name="y_max over the largest dy",
-        place="section 6.1.2",
-        paper="usually below 1",
-        ours=f"{over.min():.2f} to {over.max():.2f}",
-        hundred=f"{hundred.min():.2f} to {hundred.max():.2f}, below 1 in {100.0 * (hundred < 1.0).mean():.0f} %",
-        agrees=bool((over < 1.0).mean() > 0.5),
-        words="So dy stands for y_max as a conservative value, as a rule.",
-    )
+def _larger_change(analyses: Analyses) -> list[_Found]:
+    over, hundred = (displacement_over_change(cases) for cases in (analyses.cases, analyses.hundred))
+    words = {"span": _span(over), "of_hundred": _span(hundred), "part": 100.0 * (hundred < 1.0).mean()}
+    return [_Found(bool((over < 1.0).mean() > 0.5), words)]
 
 
-def _constant(analyses: Analyses) -> Finding:
-    over = np.array(
-        [
-            response.peak_displacement / case.analysed.whole.bound
-            for case, response in zip(analyses.cases, analyses.constant, strict=True)
-        ]
-    )
+def _constant(analyses: Analyses) -> list[_Found]:
+    constant = np.array([response.peak_displacement for response in analyses.constant])
+    over = constant / np.array([case.analysed.whole.bound for case in analyses.cases])
     pgvs = np.array([case.pgv for case in analyses.cases])
-    parts = [over[np.isclose(pgvs, velocity)] for velocity in VELOCITIES]
-    middle = [
-        f"{velocity / 1e3:g}: {np.exp(np.log(part).mean()):.2f}"
-        for velocity, part in zip(VELOCITIES, parts, strict=True)
-    ]
-    return Finding(
-        name="y_max with the constant mu_n over that with the law",
-        place="section 4.4, Figure 8",
-        paper="mu_n is good for strong, not for weak excitation",
-        ours=f"{over.min():.2f} to {over.max():.2f}",
-        hundred="",
-        agrees=None,
-        words=f"Geometric mean by PGV [m/s]: {', '.join(middle)}. The paper's finding is of tests of one amplitude; in earthquakes mu_n is too low for weak and"
-        " too high for strong ones, and unsafe from 0.75 m/s on.",
-    )
+    means = {one: np.exp(np.log(over[np.isclose(pgvs, one)]).mean()) for one in VELOCITIES}
+    middle = ", ".join(f"{velocity / 1e3:g}: {mean:.2f}" for velocity, mean in means.items())
+    return [_Found(None, {"span": _span(over), "middle": middle})]
 
 
 def _weak(cases: Sequence[Case]) -> list[Case]:
