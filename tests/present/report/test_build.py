@@ -9,7 +9,7 @@ import pytest
 
 from dcfp.errors import InputError
 from dcfp.present.report import build_report
-from dcfp.present.report.pdf import typst_source
+from dcfp.present.report.pdf import data_of
 from dcfp.study.scenario import Calculation, calculate, read_scenario
 
 MOTION = '[motion]\nunits = "m/s2"\n'
@@ -32,11 +32,11 @@ def test_an_unusual_scenario_has_its_report(name: str, tmp_path: Path) -> None:
     path = tmp_path / "scenario.toml"
     path.write_text(text, encoding="utf-8")
     document = build_report(calculate(read_scenario(path)))
-    source, drawings = typst_source(document)
-    assert words in source
+    data, drawings = data_of(document)
+    assert words in data
     assert len(drawings) == 2
     assert json.dumps(document.numbers, allow_nan=False)
-    assert not re.search(r"\b(nan|inf)\b", source)
+    assert not re.search(r"\b(nan|inf)\b", data)
 
 
 def test_a_calculation_without_results_has_none(calculation: Calculation) -> None:

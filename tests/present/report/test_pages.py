@@ -11,7 +11,7 @@ from PIL import Image
 from pypdf import PdfReader
 
 from dcfp.present.report import Document, page_of, pdf_of
-from dcfp.present.report.pdf import fonts_suffice, typst_source
+from dcfp.present.report.pdf import data_of, fonts_suffice
 
 #: Margins of a page that stay empty [cm]: of the text there are 2.2 at the sides.
 _SIDES, _ENDS, _DOTS = 2.0, 0.9, 50.0
@@ -97,6 +97,6 @@ def test_the_page_needs_nothing_else(page: str, reading) -> None:
 
 
 def test_fonts_of_the_system_are_asked_only_for_what_typst_lacks(document: Document) -> None:
-    assert fonts_suffice(typst_source(document)[0])
+    assert fonts_suffice(data_of(document)[0])
     assert fonts_suffice("Zürich, Ő, µ ≤ √ – Ж")
     assert not fonts_suffice("東京")

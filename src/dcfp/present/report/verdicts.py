@@ -127,7 +127,7 @@ def _worst(conditions: Sequence[Check]) -> Verdict:
 
 def _count(known: list[tuple[str, Check]], verdict: Verdict) -> str:
     count = sum(one.verdict is verdict for _, one in known)
-    return verdict if count == len(known) else f"{verdict} in {count} of {len(known)}"
+    return verdict.value if count == len(known) else f"{verdict} in {count} of {len(known)}"
 
 
 def _where(known: list[tuple[str, Check]], verdict: Verdict) -> str:
