@@ -1,7 +1,7 @@
 """The findings and figures of Li et al. (2020), section 6, made again and put beside what the paper prints."""
 
 import tomllib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from importlib.resources import files
 
@@ -178,7 +178,7 @@ class _Found:
     """Whether a finding is as printed, what its texts in ``findings.toml`` hold in braces, and the cases outside a printed range."""
 
     agrees: bool | None
-    words: dict[str, object]
+    words: Mapping[str, object]
     outside: tuple[Outside, ...] = ()
 
 
