@@ -1,7 +1,6 @@
 """The virtual test machine against closed forms, its energy balance, and its default settings against converged ones."""
 
 import math
-from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
@@ -10,6 +9,7 @@ from dcfp.analysis.integration import DEFAULT
 from dcfp.analysis.rig import Loops, Program, RigTest, Sine, Triangle, VerticalLoad, run_program
 from dcfp.analysis.rig.waveform import Travel, Waveform
 from dcfp.arrays import FloatArray
+from dcfp.schema.parameters import declared
 from dcfp.system import LI_2020, Bearing, ConstantFriction, FrictionLaw, Heating, PreciseHeating
 from dcfp.verify.check import Found
 
@@ -32,7 +32,7 @@ SINES = {
 }
 
 
-@dataclass(frozen=True)
+@declared
 class FinerSine(Sine):
     """A sine each of whose pieces is cut into equal parts."""
 
