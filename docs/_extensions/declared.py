@@ -23,7 +23,7 @@ from dcfp.system.heating import HEATINGS
 def sources() -> dict[str, Mapping[str, Parameter]]:
     """Return the parameters that the pages list, by what they belong to."""
     return {
-        "factors": {name: factor.parameter for name, factor in catalogue().items()},
+        "factors": catalogue(),
         "bearing": _of(Bearing),
         **{f"friction {name}": _of(law) for name, law in FRICTION_LAWS.items()},
         **{f"heating {name}": _of(model) for name, model in HEATINGS.items()},

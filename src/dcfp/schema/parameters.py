@@ -26,9 +26,12 @@ from typing import (
 
 from dcfp.errors import InputError
 from dcfp.schema.docstring import with_parameters
-from dcfp.schema.units import M_PER_S, WORDS, Unit, convert, split_number
+from dcfp.schema.units import HERTZ, M_PER_S, SECOND, WORDS, Unit, convert, split_number
 
 T = TypeVar("T")
+
+#: TOML and JSON have whole numbers of any length: from here on they are no numbers to calculate with.
+_LARGEST_WHOLE = 10**15
 
 
 @dataclass(frozen=True)
@@ -67,6 +70,8 @@ class Parameter:
         Whether a study may vary it.
     absent
         What a form says of an empty field.
+    difference
+        Whether it is a difference, such as a standard deviation: 5 °C are then 9 °F.
     name, kind, default, optional
         Of the field; filled in by `declared`.
     """
@@ -87,6 +92,7 @@ class Parameter:
     option: bool = True
     vary: bool = True
     absent: str = ""
+    difference: bool = False
     name: str = ""
     kind: type = float
     default: Any = None
@@ -147,6 +153,8 @@ class Parameter:
         given = value if given is None else given
         if value is None and self.optional:
             return None
+        if isinstance(value, str) and value in self.choices:
+            return value
         if isinstance(value, str) and self.choices:
             known = {one.lower(): one for one in self.choices}
             if value.strip().lower() in known:
@@ -169,8 +177,8 @@ class Parameter:
             raise InputError(msg)
         return tuple(self._number(one, label, unit, one if len(values) > 1 else given) for one in values)
 
-    def read(self, value: Any, label: str) -> Any:
-        """Return a value of a file, an option or a form in the package's unit: a plain number is in the declared unit, a text may name another.
+    def read(self, value: Any, label: str, unit: str | None = None) -> Any:
+        """Return a value of a file, an option or a form in the package's unit: a plain number is in `unit` or else in the declared one, a text may name another.
 
         Raises
         ------
@@ -180,9 +188,9 @@ class Parameter:
         found = value
         if self.is_number:
             if isinstance(value, (list, tuple)):
-                found = [self._with_unit(one, label) for one in cast("Iterable[Any]", value)]
+                found = [self._with_unit(one, label, unit) for one in cast("Iterable[Any]", value)]
             else:
-                found = self._with_unit(value, label)
+                found = self._with_unit(value, label, unit)
         return self.checked(found, label, self.unit, cast("object", value))
 
     def written(self, value: Any) -> Any:
@@ -231,18 +239,22 @@ class Parameter:
 
     # ----- parts -----
 
-    def _with_unit(self, value: Any, label: str) -> Any:
-        """Return the number of a text such as ``"4.5 m"`` in the declared unit; what is no such text is returned as it is."""
-        found = split_number(value) if isinstance(value, str) else None
-        if found is None:
-            return value
-        number, unit = found
-        return convert(number, unit, self.unit, label) if unit else number
+    def _with_unit(self, value: Any, label: str, unit: str | None) -> Any:
+        """Return a number of that unit, or of a text such as ``"4.5 m"``, in the declared unit; what is neither is returned as it is."""
+        number, own = value, ""
+        if isinstance(value, str):
+            number, own = split_number(value) or (value, "")
+        named = own or unit
+        if named is None or isinstance(number, bool) or not isinstance(number, (int, float)):
+            return number
+        return convert(number, named, self.unit, label, difference=self.difference)
 
     def _number(self, value: Any, label: str, unit: Unit, given: object) -> float:
         if hasattr(value, "item") and getattr(value, "ndim", None) == 0:  # a number of NumPy
             value = value.item()
         if isinstance(value, bool) or not isinstance(value, (int, float)):
+            raise self._refusal(value, label, unit, given)
+        if isinstance(value, int) and abs(value) >= _LARGEST_WHOLE:
             raise self._refusal(value, label, unit, given)
         inner = unit.inner(value)
         whole = self.kind is not int or float(value).is_integer()
@@ -262,7 +274,7 @@ class Parameter:
 
     def _meant(self, value: Any, unit: Unit) -> str:
         """Return the question whether another unit was meant, if there is one in which the number would be allowed."""
-        if isinstance(value, bool) or not isinstance(value, (int, float)):
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or abs(value) >= _LARGEST_WHOLE:
             return ""
         near = [name for name, size in unit.meant if self._holds(unit.inner(value * size))]
         return f" (were {near[0]} meant?)" if near else ""
@@ -357,18 +369,73 @@ def read_table(
     InputError
         If there is an unknown key or a value that is not allowed.
     """
-    by_key = {key: one for one in parameters(kind).values() for key in (one.key, *one.aliases)}
+    return read_values(parameters(kind).values(), table, where, f"parameter of {described(kind)}", also=also)
+
+
+def read_values(
+    known: Iterable[Parameter],
+    table: Mapping[str, Any],
+    where: str,
+    noun: str,
+    *,
+    also: tuple[str, ...] = (),
+) -> dict[str, Any]:
+    """Return the values of a table in the package's units by the names of parameters.
+
+    Parameters
+    ----------
+    known
+        The parameters that it may hold.
+    table, where, also
+        As for `read_table`.
+    noun
+        What one of the parameters is called.
+
+    Raises
+    ------
+    InputError
+        As for `read_table`.
+    """
+    by_key = {key: one for one in known for key in (one.key, *one.aliases)}
     values: dict[str, Any] = {}
     for key, value in table.items():
         if key not in by_key:
-            msg = f"{where}: {unknown(key, [*by_key, *also], f'parameter of {described(kind)}')}"
+            msg = f"{where}: {unknown(key, [*by_key, *also], noun)}"
             raise InputError(msg)
         one = by_key[key]
-        if one.name in values:
+        name = one.name or one.key
+        if name in values:
             msg = f"{where}: give either {' or '.join((one.key, *one.aliases))}, not both."
             raise InputError(msg)
-        values[one.name] = one.read(value, f"{where}: {key}: {one.words}")
+        values[name] = one.read(value, f"{where}: {key}: {one.words}")
     return values
+
+
+def table_in(content: Mapping[str, Any], key: str, where: str = "", shown: str = "") -> dict[str, Any]:
+    """Return the table of a file under a key, empty where there is none.
+
+    Parameters
+    ----------
+    content
+        Of the file, or of a table in it.
+    key
+        Of the table.
+    where
+        What to begin a complaint with.
+    shown
+        How its head is written; by default the key.
+
+    Raises
+    ------
+    InputError
+        If it is no table.
+    """
+    table = content.get(key, {})
+    if not isinstance(table, Mapping):
+        prefix = f"{where}: " if where else ""
+        msg = f"{prefix}{key!r} must be a table, written [{shown or key}]."
+        raise InputError(msg)
+    return dict(cast("Mapping[str, Any]", table))
 
 
 def described(kind: type[Declared]) -> str:
@@ -468,3 +535,6 @@ def _bound(name: str, hint: Any, default: Any) -> Parameter:
 
 #: What a ground motion can be scaled to, at every door.
 PGV = Parameter("peak ground velocity", M_PER_S, 0.005, 20.0, symbol=r"\mathrm{PGV}", key="pgv")
+#: How a record file is read, and how what it holds may be treated.
+TIME_STEP = Parameter("time step of a plain file with one column", SECOND, 0.0, above=True, key="time_step")
+HIGH_PASS = Parameter("corner of a zero-phase Butterworth high-pass filter", HERTZ, 0.0, above=True, key="high_pass")  # fmt: skip

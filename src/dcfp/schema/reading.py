@@ -1,6 +1,8 @@
 """Text and TOML from files, with one sentence for whatever may be wrong with them."""
 
 import tomllib
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -45,4 +47,16 @@ def read_toml(path: str | Path, what: str) -> dict[str, Any]:
         return tomllib.loads(content.decode("utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         msg = f"{path}: this is not TOML ({error})."
+        raise InputError(msg) from error
+
+
+@contextmanager
+def complaints_name(path: str | Path) -> Iterator[None]:
+    """Let every complaint within begin with the name of a file."""
+    try:
+        yield
+    except InputError as error:
+        if str(error).startswith(str(path)):
+            raise
+        msg = f"{path}: {error}"
         raise InputError(msg) from error

@@ -1,78 +1,39 @@
 """What a study can vary: the parameters of the ground motion, of the system and of the procedure."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from enum import Enum
+from dataclasses import replace
 from typing import TypeAlias
 
 from dcfp.errors import InputError
-from dcfp.schema.parameters import Parameter, unknown
-from dcfp.schema.units import M_PER_S, M_PER_S2, NONE
+from dcfp.schema.parameters import PGV, Parameter, unknown
+from dcfp.schema.units import M_PER_S2, NONE
 from dcfp.system import System, system_parameters
 from dcfp.system.system import OF_LAW as OF_LAW
 
 Value: TypeAlias = float | str
 
-
-class Role(Enum):
-    """What a factor is part of."""
-
-    MOTION = "the ground motion"
-    MODEL = "the bearing, its friction or its heating"
-    PROCEDURE = "the procedure"
-
-
-@dataclass(frozen=True)
-class Factor:
-    """Something that a study varies.
-
-    Attributes
-    ----------
-    name
-        As in a study file, and as the coordinate of the results.
-    parameter
-        Its words, unit and limits.
-    role
-        What it is part of.
-    """
-
-    name: str
-    parameter: Parameter
-    role: Role
-
-    @property
-    def is_number(self) -> bool:
-        """Whether its values are numbers."""
-        return self.parameter.is_number
-
-    @property
-    def limits(self) -> tuple[float, float]:
-        """Smallest and largest value that a wrong unit would pass, in the package's unit."""
-        return self.parameter.limits
-
-
-_MOTION = {
-    "record": Parameter("ground motion", kind=str),
-    "pgv": Parameter("peak ground velocity", M_PER_S, 0.005, 20.0, symbol="PGV"),
-    "pga": Parameter("peak ground acceleration", M_PER_S2, 1e-3, 200.0, symbol="PGA"),
-    "scale": Parameter("factor on the ground motion", NONE, 1e-3, 1e3),
+#: Factors of the ground motion.
+OF_MOTION = {
+    "record": Parameter("ground motion", key="record", kind=str),
+    "pgv": PGV,
+    "pga": Parameter("peak ground acceleration", M_PER_S2, 1e-3, 200.0, symbol=r"\mathrm{PGA}", key="pga"),
+    "scale": Parameter("factor on the ground motion", NONE, 1e-3, 1e3, key="scale"),
 }
-_BEARING = Parameter("bearing file", kind=str)
-_PROCEDURE = Parameter("response history analysis, or a method of prediction", kind=str)
+_BEARING = Parameter("bearing file", key="bearing", kind=str)
+_PROCEDURE = Parameter("response history analysis, or a method of prediction", key="procedure", kind=str)
 
 
-def catalogue() -> dict[str, Factor]:
+def catalogue() -> dict[str, Parameter]:
     """Return every factor by its name, in the order in which they are applied: a whole bearing first, then the law, then what changes a law."""
-    of_system = {key: one for key, one in system_parameters().items() if one.vary}
-    return {
-        **{name: Factor(name, one, Role.MOTION) for name, one in _MOTION.items()},
-        "bearing": Factor("bearing", _BEARING, Role.MODEL),
-        **{name: Factor(name, one, Role.MODEL) for name, one in of_system.items()},
-        "procedure": Factor("procedure", _PROCEDURE, Role.PROCEDURE),
+    of_system = {
+        key: replace(one, counts=(), repeat=1, optional=False)
+        for key, one in system_parameters().items()
+        if one.vary
     }
+    return {**OF_MOTION, "bearing": _BEARING, **of_system, "procedure": _PROCEDURE}
 
 
-def factor(name: str) -> Factor:
+def factor(name: str) -> Parameter:
     """Return a factor by its name; ``friction.`` and a name is that parameter of the friction law.
 
     Raises
@@ -85,6 +46,11 @@ def factor(name: str) -> Factor:
         msg = unknown(name, known, "factor")
         raise InputError(msg)
     return known[name]
+
+
+def is_of_system(name: str) -> bool:
+    """Whether a factor changes the bearing, its friction or its heating."""
+    return name not in OF_MOTION and name != _PROCEDURE.key
 
 
 def changed(system: System, values: Mapping[str, Value], bearings: Mapping[str, System]) -> System:

@@ -12,7 +12,7 @@ import numpy as np
 from dcfp.analysis.batch import GroundSet, Lanes
 from dcfp.arrays import FloatArray, IntArray
 from dcfp.errors import InputError
-from dcfp.study.factors import Role, Value, changed, factor
+from dcfp.study.factors import Value, changed, factor, is_of_system
 from dcfp.study.procedures import ANALYSIS
 from dcfp.study.study import RECORD, SAMPLE, Study
 from dcfp.system import System
@@ -208,14 +208,14 @@ class Plan:
     @cached_property
     def _model_dimensions(self) -> list[str]:
         """Dimensions along which the model changes."""
-        found = [name for name in self.study.factors if factor(name).role is Role.MODEL]
-        sampled = any(factor(name).role is Role.MODEL for name in self.samples)
+        found = [name for name in self.study.factors if is_of_system(name)]
+        sampled = any(is_of_system(name) for name in self.samples)
         return [*found, SAMPLE] if sampled else found
 
     @cached_property
     def _model_factors(self) -> list[str]:
         """Factors that change the model."""
-        return [name for name in (*self.study.factors, *self.samples) if factor(name).role is Role.MODEL]
+        return [name for name in (*self.study.factors, *self.samples) if is_of_system(name)]
 
     def _distinct_models(self, numbers: dict[str, IntArray]) -> tuple[list[dict[str, int]], IntArray]:
         """Return the places of each model that differs along the dimensions of models, and which of them each analysis has."""

@@ -1,30 +1,45 @@
-"""A study from a TOML file."""
+"""A study from a TOML file, and the values and distributions of its factors as it writes them."""
 
 from collections.abc import Mapping
-from difflib import get_close_matches
+from dataclasses import replace
+from math import inf
 from pathlib import Path
 from typing import Any, cast
+
+import numpy as np
 
 from dcfp.analysis.integration import Integration
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import load_motions
 from dcfp.motion.treatment import treated
-from dcfp.schema.reading import read_toml
+from dcfp.schema.parameters import (
+    HIGH_PASS,
+    TIME_STEP,
+    Parameter,
+    build,
+    read_table,
+    read_values,
+    table_in,
+    unknown,
+)
+from dcfp.schema.reading import complaints_name, read_toml
+from dcfp.schema.units import NONE
 from dcfp.study.factors import OF_LAW, Value, factor
-from dcfp.study.sampling import LATIN_HYPERCUBE, Choice, Distribution, Sampling
+from dcfp.study.sampling import Choice, Distribution, Normal, Sampling, Uniform
 from dcfp.study.study import RECORD, Study
-from dcfp.study.values import distribution_from, values_from
 from dcfp.system import System, read_bearing
 
 BEARING = "bearing"
+_TITLE = Parameter("title of the study", key="title", kind=str)
 _TABLES = ("title", "bearing", "motion", "factors", "sampling", "analysis", "keep", "report")
-_MOTION_KEYS = ("component", "units", "time_step", "baseline", "high_pass")
-_ANALYSIS_KEYS = ("tail", "tolerance", "step")
-_SAMPLING_KEYS = ("method", "count", "seed", "factors")
-_KEEP_KEYS = ("histories",)
-#: What can be kept besides the peaks.
-HISTORIES = ("displacement", "velocity", "force", "friction", "temperature", "structure_acceleration")
+_MOTION = (
+    Parameter("component of a file that holds several", key="component", kind=str),
+    Parameter("unit of a plain file", key="units", kind=str),
+    TIME_STEP,
+    Parameter("whether a linear baseline in velocity is removed", key="baseline", kind=bool),
+    HIGH_PASS,
+)
 
 
 def read_study(path: str | Path) -> Study:
@@ -43,55 +58,35 @@ def read_study(path: str | Path) -> Study:
         If the file cannot be read, or anything in it cannot be used; the sentence begins with its name.
     """
     content = read_toml(path, "a study is a TOML file; dcfp study new FILE.toml writes one to start from")
-    place = Path(path)
-    try:
+    with complaints_name(path):
         # to make the plan finds what cannot be, here where the file is known
-        return _study(content, place).plan.study
-    except InputError as error:
-        text = str(error)
-        msg = text if text.startswith(str(path)) else f"{path}: {text}"
-        raise InputError(msg) from error
+        return _study(content, Path(path)).plan.study
 
 
 def _study(content: Mapping[str, Any], place: Path) -> Study:
-    _refuse_unknown(content, _TABLES, "a study file")
-    grid = _flat(_table(content, "factors"))
-    sampling = _table(content, "sampling")
-    _refuse_unknown(sampling, _SAMPLING_KEYS, "[sampling]")
-    sampled = _flat(_table(sampling, "factors", "sampling.factors"))
-    motions = _motions(grid, sampled, _table(content, "motion"), place.parent)
+    for key in content:
+        if key not in _TABLES:
+            raise InputError(unknown(key, _TABLES, "part of a study file"))
+    grid = _flat(table_in(content, "factors"))
+    sampling = table_in(content, "sampling")
+    sampled = _flat(table_in(sampling, "factors", shown="sampling.factors"))
+    motions = _motions(grid, sampled, table_in(content, "motion"), place.parent)
+    names = [motion.name for motion in motions]
     return Study(
         motions=motions,
-        factors={name: _grid_values(name, given, motions) for name, given in grid.items()},
-        sampling=_sampling(sampling, sampled, motions),
-        model=_model(_table(content, "bearing"), place),
+        factors={
+            name: names if name == RECORD else values_from(factor(name), given)
+            for name, given in grid.items()
+        },
+        sampling=_sampling(sampling, sampled, names),
+        model=_model(table_in(content, "bearing"), place),
         bearings=_bearings(grid, sampled, place.parent),
-        title=_title(content, place),
+        title=_TITLE.read(content.get("title", place.stem), "title"),
         name=place.stem,
-        settings=Integration.from_table(_table(content, "analysis"), "[analysis]"),
-        histories=_histories(_table(content, "keep")),
+        settings=Integration.from_table(table_in(content, "analysis"), "[analysis]"),
+        histories=_histories(table_in(content, "keep")),
         text=place.read_text(encoding="utf-8"),
     )
-
-
-# ----- tables -----
-
-
-def _table(content: Mapping[str, Any], key: str, shown: str = "") -> dict[str, Any]:
-    table = content.get(key, {})
-    if not isinstance(table, dict):
-        msg = f"{key!r} must be a table, written [{shown or key}]."
-        raise InputError(msg)
-    return dict(cast("dict[str, Any]", table))
-
-
-def _refuse_unknown(table: Mapping[str, Any], known: tuple[str, ...], where: str) -> None:
-    for key in table:
-        if key not in known:
-            near = get_close_matches(key, known, n=1)
-            meant = f"did you mean {near[0]!r}?" if near else f"it has {', '.join(known)}."
-            msg = f"{where} has no {key!r}; {meant}"
-            raise InputError(msg)
 
 
 def _flat(table: dict[str, Any]) -> dict[str, Any]:
@@ -107,34 +102,17 @@ def _flat(table: dict[str, Any]) -> dict[str, Any]:
     return found
 
 
-def _title(content: Mapping[str, Any], place: Path) -> str:
-    title = content.get("title", place.stem)
-    if not isinstance(title, str):
-        msg = f"the title must be words in quotes, not {title!r}."
-        raise InputError(msg)
-    return title
-
-
-# ----- ground motions -----
-
-
 def _motions(
-    grid: dict[str, Any], sampled: dict[str, Any], options: dict[str, Any], folder: Path
+    grid: dict[str, Any], sampled: dict[str, Any], table: dict[str, Any], folder: Path
 ) -> list[GroundMotion]:
-    _refuse_unknown(options, _MOTION_KEYS, "[motion]")
+    options = read_values(_MOTION, table, "[motion]", "parameter of a ground motion")
     given = grid.get(RECORD, sampled.get(RECORD))
     if given is None:
         msg = "there is no factor 'record'; name at least one, for example record = [\"NCC\"] in [factors]."
         raise InputError(msg)
     names = [_found_from(folder, str(name)) for name in values_from(factor(RECORD), given)]
-    motions = load_motions(
-        names,
-        _option(options, "component", str),
-        units=_option(options, "units", str),
-        time_step=_option(options, "time_step", float),
-    )
-    baseline, corner = _option(options, "baseline", bool), _option(options, "high_pass", float)
-    return [treated(motion, baseline=bool(baseline), corner=corner) for motion in motions]
+    baseline, corner = options.pop("baseline", False), options.pop("high_pass", None)
+    return [treated(motion, baseline=baseline, corner=corner) for motion in load_motions(names, **options)]
 
 
 def _found_from(folder: Path, name: str) -> str:
@@ -148,28 +126,6 @@ def _found_from(folder: Path, name: str) -> str:
     return f"{beside}{mark}{component}" if there else name
 
 
-def _option(table: dict[str, Any], key: str, kind: type) -> Any:
-    value = table.get(key)
-    if value is None:
-        return None
-    if kind is float and isinstance(value, int) and not isinstance(value, bool):
-        return float(value)
-    if not isinstance(value, kind):
-        words = {str: "words in quotes", float: "a number", bool: "true or false"}[kind]
-        msg = f"{key!r} must be {words}, not {value!r}."
-        raise InputError(msg)
-    return value
-
-
-# ----- factors -----
-
-
-def _grid_values(name: str, given: Any, motions: list[GroundMotion]) -> list[Value]:
-    if name == RECORD:
-        return [motion.name for motion in motions]
-    return values_from(factor(name), given)
-
-
 def _bearings(grid: dict[str, Any], sampled: dict[str, Any], folder: Path) -> dict[str, System]:
     """Read the files that the factor ``bearing`` names, each once."""
     given = grid.get(BEARING, sampled.get(BEARING))
@@ -177,22 +133,19 @@ def _bearings(grid: dict[str, Any], sampled: dict[str, Any], folder: Path) -> di
     return {str(name): read_bearing(folder / str(name)) for name in names}
 
 
-def _sampling(table: dict[str, Any], factors: dict[str, Any], motions: list[GroundMotion]) -> Sampling | None:
+def _sampling(table: dict[str, Any], factors: dict[str, Any], records: list[str]) -> Sampling | None:
     if not table:
         return None
-    found: dict[str, Distribution] = {}
-    for name, given in factors.items():
-        if name == RECORD:
-            found[name] = Choice(tuple(motion.name for motion in motions))
-        else:
-            found[name] = distribution_from(factor(name), given)
-    if "count" not in table:
+    found: dict[str, Distribution] = {
+        name: Choice(tuple(records)) if name == RECORD else distribution_from(factor(name), given)
+        for name, given in factors.items()
+    }
+    rest = {key: value for key, value in table.items() if key != "factors"}
+    values = read_table(Sampling, rest, "[sampling]", also=("factors",))
+    if "count" not in values:
         msg = "[sampling] needs a count, the number of samples."
         raise InputError(msg)
-    return Sampling(found, table["count"], str(table.get("method", LATIN_HYPERCUBE)), table.get("seed", 1))
-
-
-# ----- the rest -----
+    return build(Sampling, {"factors": found, **values}, "")
 
 
 def _model(table: dict[str, Any], place: Path) -> System:
@@ -206,13 +159,127 @@ def _model(table: dict[str, Any], place: Path) -> System:
 
 
 def _histories(table: dict[str, Any]) -> tuple[str, ...]:
-    _refuse_unknown(table, _KEEP_KEYS, "[keep]")
-    names = table.get("histories", [])
+    names = table.pop("histories", [])
+    if table:
+        raise InputError(unknown(next(iter(table)), ("histories",), "part of [keep]"))
     if not isinstance(names, list):
         msg = f'histories must be a list, for example ["displacement"], not {names!r}.'
         raise InputError(msg)
-    for name in cast("list[Any]", names):
-        if name not in HISTORIES:
-            msg = f"there is no history {name!r}; those that can be kept are {', '.join(HISTORIES)}."
-            raise InputError(msg)
-    return tuple(dict.fromkeys(cast("list[str]", names)))
+    one = Parameter("history", key="histories", kind=str)
+    return tuple(dict.fromkeys(one.read(name, "a name in histories") for name in cast("list[Any]", names)))
+
+
+# The values and the distribution of a factor: numbers, or texts that name another unit, in the units of the package.
+
+
+_DEVIATION = "standard_deviation"
+#: What each distribution needs.
+_DISTRIBUTIONS = {
+    "uniform": ("from", "to"),
+    "log-uniform": ("from", "to"),
+    "normal": ("mean", _DEVIATION),
+    "lognormal": ("median", "dispersion"),
+}
+#: What is no number of the factor itself.
+_KEYS = {
+    one.key: one
+    for one in (
+        Parameter("number of values", NONE, 1, 1_000_000, key="count", kind=int),
+        Parameter("spacing", choices=("linear", "log"), key="spacing", kind=str),
+        Parameter("unit of plain numbers", key="unit", kind=str),
+        Parameter("dispersion", NONE, 0.0, key="dispersion", above=True),
+        Parameter("distribution", choices=tuple(_DISTRIBUTIONS), key="distribution", kind=str),
+    )
+}
+
+
+def values_from(one: Parameter, given: Any) -> list[Value]:
+    """Return the values of a factor in the package's unit: from a value, a list, or a table with ``values`` or ``from``, ``to`` and ``count``.
+
+    Raises
+    ------
+    InputError
+        If there is none, or one that is not allowed.
+    """
+    unit: str | None = None
+    if isinstance(given, dict):
+        table = cast("dict[str, Any]", given)
+        if "values" not in table:
+            return _range(one, table)
+        rest = {key: value for key, value in table.items() if key != "values"}
+        unit = read_values((_KEYS["unit"],), rest, _label(one), "key beside values").get("unit")
+        given = table["values"]
+    listed = cast("list[Any]", given) if isinstance(given, list) else [given]
+    if unit is not None and not one.is_number:
+        msg = f"{_label(one)} takes words, which have no unit."
+        raise InputError(msg)
+    return [_rounded(one.read(value, _label(one), unit)) for value in listed]
+
+
+def _label(one: Parameter) -> str:
+    return f"factor {one.key!r}"
+
+
+def _rounded(value: Value) -> Value:
+    """Return a number with the digits that were meant: 0.07 m/s are 70 mm/s, not 70.00000000000001."""
+    return float(f"{value:.13g}") if isinstance(value, float) else value
+
+
+def distribution_from(one: Parameter, given: Any) -> Distribution:
+    """Return the distribution of a sampled factor in the package's unit: a list or ``values`` are a choice, ``from`` and ``to`` a range.
+
+    Raises
+    ------
+    InputError
+        As for `values_from`, and if the distribution is not known.
+    """
+    if not isinstance(given, dict) or "values" in given:
+        return Choice(tuple(values_from(one, given)))
+    table = cast("dict[str, Any]", given)
+    name = _KEYS["distribution"].read(
+        table.get("distribution", "uniform"), f"{_label(one)}: the distribution"
+    )
+    values = _of_table(one, table, _DISTRIBUTIONS[name], ("distribution", "unit"))
+    first, second = (values[key] for key in _DISTRIBUTIONS[name])
+    with complaints_name(_label(one)):
+        if name in ("uniform", "log-uniform"):
+            return Uniform(first, second, name == "log-uniform")
+        return Normal(first, second, name == "lognormal")
+
+
+def _range(one: Parameter, table: Mapping[str, Any]) -> list[Value]:
+    values = _of_table(one, table, ("from", "to", "count"), ("spacing", "unit"))
+    first, last, count = values["from"], values["to"], values["count"]
+    if values.get("spacing") != "log":
+        places = np.linspace(first, last, count)
+    elif first > 0.0 and last > 0.0:
+        places = np.geomspace(first, last, count)
+    else:
+        msg = f"{_label(one)}: a logarithmic range must be of positive numbers."
+        raise InputError(msg)
+    # 0.1 to 2.0 in 20 steps means 0.3, not 0.30000000000000004
+    return [float(f"{place:.12g}") for place in places.tolist()]
+
+
+def _of_table(
+    one: Parameter, table: Mapping[str, Any], needed: tuple[str, ...], further: tuple[str, ...]
+) -> dict[str, Any]:
+    """Return what stands in the table of a factor that takes numbers: what is `needed`, and what may be there besides."""
+    label = _label(one)
+    if not one.is_number:
+        msg = f"{label} takes words; give it a list of them."
+        raise InputError(msg)
+    missing = [key for key in needed if key not in table]
+    known = [_KEYS[key] for key in (*needed, *further) if key in _KEYS]
+    own = {key: replace(one, key=key, name=key) for key in needed if key not in _KEYS}
+    if _DEVIATION in own:
+        own[_DEVIATION] = replace(own[_DEVIATION], least=0.0, most=inf, above=True, difference=True)
+    rest = {key: value for key, value in table.items() if key not in own}
+    found = read_values(known, rest, label, "key of a range", also=needed)
+    if missing:
+        msg = f"{label} needs {missing[0]!r}; it has {', '.join((*needed, *further))}."
+        raise InputError(msg)
+    unit = found.get("unit")
+    return found | {
+        key: _rounded(item.read(table[key], f"{label}: {key}", unit)) for key, item in own.items()
+    }

@@ -4,17 +4,17 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib import import_module
-from typing import Any, TypeAlias
+from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
+from dcfp.schema.parameters import Declared, Parameter, declared
+from dcfp.schema.units import NONE
 from dcfp.study.factors import Value
 
 LATIN_HYPERCUBE, SOBOL, SALTELLI = "latin-hypercube", "sobol", "saltelli"
-#: Samples that a design may have.
-MOST_SAMPLES = 1_000_000
 DESIGNS = (LATIN_HYPERCUBE, SOBOL, SALTELLI)
 
 
@@ -87,8 +87,8 @@ class Choice:
 Distribution: TypeAlias = Uniform | Normal | Choice
 
 
-@dataclass(frozen=True)
-class Sampling:
+@declared
+class Sampling(Declared):
     """A design over several factors, which vary together along the dimension ``sample``.
 
     Parameters
@@ -109,24 +109,18 @@ class Sampling:
         If the method is not known or the count cannot be.
     """
 
-    factors: Mapping[str, Distribution]
-    count: int
-    method: str = LATIN_HYPERCUBE
-    seed: int = 1
+    noun = "a sampling"
 
-    def __post_init__(self) -> None:
-        if self.method not in DESIGNS:
-            msg = f"the sampling method must be one of {', '.join(DESIGNS)}, not {self.method!r}."
-            raise InputError(msg)
-        if type(self.count) is not int or not 1 <= self.count <= MOST_SAMPLES:
-            msg = f"the number of samples must be a positive whole number up to {MOST_SAMPLES}, not {str(self.count)[:60]}."
-            raise InputError(msg)
+    factors: Mapping[str, Distribution]
+    count: Annotated[int, Parameter("number of samples", NONE, 1, 1_000_000)]
+    method: Annotated[str, Parameter("method", choices=DESIGNS)] = LATIN_HYPERCUBE
+    seed: Annotated[int, Parameter("seed of the random numbers", NONE, 0)] = 1
+
+    def check_relations(self) -> None:
+        """Refuse a number of samples that the method does not have, and a design of no factor."""
         if self.method != LATIN_HYPERCUBE and self.count & (self.count - 1):
             near = 1 << (self.count.bit_length() - 1)
             msg = f"{self.method} needs a power of two samples, for example {near} or {2 * near}, not {self.count}."
-            raise InputError(msg)
-        if type(self.seed) is not int or self.seed < 0:
-            msg = f"the seed must be zero or a positive whole number, not {self.seed!r}."
             raise InputError(msg)
         if not self.factors:
             msg = "nothing is sampled; give at least one factor."

@@ -1,11 +1,11 @@
 """A scenario, one bearing under some ground motions: what is to be calculated and for whom, its file, and all that is calculated of it."""
 
 from collections.abc import Callable
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import dataclass, field
 from datetime import date
 from functools import cached_property
 from pathlib import Path
-from typing import Any, cast
+from typing import Annotated, Any
 
 import tomli_w
 
@@ -17,7 +17,8 @@ from dcfp.inference import Case, compare
 from dcfp.methods.prediction import Methods, Nominal, nominal_coefficient
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.notebook import card, told
-from dcfp.schema.reading import read_toml
+from dcfp.schema.parameters import PGV, Declared, Parameter, declared, table_in
+from dcfp.schema.reading import complaints_name, read_toml
 from dcfp.study import Study, read_study
 from dcfp.system import System
 
@@ -25,8 +26,8 @@ from dcfp.system import System
 MOST_ANALYSES = 40
 
 
-@dataclass(frozen=True)
-class Heading:
+@declared
+class Heading(Declared):
     """What stands at the top of a report; all of it may be empty.
 
     Attributes
@@ -41,13 +42,15 @@ class Heading:
         Anything else.
     """
 
-    project: str = ""
-    client: str = ""
-    author: str = ""
-    checker: str = ""
-    number: str = ""
-    date: str = ""
-    notes: str = ""
+    noun = "a report"
+
+    project: Annotated[str, Parameter("project")] = ""
+    client: Annotated[str, Parameter("client")] = ""
+    author: Annotated[str, Parameter("who has calculated it")] = ""
+    checker: Annotated[str, Parameter("who has checked it")] = ""
+    number: Annotated[str, Parameter("report number")] = ""
+    date: Annotated[str, Parameter("date")] = ""
+    notes: Annotated[str, Parameter("notes")] = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,9 +124,6 @@ class Scenario:
 # From a TOML file: a study file of one bearing, with a heading.
 
 
-_KEYS = tuple(item.name for item in fields(Heading))
-
-
 def read_scenario(path: str | Path) -> Scenario:
     """Read a scenario file.
 
@@ -139,42 +139,14 @@ def read_scenario(path: str | Path) -> Scenario:
         If the file cannot be read, or anything in it cannot be used; the sentence begins with its name.
     """
     study = read_study(path)
-    try:
-        table = read_toml(path, "a scenario is a TOML file").get("report", {})
-        return Scenario(study, _heading(table))
-    except InputError as error:
-        text = str(error)
-        msg = text if text.startswith(str(path)) else f"{path}: {text}"
-        raise InputError(msg) from error
-
-
-def _heading(table: Any) -> Heading:
-    if not isinstance(table, dict):
-        msg = "'report' must be a table, written [report]."
-        raise InputError(msg)
-    words: dict[str, str] = {}
-    for key, value in cast("dict[str, Any]", table).items():
-        if key not in _KEYS:
-            msg = f"[report] has no {key!r}; it has {', '.join(_KEYS)}."
-            raise InputError(msg)
-        words[key] = _words(key, value)
-    return Heading(**words)
-
-
-def _words(key: str, value: Any) -> str:
-    """Return a value of the heading; a date of TOML stands for its own text."""
-    if key == "date" and isinstance(value, date):
-        return value.isoformat()
-    if not isinstance(value, str):
-        msg = f"[report] {key} must be words in quotes, not {value}."
-        raise InputError(msg)
-    return value
+    with complaints_name(path):
+        table = table_in(read_toml(path, "a scenario is a TOML file"), "report")
+        if isinstance(table.get("date"), date):  # one of TOML stands for its own text
+            table["date"] = table["date"].isoformat()
+        return Scenario(study, Heading.from_table(table, "[report]"))
 
 
 # As the text of a file that reads back as the same scenario.
-
-
-_KILO = 1000.0
 
 
 def scenario_toml(
@@ -205,13 +177,12 @@ def scenario_toml(
     """
     content: dict[str, Any] = {"title": title, "factors": {"record": records}}
     if pgvs is not None:
-        content["factors"]["pgv"] = {"values": [pgv / _KILO for pgv in pgvs], "unit": "m/s"}
+        content["factors"]["pgv"] = {"values": [PGV.written(pgv) for pgv in pgvs], "unit": PGV.unit.text}
     if motion:
         content["motion"] = motion
     content["bearing"] = model.to_table()
-    words = {} if heading is None else {key: value for key, value in asdict(heading).items() if value}
-    if words:
-        content["report"] = words
+    if heading is not None and heading.to_table():
+        content["report"] = heading.to_table()
     return tomli_w.dumps(content)
 
 

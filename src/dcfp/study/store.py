@@ -316,5 +316,5 @@ def _array(name: str, values: list[Any]) -> "np.ndarray[Any, Any]":
 
 def _attributes(name: str) -> dict[str, str]:
     one = factor(name)
-    attributes = {"long_name": one.parameter.words}
-    return {**attributes, "units": one.parameter.unit.inner_unit.udunits} if one.is_number else attributes
+    attributes = {"long_name": one.words}
+    return {**attributes, "units": one.unit.inner_unit.udunits} if one.is_number else attributes

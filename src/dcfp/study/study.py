@@ -1,21 +1,23 @@
 """A study: which analyses, and what of each is kept."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from dcfp.analysis.integration import DEFAULT, Integration
+from dcfp.analysis.response import HISTORIES
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import refuse_a_drift
 from dcfp.schema.notebook import card
-from dcfp.study.factors import Factor, Value, factor
+from dcfp.schema.parameters import Parameter, unknown
+from dcfp.study.factors import Value, factor
 from dcfp.study.procedures import ANALYSIS, procedures
 from dcfp.study.results import INTENSITIES
-from dcfp.study.sampling import Choice, Distribution, Normal, Sampling, Uniform
+from dcfp.study.sampling import Choice, Distribution, Sampling, Uniform
 from dcfp.system import System
 
 if TYPE_CHECKING:
@@ -78,26 +80,33 @@ class Study:
         if self.sampling is not None:
             sampled |= self.sampling.factors
         grid = given if RECORD in given or RECORD in sampled else {RECORD: names, **given}
-        object.__setattr__(self, "factors", {name: _plain(values) for name, values in grid.items()})
         both = sorted(set(grid) & set(sampled))
         if both:
             msg = f"factor {both[0]!r} is both in the grid and sampled; give it once."
             raise InputError(msg)
-        for name, values in self.factors.items():
-            _check(factor(name), values, self._choices(name))
-        for name, distribution in sampled.items():
-            _check_distribution(factor(name), distribution, self._choices(name))
+        known = {name: self._factor(name) for name in (*grid, *sampled)}
+        checked = {name: _checked(known[name], _plain(values)) for name, values in grid.items()}
+        object.__setattr__(self, "factors", checked)
+        if self.sampling is not None:
+            drawn = {name: _checked_distribution(known[name], one) for name, one in sampled.items()}
+            object.__setattr__(self, "sampling", replace(self.sampling, factors=drawn))
+        for name in self.histories:
+            if name not in HISTORIES:
+                raise InputError(unknown(name, HISTORIES, "history"))
         _refuse_without_effect(self)
         if self.intensity in ("pgv", "pga"):
             for motion in self.motions:
                 _check_scalable(motion)
 
-    def _choices(self, name: str) -> tuple[str, ...] | None:
-        """Return the words that a factor may have, where they are known."""
-        if name == RECORD:
-            return tuple(motion.name for motion in self.motions)
-        known = {"procedure": procedures(), "bearing": tuple(self.bearings)}
-        return known.get(name) or factor(name).parameter.choices or None
+    def _factor(self, name: str) -> Parameter:
+        """Return a factor with the words that it may have here."""
+        choices = {
+            RECORD: tuple(motion.name for motion in self.motions),
+            "procedure": procedures(),
+            "bearing": tuple(self.bearings),
+        }
+        one = factor(name)
+        return replace(one, choices=choices.get(name, one.choices))
 
     def values_of(self, name: str) -> list[Value] | None:
         """Return the values that a factor can have: of the grid, or of a choice that is sampled; None where it is not varied or has a range."""
@@ -186,44 +195,35 @@ def _check_scalable(motion: GroundMotion) -> None:
         raise InputError(msg)
 
 
-def _check(one: Factor, values: Sequence[Value], choices: tuple[str, ...] | None) -> None:
+def _checked(one: Parameter, values: Sequence[Value]) -> list[Value]:
+    """Return the values of a factor, words as they are declared."""
     if len(values) == 0:
-        msg = f"factor {one.name!r} has no value; give it at least one."
+        msg = f"factor {one.key!r} has no value; give it at least one."
         raise InputError(msg)
-    for value in values:
-        if one.is_number:
-            _check_number(one, value)
-        elif not isinstance(value, str):
-            msg = f"factor {one.name!r} takes words, not {value!r}."
-            raise InputError(msg)
-        elif choices is not None and value not in choices:
-            msg = f"factor {one.name!r} cannot be {value!r}; the choices are {', '.join(choices) or 'none'}."
-            raise InputError(msg)
-    if len(set(values)) != len(values):
-        twice = next(value for value in values if list(values).count(value) > 1)
-        shown = repr(twice) if isinstance(twice, str) else one.parameter.text(twice)
-        msg = f"factor {one.name!r} has the value {shown} twice; give it once."
+    allowed = [_allowed(one, value) for value in values]
+    found = list(values) if one.is_number else allowed  # a number keeps its last digit
+    if len(set(found)) != len(found):
+        twice = next(value for value in found if found.count(value) > 1)
+        shown = repr(twice) if isinstance(twice, str) else one.text(twice)
+        msg = f"factor {one.key!r} has the value {shown} twice; give it once."
         raise InputError(msg)
+    return found
 
 
-def _check_distribution(one: Factor, distribution: Distribution, choices: tuple[str, ...] | None) -> None:
+def _allowed(one: Parameter, value: Any) -> Any:
+    """Return a value of a factor if it is allowed; a complaint has it in the declared unit."""
+    is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    return one.checked(one.unit.shown(value) if is_number else value, f"factor {one.key!r}", one.unit)
+
+
+def _checked_distribution(one: Parameter, distribution: Distribution) -> Distribution:
     if isinstance(distribution, Choice):
-        _check(one, distribution.values, choices)
-    elif not one.is_number:
-        msg = f"factor {one.name!r} takes words; sample it from a list of values."
+        return Choice(tuple(_checked(one, distribution.values)))
+    if not one.is_number:
+        msg = f"factor {one.key!r} takes words; sample it from a list of values."
         raise InputError(msg)
-    else:
-        _check_ends(one, distribution)
-
-
-def _check_number(one: Factor, value: Any) -> None:
-    unit = one.parameter.unit
-    shown = unit.shown(value) if isinstance(value, (int, float)) else value
-    one.parameter.checked(shown, f"factor {one.name!r}", unit)
-
-
-def _check_ends(one: Factor, distribution: Uniform | Normal) -> None:
-    """Check what a sample will hardly ever leave: the whole range, or four standard deviations."""
+    # what a sample will hardly ever leave: the whole range, or four standard deviations
     ends = np.array([0.0, 1.0]) if isinstance(distribution, Uniform) else np.array([3.2e-5, 1.0 - 3.2e-5])
     for value in distribution.at(ends).tolist():
-        _check_number(one, value)
+        _allowed(one, value)
+    return distribution

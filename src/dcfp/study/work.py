@@ -60,7 +60,7 @@ def _histories(plan: Plan, block: Block, cases: Cases) -> Results:
         samples = response.motion.acceleration.size
         every = round(response.motion.time_step / (response.time[1] - response.time[0]))
         for name in names:
-            history = getattr(response, name)[::every][:samples]
+            history = response.history(name)[::every][:samples]
             found[f"history_{name}"][lane, : history.size] = history
     return {name: values.reshape((*block.shape, -1)) for name, values in found.items()}
 

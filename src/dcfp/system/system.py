@@ -4,11 +4,20 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
-from typing import Any, TypeAlias, TypeVar, cast
+from typing import Any, TypeAlias, TypeVar
 
 from dcfp.errors import InputError
 from dcfp.schema.notebook import fields_card
-from dcfp.schema.parameters import Parameter, build, described, parameters, read_table, refuse_other, unknown
+from dcfp.schema.parameters import (
+    Parameter,
+    build,
+    described,
+    parameters,
+    read_table,
+    refuse_other,
+    table_in,
+    unknown,
+)
 from dcfp.schema.reading import read_toml
 from dcfp.schema.units import NONE
 from dcfp.system.bearing import LI_2020, Bearing
@@ -92,7 +101,7 @@ class System:
         InputError
             If there is an unknown key or a value out of range.
         """
-        tables = {key: _table(content, key, where) for key in ("friction", "heating")}
+        tables = {key: table_in(content, key, where) for key in ("friction", "heating")}
         rest = {key: value for key, value in content.items() if key not in tables}
         values = read_table(Bearing, rest, where, also=("friction", "heating"))
         law = friction_law(
@@ -252,14 +261,6 @@ def friction_law(name: object, table: Mapping[str, Any] | None = None, where: st
 def heating_model(name: object, values: Mapping[str, Any] | None = None) -> Heating:
     """Return a heating model by name, with values by the names of its fields, in the package's units; raises as `friction_law`."""
     return HEATINGS.find(name)(**(values or {}))
-
-
-def _table(content: Mapping[str, Any], key: str, where: str) -> dict[str, Any]:
-    table = content.get(key, {})
-    if not isinstance(table, Mapping):
-        msg = f"{where}: {key!r} must be a table, written [{key}]."
-        raise InputError(msg)
-    return dict(cast("Mapping[str, Any]", table))
 
 
 def _with_parameter(part: Part, key: str, value: Any) -> Part:

@@ -59,7 +59,7 @@ def test_json_holds_the_numbers_and_writes_a_file_only_where_one_is_named(
         (("{study}",), "a scenario has one bearing, but factor 'mu' has 2 values"),
         (("{broken}",), "this is not TOML"),
         (("{unknown}",), "[report] has no 'colour'"),
-        (("{number}",), "[report] author must be words in quotes, not 5"),
+        (("{number}",), "[report]: author: who has calculated it must be a text, not 5"),
         (("{silent}",), "there is no factor 'record'"),
     ],
 )

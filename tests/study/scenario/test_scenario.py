@@ -83,9 +83,9 @@ def test_a_date_of_toml_is_its_own_text(tmp_path) -> None:
         (TEXT + "[sampling]\ncount = 2\n[sampling.factors]\nmu = [0.05]\n", "a scenario has one bearing, but there is a [sampling]"),
         (TEXT.replace("[bearing]", 'procedure = ["analysis"]\n[bearing]'), "leave out the factor 'procedure'"),
         (TEXT.replace("values = [0.25, 0.5]", "from = 0.1, to = 1, count = 21"), "at most 40 analyses, not 42"),
-        (TEXT + 'colour = "red"\n', "[report] has no 'colour'; it has project, client"),
-        (TEXT.replace('"A. Engineer"', "5"), "[report] author must be words in quotes, not 5."),
-        (TEXT.replace('"A. Engineer"', "2026-01-31"), "[report] author must be words in quotes, not 2026-01-31."),
+        (TEXT + 'colour = "red"\n', "[report]: there is no parameter of a report 'colour'; the choices are project, client"),
+        (TEXT.replace('"A. Engineer"', "5"), "[report]: author: who has calculated it must be a text, not 5."),
+        (TEXT.replace('"A. Engineer"', "2026-01-31"), "[report]: author: who has calculated it must be a text, not datetime.date(2026, 1, 31)."),
         ("report = 3\n" + TEXT.split("[report]")[0], "'report' must be a table"),
     ],
 )  # fmt: skip

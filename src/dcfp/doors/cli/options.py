@@ -3,11 +3,8 @@
 from dataclasses import replace
 
 from dcfp.doors.cli.parser import Parser, add_declared, add_parameter, add_switch
-from dcfp.schema.parameters import PGV, Parameter
-from dcfp.schema.units import HERTZ, SECOND
+from dcfp.schema.parameters import HIGH_PASS, PGV, TIME_STEP, Parameter
 
-TIME_STEP = Parameter("time step of a plain file with one column", SECOND, 0.0, key="time_step", above=True)
-HIGH_PASS = Parameter("corner of a zero-phase Butterworth high-pass filter", HERTZ, 0.0, key="high_pass", above=True)  # fmt: skip
 PGVS = replace(
     PGV,
     words="scale each record to these peak ground velocities",
