@@ -136,6 +136,17 @@ def test_studies(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     peaks = [float(row["peak_displacement [mm]"]) for row in rows]
     assert len(peaks) == 2
     assert peaks[0] > peaks[1]
+    assert [float(row["toy_speed [mm s-1]"]) for row in rows] == [
+        pytest.approx(0.5 * float(row["peak_velocity [mm s-1]"])) for row in rows
+    ]
+    with xr.open_zarr(tmp_path / "toy.zarr", consolidated=False) as data:
+        assert data["toy_speed"].attrs == {"long_name": "half of the largest relative velocity", "units": "mm s-1", "symbol": "v_{toy}"}  # fmt: skip
+        assert data["friction.halving_speed"].attrs == {"long_name": WORDS, "units": "mm s-1"}
+    assert "toy_speed" in answer(capsys, "study", "show", tmp_path / "toy.zarr")
+    ida = ("study", "ida", tmp_path / "toy.zarr", "--quantity", "toy_speed", "--at")
+    told = json.loads(answer(capsys, *ida, "friction.halving_speed=400", "--json"))
+    assert told["at"] == {"friction.halving_speed_mm_s": 400.0}
+    assert told["results"][0]["records"]["NCC"] == pytest.approx(float(rows[0]["toy_speed [mm s-1]"]))
 
 
 def test_the_page() -> None:

@@ -37,7 +37,7 @@ def test_another_version_does_not_go_on(study: Study, tmp_path: Path, content, m
     place = tmp_path / "s.zarr"
     run_study(study, place)
     before = content(place)
-    monkeypatch.setattr("dcfp.study.provenance.source_digest", lambda: "of other kernels")
+    monkeypatch.setattr("dcfp.study.store.source_digest", lambda: "of other kernels")
     with pytest.raises(InputError, match=r"this store is made by another version \(dcfp "):
         run_study(study, place, resume=True)
     assert content(place) == before

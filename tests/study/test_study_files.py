@@ -201,7 +201,7 @@ def test_parameters_of_the_law(tmp_path) -> None:
         ("title = 3\n" + RECORD, "title must be a text, not 3"),
         (RECORD + "mu = [", "this is not TOML"),
         (RECORD + 'law = [["li2020"]]', "lomiento2013, not ['li2020']"),
-        (RECORD + 'procedure = [["analysis"]]', "factor 'procedure' must be a text, not ['analysis']"),
+        (RECORD + 'procedure = [["analysis"]]', "iwan, not ['analysis']"),
         (RECORD + 'pgv = { values = [5], unit = "(" }', "'(' is not a unit"),
         (RECORD + 'pgv = { values = [5], unit = "m/0" }', "'m/0' is not a unit"),
         (RECORD + 'pgv = { values = [5], unit = "9**9**9" }', "'9**9**9' is not a unit"),

@@ -1,7 +1,7 @@
 """Text and TOML from files, with one sentence for whatever may be wrong with them."""
 
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -51,7 +51,7 @@ def read_toml(path: str | Path, what: str) -> dict[str, Any]:
 
 
 @contextmanager
-def complaints_name(path: str | Path) -> Iterator[None]:
+def complaints_name(path: str | Path) -> Generator[None]:
     """Let every complaint within begin with the name of a file."""
     try:
         yield

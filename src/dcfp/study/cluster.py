@@ -2,7 +2,8 @@
 
 import logging
 import zlib
-from collections.abc import Generator, Iterator
+from collections.abc import Generator
+from concurrent.futures import CancelledError
 from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
@@ -11,13 +12,11 @@ from typing import Any
 import xarray
 
 from dcfp.errors import AnalysisError, InputError
-from dcfp.kernels._jit import source_digest
-from dcfp.study.plan import Block, Plan
-from dcfp.study.run import Report, missing_blocks
-from dcfp.study.store import StudyStore, store_on_disk
+from dcfp.study.plan import Plan
+from dcfp.study.results import kept_peaks
+from dcfp.study.run import Report, missing_blocks, run_blocks
+from dcfp.study.store import makers, store_on_disk
 from dcfp.study.study import Study
-from dcfp.study.work import Results, work_off
-from dcfp.version import version
 
 #: Blocks that wait for each worker, besides the one at work.
 _WAITING = 2
@@ -66,7 +65,11 @@ def run_on_cluster(
         if missing:
             with _told_in_a_sentence(distributed), _client(distributed, address, processes) as client:
                 _check_versions(client)
-                _run(distributed, client, store, iter(missing), report)
+                packed = zlib.compress(cloudpickle().dumps(study))
+                # a task, not data on a worker: should that worker die, another one unpacks it again
+                unpacked = client.submit(unpack, packed, pure=False)
+                most = max(1, len(client.ncores())) * (1 + _WAITING)
+                run_blocks(store, missing, client.get_executor(pure=False), unpacked, most, report)
         return store.dataset()
 
 
@@ -135,8 +138,8 @@ def _check_versions(client: Any) -> None:
             raise InputError(msg)
 
 
-def _identity() -> tuple[str, str]:
-    return version(), source_digest()
+def _identity() -> dict[str, Any]:
+    return {**makers(), "kept": kept_peaks()}
 
 
 @contextmanager
@@ -150,38 +153,9 @@ def _told_in_a_sentence(distributed: Any) -> Generator[None]:
             " go on from it (resume)."
         )
         raise AnalysisError(msg) from error
-    except (distributed.CancelledError, OSError, TimeoutError) as error:
+    except (CancelledError, distributed.CancelledError, OSError, TimeoutError) as error:
         msg = "the cluster is lost; what is written stays; go on from it (resume)."
         raise AnalysisError(msg) from error
-
-
-def _run(
-    distributed: Any, client: Any, store: StudyStore, left: Iterator[Block], report: Report | None
-) -> None:
-    packed = zlib.compress(cloudpickle().dumps(store.plan.study))
-    # a task, not data on a worker: should that worker die, another one unpacks it again
-    plan = client.submit(unpack, packed, pure=False)
-    pending: dict[Any, Block] = {}
-    while _fill(client, plan, pending, left):
-        distributed.wait(list(pending), return_when="FIRST_COMPLETED")
-        for one in [future for future in pending if future.status != "pending"]:
-            block = pending[one]
-            results: Results = one.result()
-            del pending[one]
-            store.write(block, results)
-            if report is not None:
-                report(block.size, store.plan.cost(block))
-
-
-def _fill(client: Any, plan: Any, pending: dict[Any, Block], left: Iterator[Block]) -> bool:
-    """Give the workers as much as they may have waiting; return whether anything is under way."""
-    most = max(1, len(client.ncores())) * (1 + _WAITING)
-    while len(pending) < most:
-        block = next(left, None)
-        if block is None:
-            break
-        pending[client.submit(work_off, plan, block, pure=False)] = block
-    return bool(pending)
 
 
 def cloudpickle() -> Any:

@@ -5,6 +5,7 @@ from dataclasses import replace
 from typing import TypeAlias
 
 from dcfp.errors import InputError
+from dcfp.methods import METHODS
 from dcfp.schema.parameters import PGV, Parameter, unknown
 from dcfp.schema.units import M_PER_S2, NONE
 from dcfp.system import System, system_parameters
@@ -21,6 +22,8 @@ OF_MOTION = {
 }
 _BEARING = Parameter("bearing file", key="bearing", kind=str)
 _PROCEDURE = Parameter("response history analysis, or a method of prediction", key="procedure", kind=str)
+#: The procedure that is the analysis itself; the others are the methods of prediction.
+ANALYSIS = "analysis"
 
 
 def catalogue() -> dict[str, Parameter]:
@@ -30,7 +33,8 @@ def catalogue() -> dict[str, Parameter]:
         for key, one in system_parameters().items()
         if one.vary
     }
-    return {**OF_MOTION, "bearing": _BEARING, **of_system, "procedure": _PROCEDURE}
+    procedure = replace(_PROCEDURE, choices=(ANALYSIS, *METHODS))
+    return {**OF_MOTION, "bearing": _BEARING, **of_system, "procedure": procedure}
 
 
 def factor(name: str) -> Parameter:

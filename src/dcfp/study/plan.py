@@ -12,8 +12,7 @@ import numpy as np
 from dcfp.analysis.batch import GroundSet, Lanes
 from dcfp.arrays import FloatArray, IntArray
 from dcfp.errors import InputError
-from dcfp.study.factors import Value, changed, factor, is_of_system
-from dcfp.study.procedures import ANALYSIS
+from dcfp.study.factors import ANALYSIS, Value, changed, factor, is_of_system
 from dcfp.study.study import RECORD, SAMPLE, Study
 from dcfp.system import System
 
@@ -144,11 +143,6 @@ class Plan:
         """Samples of the longest ground motion."""
         return max(motion.acceleration.size for motion in self.study.motions)
 
-    @cached_property
-    def names(self) -> list[str]:
-        """Names of the ground motions."""
-        return [motion.name for motion in self.study.motions]
-
     def cost(self, block: Block) -> float:
         """Return about how long a block takes, in samples of the ground motion."""
         cases = self._numbers(block)
@@ -170,7 +164,8 @@ class Plan:
             name: axis + part.start for name, axis, part in zip(self.sizes, inside, block.region, strict=True)
         }
         none = np.zeros(inside.shape[1], dtype=np.intp)
-        for name, known in ((RECORD, self.names), ("procedure", self.procedures)):
+        names = [motion.name for motion in self.study.motions]
+        for name, known in ((RECORD, names), ("procedure", self.procedures)):
             if name in self.samples:
                 places = {word: place for place, word in enumerate(known)}
                 drawn = np.array([places[word] for word in self.samples[name].tolist()], dtype=np.intp)
@@ -208,9 +203,7 @@ class Plan:
     @cached_property
     def _model_dimensions(self) -> list[str]:
         """Dimensions along which the model changes."""
-        found = [name for name in self.study.factors if is_of_system(name)]
-        sampled = any(is_of_system(name) for name in self.samples)
-        return [*found, SAMPLE] if sampled else found
+        return list(dict.fromkeys(SAMPLE if name in self.samples else name for name in self._model_factors))
 
     @cached_property
     def _model_factors(self) -> list[str]:
@@ -222,13 +215,9 @@ class Plan:
         names = self._model_dimensions
         if not names:
             return [{}], np.zeros(numbers[RECORD].size, dtype=np.intp)
-        flat = np.ravel_multi_index(
-            tuple(numbers[name] for name in names), tuple(self.sizes[name] for name in names)
-        )
-        unique, which = np.unique(flat, return_inverse=True)
-        places = np.unravel_index(unique, tuple(self.sizes[name] for name in names))
-        keys = [dict(zip(names, key, strict=True)) for key in zip(*(p.tolist() for p in places), strict=True)]
-        return keys, which.astype(np.intp)
+        unique, which = np.unique(np.stack([numbers[name] for name in names]), axis=1, return_inverse=True)
+        keys = [dict(zip(names, key, strict=True)) for key in unique.T.tolist()]
+        return keys, which.ravel().astype(np.intp)
 
     def _model(self, key: dict[str, int]) -> System:
         values = {name: self._value(name, key) for name in self._model_factors}
@@ -239,6 +228,10 @@ class Plan:
             value: Value = self.samples[name][key[SAMPLE]].item()
             return value
         return self.study.factors[name][key[name]]
+
+    def _text(self, name: str, key: dict[str, int]) -> str:
+        value = self._value(name, key)
+        return value if isinstance(value, str) else f"{value:g}"
 
     def models_at_ends(self) -> list[System]:
         """Return every model, or of many those at the ends of every factor.
@@ -262,7 +255,7 @@ class Plan:
                 model = self._model(key)
                 model.friction.at_pressure(model.bearing.pressure)
             except InputError as error:
-                values = [f"{name} = {_shown(self._value(name, key))}" for name in self._model_factors]
+                values = [f"{name} = {self._text(name, key)}" for name in self._model_factors]
                 words = str(error)
                 msg = f"{', '.join(values)}: {words[:1].lower()}{words[1:]}"
                 raise InputError(msg) from error
@@ -282,7 +275,3 @@ class Plan:
 
 def _is_number(name: str) -> bool:
     return name == SAMPLE or factor(name).is_number
-
-
-def _shown(value: Value) -> str:
-    return value if isinstance(value, str) else f"{value:g}"

@@ -249,14 +249,12 @@ def distribution_from(one: Parameter, given: Any) -> Distribution:
 
 def _range(one: Parameter, table: Mapping[str, Any]) -> list[Value]:
     values = _of_table(one, table, ("from", "to", "count"), ("spacing", "unit"))
-    first, last, count = values["from"], values["to"], values["count"]
-    if values.get("spacing") != "log":
-        places = np.linspace(first, last, count)
-    elif first > 0.0 and last > 0.0:
-        places = np.geomspace(first, last, count)
-    else:
+    first, last, count = float(values["from"]), float(values["to"]), int(values["count"])
+    logarithmic = values.get("spacing") == "log"
+    if logarithmic and not (first > 0.0 and last > 0.0):
         msg = f"{_label(one)}: a logarithmic range must be of positive numbers."
         raise InputError(msg)
+    places = np.geomspace(first, last, count) if logarithmic else np.linspace(first, last, count)
     # 0.1 to 2.0 in 20 steps means 0.3, not 0.30000000000000004
     return [float(f"{place:.12g}") for place in places.tolist()]
 

@@ -6,13 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 import xarray
 
+from dcfp.analysis.response import PEAKS
 from dcfp.errors import InputError
 
 if TYPE_CHECKING:
     from zarr.abc.store import Store
 
-#: What is kept of each analysis: names in the nomenclature, in the order of the results.
-QUANTITIES = (
+#: What a batch gives of each analysis: names in the nomenclature, in the order of the results.
+OF_BATCH = (
     "peak_displacement",
     "peak_change",
     "peak_velocity",
@@ -31,6 +32,20 @@ MEANINGS = ("not_run", "ok", "beyond_capacity", "still_moving", "failed")
 INTENSITIES = ("pgv", "pga", "scale")
 #: Attribute by which a store knows its study.
 DIGEST = "study_sha256"
+
+
+def added_peaks() -> tuple[str, ...]:
+    """Return the names of the numbers that were added to what people read of an analysis, besides those that a batch gives itself."""
+    return tuple(
+        name
+        for name, one in PEAKS.items()
+        if one.is_number and one.printed and name not in OF_BATCH and one.title not in INTENSITIES
+    )
+
+
+def kept_peaks() -> tuple[str, ...]:
+    """Return the names of what is kept of each analysis besides its status, in the order of the results."""
+    return (*OF_BATCH, *added_peaks())
 
 
 def open_store(path: str | Path) -> xarray.Dataset:
@@ -59,7 +74,7 @@ def open_store(path: str | Path) -> xarray.Dataset:
 def results_in(store: "Store | Path") -> xarray.Dataset:
     """Return what stands in a store, in the order of the quantities: Zarr lists what it finds in the order of the file system."""
     found = xarray.open_zarr(store, consolidated=False, chunks=None)
-    order = [name for name in (*QUANTITIES, STATUS) if name in found]
+    order = [name for name in (*kept_peaks(), STATUS) if name in found]
     return found[[*order, *sorted(str(name) for name in found.data_vars if name not in order)]]
 
 

@@ -1,15 +1,16 @@
 """Runs a study on this machine: blocks on threads, each written as soon as it is done."""
 
-from collections.abc import Callable, Generator, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
+from itertools import islice
 from pathlib import Path
+from typing import Any
 
 import xarray
 
 from dcfp.analysis.batch import available_threads
 from dcfp.errors import InputError
-from dcfp.study.plan import Block, Plan
+from dcfp.study.plan import Block
 from dcfp.study.store import StudyStore, store_in_memory, store_on_disk
 from dcfp.study.study import Study
 from dcfp.study.work import Results, work_off
@@ -58,12 +59,19 @@ def run_study(
     """
     plan = study.plan
     if place is None:
-        store = store_in_memory(plan)
-        run_blocks(store, missing_blocks(store, report), threads, report)
-        return store.dataset()
+        return _run(store_in_memory(plan), threads, report)
     with store_on_disk(plan, Path(place), resume=resume, overwrite=overwrite) as store:
-        run_blocks(store, missing_blocks(store, report), threads, report)
-        return store.dataset()
+        return _run(store, threads, report)
+
+
+def _run(store: StudyStore, threads: int | None, report: Report | None) -> xarray.Dataset:
+    count = available_threads() if threads is None else threads
+    if count < 1:
+        msg = f"The number of threads must be a positive whole number, not {threads!r}."
+        raise InputError(msg)
+    with ThreadPoolExecutor(count) as pool:
+        run_blocks(store, missing_blocks(store, report), pool, store.plan, count + _WAITING, report)
+    return store.dataset()
 
 
 def missing_blocks(store: StudyStore, report: Report | None = None) -> list[Block]:
@@ -80,66 +88,54 @@ def missing_blocks(store: StudyStore, report: Report | None = None) -> list[Bloc
 
 
 def run_blocks(
-    store: StudyStore, blocks: Iterable[Block], threads: int | None, report: Report | None
+    store: StudyStore,
+    blocks: Iterable[Block],
+    pool: Executor,
+    plan: Any,
+    most: int,
+    report: Report | None,
 ) -> None:
-    """Work off blocks on threads and write each.
+    """Let a pool work off blocks and write each as soon as it is done.
 
     An interruption (Ctrl-C) lets the blocks at work come to their end and writes them.
+
+    Parameters
+    ----------
+    store
+        Where the results are written.
+    blocks
+        Those to work off.
+    pool
+        Threads of this process, or the workers of a cluster.
+    plan
+        The plan as the pool takes it.
+    most
+        Blocks that it may have at the same time, at work and waiting.
+    report
+        Called after each block.
     """
-    count = available_threads() if threads is None else threads
-    if count < 1:
-        msg = f"The number of threads must be a positive whole number, not {threads!r}."
-        raise InputError(msg)
-    plan = store.plan
-    with ThreadPoolExecutor(count) as pool, _pending() as pending:
-        left = iter(blocks)
-        try:
-            while _fill(pool, pending, left, plan, count + _WAITING):
-                done, _ = wait(pending, return_when=FIRST_COMPLETED)
-                _write(store, pending, done, report)
-        except KeyboardInterrupt:
-            for one in list(pending):
-                if one.cancel():
-                    del pending[one]
-            _write(store, pending, wait(pending).done, report)
-            raise
-
-
-@contextmanager
-def _pending() -> "Generator[dict[Future[Results], Block]]":
-    """Give a place for what is under way, and drop what has not begun when it is left."""
     pending: dict[Future[Results], Block] = {}
+    left = iter(blocks)
+
+    def write(done: Iterable[Future[Results]]) -> None:
+        for one in done:
+            block = pending.pop(one)
+            store.write(block, one.result())
+            if report is not None:
+                report(block.size, store.plan.cost(block))
+
     try:
-        yield pending
+        while True:
+            for block in islice(left, most - len(pending)):
+                pending[pool.submit(work_off, plan, block)] = block
+            if not pending:
+                break
+            write(wait(pending, return_when=FIRST_COMPLETED).done)
+    except KeyboardInterrupt:
+        for one in [one for one in pending if one.cancel()]:
+            del pending[one]
+        write(wait(pending).done)
+        raise
     finally:
         for one in pending:
             one.cancel()
-
-
-def _fill(
-    pool: ThreadPoolExecutor,
-    pending: "dict[Future[Results], Block]",
-    left: Iterator[Block],
-    plan: Plan,
-    most: int,
-) -> bool:
-    """Give the pool as much as it may have waiting; return whether anything is under way."""
-    while len(pending) < most:
-        block = next(left, None)
-        if block is None:
-            break
-        pending[pool.submit(work_off, plan, block)] = block
-    return bool(pending)
-
-
-def _write(
-    store: StudyStore,
-    pending: "dict[Future[Results], Block]",
-    done: "Iterable[Future[Results]]",
-    report: Report | None,
-) -> None:
-    for one in done:
-        block = pending.pop(one)
-        store.write(block, one.result())
-        if report is not None:
-            report(block.size, store.plan.cost(block))

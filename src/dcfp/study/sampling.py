@@ -146,11 +146,21 @@ def _design(method: str, factors: int, count: int, seed: int, names: Sequence[st
 
 
 def _saltelli(count: int, seed: int, names: Sequence[str]) -> FloatArray:
-    try:
-        sobol: Any = import_module("SALib.sample.sobol")
-    except ImportError as error:
-        msg = "the sampling method 'saltelli' needs SALib; install it with pip install 'dcfp[studies]'."
-        raise InputError(msg) from error
     problem = {"num_vars": len(names), "names": list(names), "bounds": [[0.0, 1.0]] * len(names)}
-    design = sobol.sample(problem, count, calc_second_order=False, seed=seed)
+    design = salib("sample.sobol").sample(problem, count, calc_second_order=False, seed=seed)
     return np.asarray(design, dtype=np.float64)
+
+
+def salib(part: str) -> Any:
+    """Return a module of SALib.
+
+    Raises
+    ------
+    InputError
+        If it is not installed.
+    """
+    try:
+        return import_module(f"SALib.{part}")
+    except ImportError as error:
+        msg = "samples in the scheme of Saltelli and Sobol indices need SALib; install it with pip install 'dcfp[studies]'."
+        raise InputError(msg) from error

@@ -4,10 +4,13 @@ A block is written quantity by quantity and its status last, each file under ano
 there is whole; any other counts as not run, and is run again.
 """
 
+import hashlib
+import json
 import os
 import shutil
 from collections.abc import Callable, Generator
 from contextlib import contextmanager, suppress
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -20,27 +23,35 @@ from zarr.storage import MemoryStore
 from dcfp.analysis.response import NOT_RUN
 from dcfp.errors import InputError
 from dcfp.inference.case import event_of
+from dcfp.kernels._jit import source_digest
+from dcfp.schema.citations import citations_of
+from dcfp.schema.identity import identity_of
 from dcfp.schema.nomenclature import quantity
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.units import MM_PER_S, SECOND
 from dcfp.study.factors import factor
 from dcfp.study.plan import Block, Plan
-from dcfp.study.provenance import digest, makers, provenance
 from dcfp.study.results import (
     DIGEST,
     MEANINGS,
-    QUANTITIES,
     STATUS,
     exists,
+    kept_peaks,
     open_store,
     results_in,
     share_done,
 )
 from dcfp.study.study import RECORD, SAMPLE
 from dcfp.study.work import Results
+from dcfp.system import friction_law
+from dcfp.version import version
 
 if TYPE_CHECKING:
     from zarr.abc.store import Store
 
 
+#: Form of the store, so that a later version knows what it has before it.
+FORM = 1
 #: End of the name under which Zarr writes a file before it is whole.
 _PARTIAL = "*.partial"
 
@@ -62,8 +73,8 @@ class StudyStore:
         self.plan = plan
         self.place = place
         self._group = group
-        self._arrays: dict[str, Any] = {name: group[name] for name in (*QUANTITIES, STATUS)}
-        self._histories: dict[str, Any] = {name: group[f"history_{name}"] for name in plan.study.histories}
+        histories = (f"history_{name}" for name in plan.study.histories)
+        self._arrays: dict[str, Any] = {name: group[name] for name in (*histories, *kept_peaks(), STATUS)}
 
     def is_done(self, block: Block) -> bool:
         """Whether a block is whole."""
@@ -82,10 +93,8 @@ class StudyStore:
             If they cannot be written.
         """
         try:
-            for name in self.plan.study.histories:
-                self._histories[name][block.region] = results[f"history_{name}"]
-            for name in (*QUANTITIES, STATUS):
-                self._arrays[name][block.region] = results[name]
+            for name, array in self._arrays.items():  # the status last
+                array[block.region] = results[name]
         except OSError as error:
             msg = (
                 f"{self.place}: the results cannot be written ({error.strerror or error}); what is there stays good;"
@@ -144,28 +153,29 @@ def _create(store: "Store | Path", plan: Plan) -> None:
         store, mode="w", zarr_format=3, consolidated=False
     )
     group = zarr.open_group(store, mode="r+")
-    names = list(plan.sizes)
-    common: dict[str, Any] = {"shape": plan.shape, "chunks": plan.chunks, "dimension_names": names}
-    for name in QUANTITIES:
+
+    def create(name: str, attributes: dict[str, Any], kind: str, empty: float, **further: int) -> None:
         group.create_array(
-            name, dtype="float64", fill_value=np.nan, attributes=dict(quantity(name).attributes), **common
+            name,
+            shape=(*plan.shape, *further.values()),
+            chunks=(*plan.chunks, *further.values()),
+            dimension_names=[*plan.sizes, *further],
+            dtype=kind,
+            fill_value=empty,
+            attributes=attributes,
         )
+
+    for name in kept_peaks():
+        create(name, dict(quantity(name).attributes), "float64", np.nan)
     flags: dict[str, Any] = {
         "long_name": "how the analysis ended",
         "flag_values": list(range(len(MEANINGS))),
         "flag_meanings": " ".join(MEANINGS),
     }
-    group.create_array(STATUS, dtype="uint8", fill_value=NOT_RUN, attributes=flags, **common)
+    create(STATUS, flags, "uint8", NOT_RUN)
     for name in plan.study.histories:
-        group.create_array(
-            f"history_{name}",
-            shape=(*plan.shape, plan.longest_record),
-            chunks=(*plan.chunks, plan.longest_record),
-            dimension_names=[*names, "step"],
-            dtype="float64",
-            fill_value=np.nan,
-            attributes=dict(quantity(name).attributes),
-        )
+        attributes = dict(quantity(name).attributes)
+        create(f"history_{name}", attributes, "float64", np.nan, step=plan.longest_record)
 
 
 def _check_is_ours(place: Path, plan: Plan, *, resume: bool, overwrite: bool) -> None:
@@ -283,31 +293,30 @@ def coordinates(plan: Plan) -> dict[str, Coordinate]:
     return found | _of_records(plan, along)
 
 
+#: What is known of a record besides its name.
+OF_RECORDS = (
+    Quantity("event", "earthquake", get=event_of),
+    Quantity("station", "station", get="origin.station"),
+    Quantity("record_sha256", "SHA-256 of the record", get="digest"),
+    Quantity("time_step", "time step of the record", SECOND, get="time_step"),
+    Quantity("unscaled_pgv", "peak ground velocity of the record as it is", MM_PER_S, get="peak_velocity"),
+)
+
+
 def _of_records(plan: Plan, along: str) -> dict[str, Coordinate]:
     """Return what is known of the record at each place along a dimension."""
     motions = {motion.name: motion for motion in plan.study.motions}
     names = plan.study.factors.get(RECORD) or plan.samples[RECORD].tolist()
-    chosen = [motions[str(name)] for name in names]
-    words: dict[str, tuple[list[Any], dict[str, str]]] = {
-        "event": ([event_of(one) for one in chosen], {"long_name": "earthquake"}),
-        "station": ([one.origin.station for one in chosen], {"long_name": "station"}),
-        "record_sha256": ([one.digest for one in chosen], {"long_name": "SHA-256 of the record"}),
+    return {
+        one.key: (
+            along,
+            np.array(
+                [one.of(motions[str(name)]) for name in names], dtype=np.float64 if one.is_number else object
+            ),
+            one.attributes,
+        )
+        for one in OF_RECORDS
     }
-    found: dict[str, Coordinate] = {
-        name: (along, np.array(values, dtype=object), attributes)
-        for name, (values, attributes) in words.items()
-    }
-    found["time_step"] = (
-        along,
-        np.array([one.time_step for one in chosen]),
-        {"long_name": "time step of the record", "units": "s"},
-    )
-    found["unscaled_pgv"] = (
-        along,
-        np.array([one.peak_velocity for one in chosen]),
-        {"long_name": "peak ground velocity of the record as it is", "units": "mm s-1"},
-    )
-    return found
 
 
 def _array(name: str, values: list[Any]) -> "np.ndarray[Any, Any]":
@@ -318,3 +327,96 @@ def _attributes(name: str) -> dict[str, str]:
     one = factor(name)
     attributes = {"long_name": one.words}
     return {**attributes, "units": one.unit.inner_unit.udunits} if one.is_number else attributes
+
+
+# Where the numbers of a store come from, and by what two studies are told apart.
+
+
+def provenance(plan: Plan) -> dict[str, Any]:
+    """Return the attributes of the results of a study."""
+    study = plan.study
+    attributes: dict[str, Any] = {
+        "Conventions": "CF-1.11",
+        "title": study.title,
+        "source": f"dcfp {version()}",
+        **makers(),
+        "store_form": FORM,
+        DIGEST: digest(plan),
+        "study_name": study.name,
+        "study": study.text,
+        "references": "\n".join(citations_of(*_citations(plan), "li_2020")),
+        "bearing": json.dumps(asdict(study.model.bearing)),
+        "friction_law": repr(study.model.friction),
+        "heating_model": repr(study.model.heating),
+        "settings": json.dumps(asdict(study.settings)),
+        "records": json.dumps(_records(plan)),
+        "sampling_method": "grid" if study.sampling is None else study.sampling.method,
+    }
+    capacity = _capacity(plan)
+    if capacity is not None:
+        attributes["displacement_capacity"] = capacity
+    if study.sampling is not None:
+        sampled = [{"name": name, "distribution": repr(one)} for name, one in study.sampling.factors.items()]
+        attributes |= {"sampling_seed": study.sampling.seed, "sampling_factors": json.dumps(sampled)}
+    return attributes
+
+
+def makers() -> dict[str, str]:
+    """Return which versions make the numbers."""
+    return {"version": version(), "kernels_sha256": source_digest()}
+
+
+def _capacity(plan: Plan) -> float | None:
+    """Return the displacement capacity that all bearings of a study have [mm], if they have the same."""
+    capacities = {model.bearing.displacement_capacity for model in plan.models_at_ends()}
+    return capacities.pop() if len(capacities) == 1 else None
+
+
+def digest(plan: Plan) -> str:
+    """Return a number that two studies share only if every analysis of them is the same, and every result the same to the last bit."""
+    study = plan.study
+    whole = {
+        **makers(),
+        "form": FORM,
+        "grid": {name: _exactly(list(values)) for name, values in study.factors.items()},
+        "samples": {name: _exactly(np.asarray(values).tolist()) for name, values in plan.samples.items()},
+        "records": [(motion.name, motion.digest) for motion in study.motions],
+        "model": identity_of(study.model),
+        "bearings": {name: identity_of(model) for name, model in study.bearings.items()},
+        "settings": identity_of(study.settings),
+        "kept": kept_peaks(),
+        "histories": study.histories,
+        "chunks": plan.chunks,
+    }
+    return hashlib.sha256(json.dumps(whole).encode()).hexdigest()
+
+
+def _exactly(values: list[Any]) -> list[Any]:
+    """Return values as they can be written without loss."""
+    return [value.hex() if isinstance(value, float) else value for value in values]
+
+
+def _citations(plan: Plan) -> list[str]:
+    laws = {plan.study.model.friction.citation}
+    for name in plan.study.factors.get("law", plan.samples.get("law", [])):
+        try:
+            laws.add(friction_law(str(name)).citation)
+        except InputError:  # a law that needs parameters is that of the study's own model
+            continue
+    return sorted(laws)
+
+
+def _records(plan: Plan) -> list[dict[str, Any]]:
+    return [
+        {
+            "name": motion.name,
+            "sha256": motion.digest,
+            "origin": asdict(motion.origin),
+            "treatment": list(motion.treatment),
+            "time_step_s": motion.time_step,
+            "samples": motion.acceleration.size,
+            "pgv_mm_s": motion.peak_velocity,
+            "pga_mm_s2": motion.peak_acceleration,
+        }
+        for motion in plan.study.motions
+    ]

@@ -14,8 +14,7 @@ from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import refuse_a_drift
 from dcfp.schema.notebook import card
 from dcfp.schema.parameters import Parameter, unknown
-from dcfp.study.factors import Value, factor
-from dcfp.study.procedures import ANALYSIS, procedures
+from dcfp.study.factors import ANALYSIS, Value, factor
 from dcfp.study.results import INTENSITIES
 from dcfp.study.sampling import Choice, Distribution, Sampling, Uniform
 from dcfp.system import System
@@ -100,12 +99,11 @@ class Study:
 
     def _factor(self, name: str) -> Parameter:
         """Return a factor with the words that it may have here."""
+        one = factor(name)
         choices = {
             RECORD: tuple(motion.name for motion in self.motions),
-            "procedure": procedures(),
             "bearing": tuple(self.bearings),
         }
-        one = factor(name)
         return replace(one, choices=choices.get(name, one.choices))
 
     def values_of(self, name: str) -> list[Value] | None:

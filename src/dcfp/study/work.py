@@ -2,22 +2,28 @@
 
 import time
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
+from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.analysis import Response
 from dcfp.analysis.batch import Lanes, respond_in_batch
-from dcfp.analysis.response import FAILED, NUMBERS, Status
+from dcfp.analysis.response import FAILED, NUMBERS, PEAKS, Status
 from dcfp.analysis.response_history import analyse
 from dcfp.arrays import IntArray
 from dcfp.errors import AnalysisError
-from dcfp.methods.prediction import Methods
+from dcfp.inference.case import code_inputs
+from dcfp.methods import METHODS, NOTHING, Prediction
+from dcfp.methods.code import CodeMethod
+from dcfp.methods.code_comparison import code_results
+from dcfp.methods.prediction import Ground, Methods, PredictionMethod
+from dcfp.motion.ground_motion import GroundMotion
+from dcfp.study.factors import ANALYSIS
 from dcfp.study.plan import Block, Cases, Plan
-from dcfp.study.procedures import ANALYSIS, peaks_of, predict
-from dcfp.study.results import QUANTITIES, STATUS
+from dcfp.study.results import STATUS, added_peaks, kept_peaks
 
 Results = dict[str, NDArray[np.float64] | NDArray[np.uint8]]
 
@@ -26,7 +32,7 @@ def work_off(plan: Plan, block: Block) -> Results:
     """Return every quantity of a block and its status, in the shape of the block."""
     cases = plan.cases(block)
     size = len(cases.lanes)
-    results: Results = {name: np.full(size, np.nan) for name in QUANTITIES}
+    results: Results = {name: np.full(size, np.nan) for name in kept_peaks()}
     results[STATUS] = np.full(size, FAILED, dtype=np.uint8)
     for number, name in enumerate(plan.procedures):
         chosen = np.flatnonzero(cases.procedures == number)
@@ -34,13 +40,27 @@ def work_off(plan: Plan, block: Block) -> Results:
             continue
         if name == ANALYSIS:
             lanes = _part(cases.lanes, chosen)
-            found = respond_in_batch(plan.grounds, lanes)
+            found: Results = respond_in_batch(plan.grounds, lanes)
+            found |= _added(plan, lanes, found)
         else:
             found = _predicted(plan, cases, chosen, name)
         for quantity, values in found.items():
             results[quantity][chosen] = values
     whole: Results = {name: values.reshape(block.shape) for name, values in results.items()}
     return whole | _histories(plan, block, cases)
+
+
+def _added(plan: Plan, lanes: Lanes, found: Results) -> Results:
+    """Return what was added to the peaks of an analysis: from its other peaks where they are enough, else from the analysis with its histories."""
+    added: Results = {name: np.full(len(lanes), np.nan) for name in added_peaks()}
+    for lane in np.flatnonzero(found[STATUS] != FAILED).tolist() if added else ():
+        peaks = SimpleNamespace(**{name: values[lane].item() for name, values in found.items()})
+        for name in added:
+            try:
+                added[name][lane] = PEAKS[name].of(peaks)
+            except AttributeError:
+                added[name][lane] = PEAKS[name].of(response_of(plan, lanes, lane))
+    return added
 
 
 def _histories(plan: Plan, block: Block, cases: Cases) -> Results:
@@ -80,19 +100,32 @@ def _part(lanes: Lanes, chosen: IntArray) -> Lanes:
     return Lanes(lanes.record[chosen], lanes.scale[chosen], lanes.model[chosen], lanes.models)
 
 
+def predict(motion: GroundMotion, methods: Methods, key: str) -> Prediction:
+    """Return what a method says of a ground motion, without knowing the analysis."""
+    method = METHODS[key]
+    if isinstance(method, CodeMethod):
+        result = code_results(code_inputs(motion, methods), only=(method,)).get(method.name)
+        return NOTHING if result is None else replace(NOTHING, displacement=result.displacement)
+    predicted = method.predict(Ground.of(motion), methods) if isinstance(method, PredictionMethod) else None
+    return NOTHING if predicted is None else predicted.prediction
+
+
 def _predicted(plan: Plan, cases: Cases, chosen: IntArray, name: str) -> Results:
+    """Return what a method says of the analyses in `chosen`; not a number where it says nothing."""
     lanes = cases.lanes
     methods = [Methods.of(model) for model in lanes.models]
-    found: dict[str, list[float]] = {}
+    said: list[Prediction] = []
     for lane in chosen.tolist():
         motion = plan.study.motions[int(lanes.record[lane])].scaled(float(lanes.scale[lane]))
-        said = peaks_of(predict(motion, methods[int(lanes.model[lane])], name))
-        for quantity, value in said.items():
-            found.setdefault(quantity, []).append(value)
-    results: Results = {quantity: np.array(values) for quantity, values in found.items()}
-    predicted = np.isfinite(results["peak_displacement"])
-    results[STATUS] = np.where(predicted, NUMBERS[Status.OK], FAILED).astype(np.uint8)
-    return results
+        said.append(predict(motion, methods[int(lanes.model[lane])], name))
+    displacement = np.array([one.bound for one in said])
+    velocity = [np.nan if one.total_velocity is None else one.total_velocity for one in said]
+    return {
+        "peak_displacement": displacement,
+        "peak_change": np.array([one.displacement_change for one in said]),
+        "input_velocity": np.array(velocity),
+        STATUS: np.where(np.isfinite(displacement), NUMBERS[Status.OK], FAILED).astype(np.uint8),
+    }
 
 
 # How long a study will take: a few blocks are worked off, spread over the whole, and nothing is kept.
@@ -146,7 +179,7 @@ def project(plan: Plan, threads: int) -> Projection:
     tried = sum(part.size for part in parts)
     cost = sum(plan.cost(part) for part in parts)
     duration = elapsed * sum(plan.cost(block) for block in blocks) / cost
-    numbers = len(QUANTITIES) + len(plan.study.histories) * plan.longest_record
+    numbers = len(kept_peaks()) + len(plan.study.histories) * plan.longest_record
     return Projection(
         plan.count, len(blocks), tried, plan.count / duration, duration, plan.count * (8 * numbers + 1)
     )

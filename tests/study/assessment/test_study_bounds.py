@@ -5,7 +5,7 @@ import pytest
 
 from dcfp.errors import InputError
 from dcfp.study.assessment import bounds, select
-from dcfp.study.assessment.completeness import remarks_of
+from dcfp.study.assessment.selection import remarks_of
 
 
 def test_the_least_friction_moves_most_and_the_largest_pushes_most(properties):

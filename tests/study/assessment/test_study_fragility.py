@@ -8,7 +8,6 @@ from scipy.stats import CensoredData, lognorm
 
 from dcfp.errors import InputError
 from dcfp.study.assessment import fragility
-from dcfp.study.assessment.completeness import remarks_of
 from dcfp.study.assessment.fragility_fit import (
     can_be_fitted,
     drawn_counts,
@@ -16,6 +15,7 @@ from dcfp.study.assessment.fragility_fit import (
     fit_lognormal,
     lognormal_probability,
 )
+from dcfp.study.assessment.selection import remarks_of
 
 GRID = np.array([0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0])
 

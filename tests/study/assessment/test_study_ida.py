@@ -6,7 +6,7 @@ from scipy.stats import norm
 
 from dcfp.errors import InputError
 from dcfp.study.assessment import ida
-from dcfp.study.assessment.completeness import remarks_of
+from dcfp.study.assessment.selection import remarks_of
 
 
 def test_quantiles_of_a_lognormal_are_those_of_the_normal(build):

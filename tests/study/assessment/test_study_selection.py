@@ -5,8 +5,7 @@ import pytest
 
 from dcfp.errors import InputError
 from dcfp.study.assessment import ida, select
-from dcfp.study.assessment.completeness import remarks_of, usable
-from dcfp.study.assessment.selection import described, fixed_values, only, shown_values
+from dcfp.study.assessment.selection import described, fixed_values, only, remarks_of, shown_values, usable
 
 
 def test_values_are_found_by_their_number_and_dimensions_of_one_value_go(properties):

@@ -8,7 +8,7 @@ import xarray
 
 from dcfp.errors import InputError
 from dcfp.study.assessment import sensitivity
-from dcfp.study.assessment.completeness import remarks_of
+from dcfp.study.assessment.selection import remarks_of
 
 # Ishigami and Homma (1990) with a = 7 and b = 0.1
 A, B = 7.0, 0.1

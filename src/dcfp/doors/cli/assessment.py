@@ -16,9 +16,8 @@ from dcfp.inference.design_space import PARTS, DesignSpace, held_table
 from dcfp.schema.table import Table
 from dcfp.study import assessment
 from dcfp.study.assessment.bounds import NOMINAL, QUANTITIES
-from dcfp.study.assessment.completeness import remarks_of
 from dcfp.study.assessment.design_chart import at_pgv
-from dcfp.study.assessment.selection import described, select
+from dcfp.study.assessment.selection import described, remarks_of, select
 from dcfp.study.assessment.told import (
     bounds_table,
     document,

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from dcfp.doors.cli.parser import Parser, add_declared, add_parameter, add_switch
-from dcfp.schema.parameters import HIGH_PASS, PGV, TIME_STEP, Parameter
+from dcfp.schema.parameters import HIGH_PASS, PGV, TIME_STEP
 
 PGVS = replace(
     PGV,

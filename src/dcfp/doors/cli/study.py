@@ -19,9 +19,8 @@ from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import NONE
 from dcfp.study import Plan, Study, open_store, read_study
-from dcfp.study.assessment.selection import described, is_number
-from dcfp.study.assessment.single import numbered_cases, response_at
-from dcfp.study.assessment.told import SUMMARY, counts, store_object, summary_table
+from dcfp.study.assessment.selection import described, is_number, numbered_cases, response_at
+from dcfp.study.assessment.told import counts, store_object, summary_table
 from dcfp.study.scenario import Calculation, Scenario, calculate, read_scenario
 from dcfp.study.work import project
 
@@ -124,7 +123,7 @@ def show(chosen: argparse.Namespace) -> Answer:
 def _page(dataset: "xarray.Dataset", place: str) -> Page:
     found = counts(dataset)
     total, done = sum(found.values()), sum(found.values()) - found["not_run"]
-    sizes = " × ".join(f"{size} {name}" for name, size in dataset[next(iter(SUMMARY))].sizes.items())
+    sizes = " × ".join(f"{size} {name}" for name, size in dataset["status"].sizes.items())
     lines = [
         ("Study", str(dataset.attrs["title"])),
         ("Analyses", f"{total:,} = {sizes}" + (f", {done:,} of them done" if done < total else "")),

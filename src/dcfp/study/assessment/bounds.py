@@ -11,18 +11,23 @@ from typing import Any
 import numpy as np
 import xarray
 
-from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
-from dcfp.study.assessment.completeness import (
+from dcfp.study.assessment.selection import (
     few_records,
+    intensity_of,
+    is_number,
+    only,
     quantiles_over_records,
     remarks_of,
+    select,
+    shown_value,
+    shown_values,
+    sorted_over,
     usable,
     values_of,
     with_references,
     with_remarks,
 )
-from dcfp.study.assessment.selection import intensity_of, is_number, only, select, shown_value, sorted_over
 
 #: Factors of a study that are properties with bounds, and their nominal values.
 NOMINAL: Mapping[str, float | str] = {"lambda": 1.0, "ambient": 20.0}
@@ -76,18 +81,22 @@ def bounds(
     properties = _properties(dataset, over)
     chosen = only(dataset, (*properties, "record", intensity), "An envelope of property bounds")
     found = usable(sorted_over(chosen, intensity), quantities, unfinished=unfinished)
-    at = _nominal(found, properties, nominal)
+    without = [name for name in properties if name not in nominal]
+    if without:
+        shown = shown_values(found[without[0]])
+        msg = f"Which {without[0]} is nominal must be said; the study has {shown}."
+        raise InputError(msg)
+    at = {name: nominal[name] for name in properties}
     variables: dict[str, Any] = {}
     for name in quantities:
-        values = quantiles_over_records(found[name], quantiles)
-        values = values.transpose("quantile", intensity, *properties)
-        variables |= _envelope(values, name, intensity, properties, at)
+        values = quantiles_over_records(found[name], quantiles).transpose("quantile", intensity, *properties)
+        variables |= _envelope(values, name, at)
     result = xarray.Dataset(variables, attrs=found.attrs)
     remarks = [*remarks_of(found), *few_records(quantiles, found.sizes["record"])]
     remarks += _governs(result, properties, quantities)
     result = result.assign_attrs(
         over=", ".join(properties),
-        nominal=", ".join(_combination(found, at)),
+        nominal=_combination(found, at),
         intensity=intensity,
         quantities=", ".join(quantities),
     )
@@ -107,70 +116,37 @@ def _properties(dataset: xarray.Dataset, over: Sequence[str] | None) -> list[str
     return names
 
 
-def _nominal(
-    found: xarray.Dataset, properties: Sequence[str], nominal: Mapping[str, float | str]
-) -> dict[str, float | str]:
-    without = [name for name in properties if name not in nominal]
-    if without:
-        msg = f"Which {without[0]} is nominal must be said; the study has {', '.join(_told(found, without[0]))}."
-        raise InputError(msg)
-    at = {name: nominal[name] for name in properties}
-    select(found, at)  # refuses a value that is not there
-    return at
-
-
-def _envelope(
-    values: xarray.DataArray,
-    name: str,
-    intensity: str,
-    properties: Sequence[str],
-    nominal: Mapping[str, float | str],
-) -> dict[str, Any]:
-    """Return the variables of one result."""
-    table = np.asarray(values.to_numpy(), dtype=np.float64)
-    table = table.reshape(*table.shape[:2], -1)
-    single = values.to_dataset(name=name)
-    told = [
-        ", ".join(_combination(single, dict(zip(properties, one, strict=True))))
-        for one in product(*(values[one].to_numpy().tolist() for one in properties))
-    ]
-    least, largest = _extremes(table)
-    known = np.isfinite(table).any(axis=-1)
-    at_nominal = select(single, nominal, keep=("quantile", intensity))[name].to_numpy()
-    over = ("quantile", intensity)
+def _envelope(values: xarray.DataArray, name: str, nominal: Mapping[str, float | str]) -> dict[str, Any]:
+    """Return the variables of one result, whose values are over quantile, intensity and the properties."""
+    cases = values.stack(case=list(nominal))
+    combinations = product(*(values[one].to_numpy().tolist() for one in nominal))
+    told = np.array([_combination(values, dict(zip(nominal, one, strict=True))) for one in combinations])
+    least, largest = cases.min("case", keep_attrs=True), cases.max("case", keep_attrs=True)
+    grid = [str(one) for one in values.dims[:2]]
+    at_nominal = select(values.to_dataset(name=name), nominal, keep=grid)[name].drop_vars(nominal)
+    # the zero of a temperature means nothing
+    is_temperature = values.attrs.get("units") == "degC"
+    ratio = largest / at_nominal.where((at_nominal > 0.0) & (not is_temperature))
     return {
         name: values,
-        f"{name}_least": (over, _taken(table, least), values.attrs),
-        f"{name}_largest": (over, _taken(table, largest), values.attrs),
-        f"{name}_nominal": (over, at_nominal, values.attrs),
-        f"{name}_ratio": (over, _ratio(values, _taken(table, largest), at_nominal), {"units": "1"}),
-        f"{name}_least_at": (over, np.where(known, np.array(told)[least], "")),
-        f"{name}_largest_at": (over, np.where(known, np.array(told)[largest], "")),
+        f"{name}_least": least,
+        f"{name}_largest": largest,
+        f"{name}_nominal": at_nominal,
+        f"{name}_ratio": ratio.assign_attrs(units="1"),
+        f"{name}_least_at": _where(cases.fillna(np.inf).argmin("case"), told, least),
+        f"{name}_largest_at": _where(cases.fillna(-np.inf).argmax("case"), told, largest),
     }
 
 
-def _extremes(table: FloatArray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the places of the least and the largest along the last axis; what is no number is neither."""
-    known = np.isfinite(table)
-    return np.where(known, table, np.inf).argmin(axis=-1), np.where(known, table, -np.inf).argmax(axis=-1)
+def _where(
+    places: xarray.DataArray, told: "np.ndarray[Any, Any]", extreme: xarray.DataArray
+) -> xarray.DataArray:
+    """Return which combinations govern, in words; none where there is no value."""
+    return places.copy(data=np.where(extreme.notnull(), told[places.to_numpy()], ""))
 
 
-def _taken(table: FloatArray, places: np.ndarray) -> FloatArray:
-    return np.take_along_axis(table, places[..., None], axis=-1)[..., 0]
-
-
-def _ratio(values: xarray.DataArray, largest: FloatArray, nominal: FloatArray) -> FloatArray:
-    """Return the largest over the nominal [-]; not a number of temperatures, whose zero means nothing."""
-    there = (nominal > 0.0) & (values.attrs.get("units") != "degC")
-    return np.divide(largest, nominal, out=np.full(largest.shape, np.nan), where=there)
-
-
-def _combination(found: xarray.Dataset, at: Mapping[str, object]) -> list[str]:
-    return [f"{name} {shown_value(found[name], value)}" for name, value in at.items()]
-
-
-def _told(found: xarray.Dataset, name: str) -> list[str]:
-    return [shown_value(found[name], value) for value in found[name].to_numpy().tolist()]
+def _combination(found: xarray.Dataset | xarray.DataArray, at: Mapping[str, object]) -> str:
+    return ", ".join(f"{name} {shown_value(found[name], value)}" for name, value in at.items())
 
 
 def _governs(result: xarray.Dataset, properties: Sequence[str], quantities: Sequence[str]) -> list[str]:

@@ -5,8 +5,15 @@ import xarray
 
 from dcfp.errors import InputError
 from dcfp.inference.design_space import DesignSpace
-from dcfp.study.assessment.completeness import usable, values_of
-from dcfp.study.assessment.selection import events_of, is_number, only, select, shown_values
+from dcfp.study.assessment.selection import (
+    events_of,
+    is_number,
+    only,
+    select,
+    shown_values,
+    usable,
+    values_of,
+)
 
 _RESULTS = ("peak_displacement", "force_ratio")
 _AXES = ("radius", "mu")

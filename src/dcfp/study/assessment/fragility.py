@@ -1,4 +1,6 @@
-"""Fragility: how probable it is that a capacity is exceeded, over the intensity.
+"""Incremental dynamic analysis and fragility: what every record does as it gets stronger, and how probable it is that a capacity is exceeded.
+
+The former is that of Vamvatsikos and Cornell (2002), with the intensity of the study in place of a spectral acceleration.
 
 Every record is used at every intensity, so that its analyses are not independent trials: what is observed of a record is one value, the intensity
 at which it first exceeds the capacity, known to lie between two intensities of the study, or below the first, or above the last. A lognormal
@@ -15,25 +17,94 @@ import xarray
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
-from dcfp.study.assessment.completeness import remarks_of, usable, values_of, with_references, with_remarks
 from dcfp.study.assessment.fragility_fit import Draws, FirstExceedance, Fit, drawn_counts, first_exceedance
 from dcfp.study.assessment.selection import (
+    check_part,
     coordinates_of,
     events_of,
+    few_records,
     intensity_of,
+    is_beyond_capacity,
     only,
+    quantiles_over_records,
+    remarks_of,
     shown_value,
     sorted_over,
+    usable,
+    values_of,
+    with_references,
+    with_remarks,
 )
 
+#: Parts of the records that do not exceed [-]: the median and one standard deviation of a normal distribution on either side.
+QUANTILES = (0.16, 0.5, 0.84)
 #: Records that a distribution needs, and earthquakes that its confidence needs.
 FEWEST = 4
 #: Draws of earthquakes, and where their random numbers start.
 DRAWS, SEED = 1000, 2015
+#: What a fit says of every capacity: over what else, and in words.
+_VARIABLES = {
+    "median": ((), "median intensity"),
+    "dispersion": ((), "dispersion between records"),
+    "total_dispersion": ((), "total dispersion"),
+    "median_bound": (("bound",), "bounds of the median intensity"),
+    "dispersion_bound": (("bound",), "bounds of the dispersion between records"),
+    "probability": (("point",), "probability that the capacity is exceeded"),
+    "probability_bound": (("bound", "point"), "bounds of the probability"),
+}
 #: Points of a curve.
 _POINTS = 201
 #: Part of the draws without a fit from which on the others no longer say how sure it is [-].
 _MANY_WITHOUT = 0.05
+
+
+def ida(
+    dataset: xarray.Dataset,
+    quantity: str = "peak_displacement",
+    quantiles: Sequence[float] = QUANTILES,
+    *,
+    unfinished: bool = False,
+) -> xarray.Dataset:
+    """Return the curves of an incremental dynamic analysis.
+
+    Parameters
+    ----------
+    dataset
+        A study of which at most the records and the intensity have several values; see `dcfp.study.assessment.select`.
+    quantity
+        The result that is looked at; of a residual displacement the size.
+    quantiles
+        Parts of the records [-].
+    unfinished
+        Whether analyses that have not been run are left out rather than refused.
+
+    Returns
+    -------
+    xarray.Dataset
+        `quantity` over ``record`` and the intensity; ``<quantity>_quantile`` over ``quantile`` and the intensity; ``beyond_capacity``, whether an
+        analysis is beyond the displacement capacity of the bearing.
+
+    Raises
+    ------
+    InputError
+        If another factor has several values, or the study is not finished.
+    """
+    intensity = intensity_of(dataset)
+    chosen = only(dataset, ("record", intensity), "An incremental dynamic analysis")
+    found = usable(sorted_over(chosen, intensity), [quantity], unfinished=unfinished)
+    beyond = is_beyond_capacity(found)
+    curves = found[[quantity]].assign(
+        {
+            f"{quantity}_quantile": quantiles_over_records(found[quantity], quantiles),
+            "beyond_capacity": beyond,
+        }
+    )
+    remarks = [*remarks_of(found), *few_records(quantiles, found.sizes["record"])]
+    if beyond.any():
+        remarks.append(
+            f"{int(beyond.sum())} of the {beyond.size} analyses are beyond the displacement capacity; they are those of plates without an end."
+        )
+    return with_remarks(with_references(curves, "vamvatsikos_cornell_2002"), remarks)
 
 
 def fragility(
@@ -144,9 +215,7 @@ def _capacities(
 
 
 def _check_options(confidence: float, draws: int, further: Mapping[str, float] | None) -> None:
-    if not 0.0 < confidence < 1.0:
-        msg = f"The confidence must lie between 0 and 1, not {confidence:g}."
-        raise InputError(msg)
+    check_part(confidence, "The confidence")
     if draws < 1:
         msg = f"The earthquakes must be drawn at least once, not {draws} times."
         raise InputError(msg)
@@ -172,26 +241,13 @@ def _dataset(
     fits: Sequence[Fit],
     earthquakes: int,
 ) -> xarray.Dataset:
-    units = {"units": str(found[intensity].attrs.get("units", "1"))}
-    sure = 1.0 if earthquakes >= FEWEST else np.nan  # too few to say how sure it is
-    part = {"units": "1"}
-
-    def stacked(name: str, scale: float = 1.0) -> FloatArray:
-        return scale * np.array([getattr(one, name) for one in fits])
-
-    variables: dict[str, Any] = {
-        "median": ("capacity", stacked("median"), units | {"long_name": "median intensity"}),
-        "dispersion": ("capacity", stacked("dispersion"), part | {"long_name": "dispersion between records"}),
-        "total_dispersion": (
-            "capacity",
-            stacked("total_dispersion"),
-            part | {"long_name": "total dispersion"},
-        ),
-        "median_bound": (("capacity", "bound"), stacked("median_bound", sure), units),
-        "dispersion_bound": (("capacity", "bound"), stacked("dispersion_bound", sure), part),
-        "probability": (("capacity", "point"), stacked("probability"), part),
-        "probability_bound": (("capacity", "bound", "point"), stacked("probability_bound", sure), part),
-    }
+    variables: dict[str, Any] = {}
+    for name, (over, words) in _VARIABLES.items():
+        values = np.array([getattr(one, name) for one in fits])
+        if "bound" in over and earthquakes < FEWEST:  # too few to say how sure it is
+            values = np.full_like(values, np.nan)
+        units = str(found[intensity].attrs.get("units", "1")) if name.startswith("median") else "1"
+        variables[name] = (("capacity", *over), values, {"units": units, "long_name": words})
     coordinates: dict[str, Any] = {
         "capacity": ("capacity", list(capacities), dict(found[quantity].attrs)),
         "bound": ["low", "high"],

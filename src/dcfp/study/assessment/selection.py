@@ -1,30 +1,24 @@
 """Which analyses of a study an assessment is about, one value of each factor that it does not look at; and how factors and results are called and shown."""
 
+import warnings
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 import xarray
 
+from dcfp.analysis import Response
+from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
+from dcfp.schema.citations import citations_of
 from dcfp.schema.nomenclature import NOMENCLATURE
 from dcfp.schema.quantities import Quantity
-from dcfp.schema.units import (
-    DEGC,
-    KN,
-    M_PER_S,
-    M_PER_S2,
-    MM,
-    MM_PER_S,
-    MM_PER_S2,
-    N_PER_MM,
-    N_PER_MM2,
-    NEWTON,
-    NONE,
-    SECOND,
-    Unit,
-)
+from dcfp.schema.units import Unit
+from dcfp.study.factors import ANALYSIS, catalogue
+from dcfp.study.plan import Block, Plan
 from dcfp.study.results import INTENSITIES
+from dcfp.study.store import OF_RECORDS, coordinates
+from dcfp.study.work import response_of
 
 #: How far a number may be off the value of a factor that it means, relative [-] and, at zero, absolute.
 _SAME, _SAME_AT_ZERO = 1e-6, 1e-9
@@ -188,41 +182,32 @@ def _is(names: Sequence[str]) -> str:
 # How the factors and the results of a study are called and shown.
 
 
-#: Factors that the nomenclature knows under another name.
-_OTHER_NAMES = {"pgv": "peak_ground_velocity"}
-#: Symbols of those that it does not know.
-_SYMBOLS = {"pga": r"\mathrm{PGA}", "mu": r"\mu", "lambda": r"\lambda", "ambient": "T_0", "radius": "R"}
-#: Units as data sets name them, and those that are shown in another.
-_UNITS = {
-    one.udunits: one for one in (NONE, DEGC, MM, SECOND, MM_PER_S, MM_PER_S2, NEWTON, N_PER_MM, N_PER_MM2)
-}
-_SHOWN = {MM_PER_S: M_PER_S, MM_PER_S2: M_PER_S2, NEWTON: KN}
-#: What is known of a record beside its name.
-OF_RECORDS = ("event", "station", "record_sha256", "time_step", "unscaled_pgv")
 #: Values of a factor that a sentence names.
 _MOST_NAMED = 12
 
 
-def described(variable: "xarray.DataArray") -> Quantity:
-    """Return what is known of a factor or a result: from the nomenclature, or else from its own attributes."""
+def described(variable: xarray.DataArray) -> Quantity:
+    """Return what is known of a factor or a result: as it is declared, or else from its own attributes."""
     name = str(variable.name)
-    known = NOMENCLATURE.get(_OTHER_NAMES.get(name, name))
+    if name in NOMENCLATURE:
+        return NOMENCLATURE[name]
+    known = catalogue().get(name)
+    unit = Unit(text := str(variable.attrs.get("units", "1")), udunits=text)
+    words, symbol = str(variable.attrs.get("long_name", name)), ""
     if known is not None:
-        return known
-    text = str(variable.attrs.get("units", "1"))
-    unit = _UNITS.get(text) or Unit(text, udunits=text)
+        words, symbol = known.words, known.symbol
+        unit = known.unit.inner_unit if known.is_number else unit
     plain = r"\ ".join(name.split("_"))
-    symbol = str(variable.attrs.get("symbol", _SYMBOLS.get(name, rf"\mathrm{{{plain}}}")))
-    words = str(variable.attrs.get("long_name", name))
-    return Quantity(name, words, unit, _SHOWN.get(unit, unit), symbol=symbol)
+    shown = known.unit if known is not None and known.is_number else unit
+    return Quantity(name, words, unit, shown, symbol=symbol or rf"\mathrm{{{plain}}}")
 
 
-def is_number(variable: "xarray.DataArray") -> bool:
+def is_number(variable: xarray.DataArray) -> bool:
     """Whether the values of a factor are numbers, and not names."""
     return variable.dtype.kind in "fiu"
 
 
-def shown_value(variable: "xarray.DataArray", value: object) -> str:
+def shown_value(variable: xarray.DataArray, value: object) -> str:
     """Return one value of a factor with its unit, as it is shown: ``4500 mm``."""
     if not is_number(variable):
         return str(value)
@@ -231,7 +216,7 @@ def shown_value(variable: "xarray.DataArray", value: object) -> str:
     return f"{number} {entry.shown.name}" if entry.shown.has_dimension else number
 
 
-def shown_values(variable: "xarray.DataArray") -> str:
+def shown_values(variable: xarray.DataArray) -> str:
     """Return the values of a factor for a sentence, the first of many."""
     values = variable.to_numpy().ravel().tolist()
     named = [shown_value(variable, value) for value in values[:_MOST_NAMED]]
@@ -239,25 +224,209 @@ def shown_values(variable: "xarray.DataArray") -> str:
     return ", ".join([*named, *more])
 
 
-def names_of(variable: "xarray.DataArray") -> "np.ndarray[Any, np.dtype[np.str_]]":
+def names_of(variable: xarray.DataArray) -> "np.ndarray[Any, np.dtype[np.str_]]":
     """Return the values of a factor as words; a store has strings of a kind that NumPy does not convert by itself."""
     return np.array([str(value) for value in variable.to_numpy().ravel().tolist()], dtype=np.str_)
 
 
-def events_of(dataset: "xarray.Dataset") -> "np.ndarray[Any, np.dtype[np.str_]]":
+def events_of(dataset: xarray.Dataset) -> "np.ndarray[Any, np.dtype[np.str_]]":
     """Return the earthquake of each record; its own name where none is known."""
     return names_of(dataset["event" if "event" in dataset.coords else "record"])
 
 
-def coordinates_of(data: "xarray.Dataset | xarray.DataArray") -> "dict[str, xarray.DataArray]":
+def coordinates_of(data: xarray.Dataset | xarray.DataArray) -> dict[str, xarray.DataArray]:
     """Return the coordinates of a data set or of a variable by their names."""
     return {str(name): data.coords[name] for name in data.coords}
 
 
-def fixed_values(dataset: "xarray.Dataset") -> str:
+def fixed_of(dataset: xarray.Dataset) -> dict[str, xarray.DataArray]:
+    """Return the factors that have one value, by their names."""
+    beside = [one.key for one in OF_RECORDS]
+    return {
+        name: values
+        for name, values in coordinates_of(dataset).items()
+        if values.ndim == 0 and name not in beside
+    }
+
+
+def fixed_values(dataset: xarray.Dataset) -> str:
     """Return the factors that have one value, with it: ``radius 4500 mm, lambda 1``."""
     return ", ".join(
-        f"{name} {shown_value(values, values.item())}"
-        for name, values in coordinates_of(dataset).items()
-        if values.ndim == 0 and name not in OF_RECORDS
+        f"{name} {shown_value(values, values.item())}" for name, values in fixed_of(dataset).items()
     )
+
+
+# Whether the analyses are there, what is missing being refused or counted; and what part of the records does not exceed.
+
+
+#: Results whose sign says a direction, so that only their size is assessed.
+_SIGNED = frozenset({"residual_displacement"})
+
+
+def usable(
+    dataset: xarray.Dataset, names: Sequence[str], *, unfinished: bool | None = False
+) -> xarray.Dataset:
+    """Return some results of a study as numbers in memory, with remarks on what is missing in its attributes.
+
+    Of a residual displacement the size is kept, not the direction.
+
+    Parameters
+    ----------
+    dataset
+        What is assessed of a study; what was not selected may be missing.
+    names
+        The results.
+    unfinished
+        Whether analyses that have not been run are left out and counted rather than refused; None where that cannot be.
+
+    Raises
+    ------
+    InputError
+        If there is no such result, no analysis at all, or the study is not finished.
+    """
+    for name in names:
+        if name not in dataset.data_vars or name == "status":
+            known = ", ".join(str(one) for one in dataset.data_vars if one != "status")
+            msg = f"{name!r} is no result of this study; its results are {known}."
+            raise InputError(msg)
+    found = dataset[[*names, "status"]].load()
+    counts = _counts(found["status"])
+    whole = found["status"].size
+    missing, failed = counts["not_run"], counts["failed"]
+    if missing and not unfinished:
+        instead = "" if unfinished is None else ", or leave them out (unfinished)"
+        msg = f"{missing} of the {whole} analyses have not been run; finish the study first{instead}."
+        raise InputError(msg)
+    if missing + failed == whole:
+        msg = f"None of the {whole} analyses has a result."
+        raise InputError(msg)
+    remarks = remarks_of(dataset)
+    if missing:
+        remarks.append(f"{missing} of the {whole} analyses have not been run, and are left out.")
+    if failed:
+        remarks.append(f"{failed} of the {whole} analyses failed, and are left out.")
+    if counts["still_moving"] and _SIGNED.intersection(names):
+        remarks.append(
+            f"In {counts['still_moving']} of the {whole} analyses it still moves at the end, so that the residual displacement is not final."
+        )
+    for name in _SIGNED.intersection(names):
+        remarks.append(f"Of the {name.replace('_', ' ')} the size is taken, not the direction.")
+        found[name] = (found[name].dims, np.abs(values_of(found, name)), found[name].attrs)
+    return with_remarks(found, remarks)
+
+
+def is_beyond_capacity(dataset: xarray.Dataset) -> xarray.DataArray:
+    """Return in which analyses the displacement is beyond the capacity of the bearing."""
+    return dataset["status"] == _flags(dataset["status"])["beyond_capacity"]
+
+
+def remarks_of(dataset: xarray.Dataset) -> list[str]:
+    """Return the remarks in the attributes of a data set."""
+    return [line for line in str(dataset.attrs.get("remarks", "")).splitlines() if line.strip()]
+
+
+def with_remarks(dataset: xarray.Dataset, remarks: Sequence[str]) -> xarray.Dataset:
+    """Return a data set with these remarks in its attributes, one on each line."""
+    return dataset.assign_attrs(remarks="\n".join(dict.fromkeys(remarks)))
+
+
+def with_references(dataset: xarray.Dataset, *keys: str) -> xarray.Dataset:
+    """Return a data set with these references added to those in its attributes, one on each line."""
+    known = str(dataset.attrs.get("references", "")).splitlines()
+    return dataset.assign_attrs(references="\n".join(dict.fromkeys([*known, *citations_of(*keys)])))
+
+
+def values_of(dataset: xarray.Dataset, name: str) -> FloatArray:
+    """Return a variable as numbers."""
+    return np.asarray(dataset[name].to_numpy(), dtype=np.float64)
+
+
+def _flags(status: xarray.DataArray) -> dict[str, int]:
+    """Return the codes of a status by their meanings, as the CF conventions write them."""
+    codes = np.atleast_1d(status.attrs["flag_values"]).tolist()
+    return dict(zip(str(status.attrs["flag_meanings"]).split(), codes, strict=True))
+
+
+def _counts(status: xarray.DataArray) -> dict[str, int]:
+    values = status.to_numpy()
+    return {meaning: int((values == code).sum()) for meaning, code in _flags(status).items()}
+
+
+# What part of the records does not exceed.
+
+
+def check_part(part: float, what: str) -> None:
+    """Refuse what is not above 0 and below 1.
+
+    Raises
+    ------
+    InputError
+        If it is not.
+    """
+    if not 0.0 < part < 1.0:
+        msg = f"{what} must lie between 0 and 1, not {part:g}."
+        raise InputError(msg)
+
+
+def quantiles_over_records(values: xarray.DataArray, parts: Sequence[float]) -> xarray.DataArray:
+    """Return quantiles over the dimension ``record``, along a new first dimension ``quantile``.
+
+    A quantile is the value that another record will be below with a probability of `parts` [-], as that of `dcfp.inference.statistics.quantile`. Records
+    without a value do not count; of none the quantile is not a number.
+
+    Raises
+    ------
+    InputError
+        If a part is not above 0 and below 1.
+    """
+    for part in parts:
+        check_part(part, "A quantile")
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "All-NaN slice", RuntimeWarning)
+        found = values.quantile(list(parts), "record", method="weibull", skipna=True, keep_attrs=True)
+    return found.assign_coords(
+        {name: one for name, one in coordinates_of(values).items() if "record" not in one.dims}
+    )
+
+
+def few_records(parts: Sequence[float], records: int) -> list[str]:
+    """Return a sentence for each quantile that lies beyond the outermost of so many records."""
+    return [
+        f"{records} records are too few for a quantile of {part:g}; it is that of the outermost record."
+        for part in parts
+        if not 1.0 <= part * (records + 1) <= records
+    ]
+
+
+# One case of a study: its response history analysis, made again with its histories.
+
+
+def numbered_cases(plan: Plan) -> xarray.Dataset:
+    """Return the number of every case of a plan over its factors."""
+    numbers = np.arange(plan.count).reshape(plan.shape)
+    return xarray.Dataset({"number": (list(plan.sizes), numbers)}, coords=coordinates(plan))
+
+
+def response_at(plan: Plan, at: Mapping[str, float | str]) -> Response:
+    """Return the response history analysis of one case.
+
+    Parameters
+    ----------
+    plan
+        The plan of the study.
+    at
+        A value of every factor that has several, in the units of the results; a sample is named by its number.
+
+    Raises
+    ------
+    InputError
+        If there is no such case, or more than one, or it is one of another procedure.
+    """
+    chosen = only(select(numbered_cases(plan), at), (), "A response history analysis")
+    places = np.unravel_index(int(chosen["number"].item()), plan.shape)
+    cases = plan.cases(Block(0, tuple(slice(int(place), int(place) + 1) for place in places)))
+    procedure = plan.procedures[int(cases.procedures[0])]
+    if procedure != ANALYSIS:
+        msg = f"The case is one of the procedure {procedure!r}, which has no histories; choose procedure={ANALYSIS}."
+        raise InputError(msg)
+    return response_of(plan, cases.lanes, 0)

@@ -1,39 +1,36 @@
 """What is told of the results of a study and of what follows from them: each a table of its quantities."""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import xarray
 
+from dcfp.analysis.response import PEAKS
 from dcfp.inference.statistics import quantile
 from dcfp.schema.nomenclature import quantity
 from dcfp.schema.quantities import NOTHING, Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import M_PER_S, NONE
-from dcfp.study.assessment.completeness import remarks_of
 from dcfp.study.assessment.fragility_fit import lognormal_probability
 from dcfp.study.assessment.selection import (
-    OF_RECORDS,
-    coordinates_of,
     described,
+    fixed_of,
     fixed_values,
     is_number,
+    remarks_of,
     shown_value,
 )
-from dcfp.study.results import INTENSITIES, MEANINGS, parts_of
-
-if TYPE_CHECKING:
-    import xarray
+from dcfp.study.results import INTENSITIES, MEANINGS, added_peaks, parts_of
 
 Row = dict[str, Any]
 
 # ----- factors and results as columns -----
 
 
-def column(variable: "xarray.DataArray") -> Quantity:
+def column(variable: xarray.DataArray) -> Quantity:
     """Return a factor or a result as a column of rows that hold its values, in the units of the data set, by its name; a PGV is told in m/s."""
     name, entry = str(variable.name), described(variable)
     head = {"pgv": "PGV", "pga": "PGA"}.get(name, name.replace("_", " "))
@@ -54,16 +51,12 @@ def column(variable: "xarray.DataArray") -> Quantity:
     )
 
 
-def _entry(key: str) -> Callable[[Row], Any]:
-    return lambda row: row[key]
-
-
 def _ending(unit: str) -> str:
     """Return what ends a key whose values have a unit."""
     return "" if unit == "1" else f"_{unit.replace(' ', '_').replace('-1', '').replace('-', '')}"
 
 
-def told(variable: "xarray.DataArray", value: Any) -> Any:
+def told(variable: xarray.DataArray, value: Any) -> Any:
     """Return a value as data hold it."""
     return column(variable).datum({str(variable.name): value.item() if hasattr(value, "item") else value})
 
@@ -82,19 +75,15 @@ def nested(objects: Sequence[Row]) -> list[Row]:
     return found
 
 
-def lines_of(found: "xarray.Dataset") -> list[tuple[str, str]]:
+def lines_of(found: xarray.Dataset) -> list[tuple[str, str]]:
     """Return of which study something is, and at which values of its factors."""
     fixed = fixed_values(found)
     return [("Study", str(found.attrs.get("title", "")) or NOTHING), *([("At", fixed)] if fixed else [])]
 
 
-def document(found: "xarray.Dataset", rows: Sequence[Mapping[str, Any]], **more: Any) -> Row:
+def document(found: xarray.Dataset, rows: Sequence[Mapping[str, Any]], **more: Any) -> Row:
     """Return what JSON holds of something that follows from a study."""
-    fixed = {
-        column(one).key: told(one, one)
-        for name, one in coordinates_of(found).items()
-        if one.ndim == 0 and name not in OF_RECORDS
-    }
+    fixed = {column(one).key: told(one, one) for one in fixed_of(found).values()}
     return {
         "study": str(found.attrs.get("study_name", "")),
         "at": fixed,
@@ -105,49 +94,60 @@ def document(found: "xarray.Dataset", rows: Sequence[Mapping[str, Any]], **more:
     }
 
 
-def _intensity(found: "xarray.Dataset") -> "xarray.DataArray":
+def _intensity(found: xarray.Dataset) -> xarray.DataArray:
     return found[str(found.attrs["intensity"])]
 
 
-def _unit(variable: "xarray.DataArray") -> str:
+def _unit(variable: xarray.DataArray) -> str:
     shown = described(variable).shown
     return f"[{shown.name if shown.has_dimension else '-'}]"
+
+
+def _rows(over: Sequence[str], **variables: xarray.DataArray) -> list[Row]:
+    """Return a row for each point of some dimensions, the last varying fastest: where it is, and the values of variables there."""
+    frame: Any = xarray.Dataset(variables).reset_coords(drop=True).to_dataframe(dim_order=list(over))
+    return frame.reset_index().to_dict("records")
 
 
 # ----- incremental dynamic analysis -----
 
 
-def ida_table(found: "xarray.Dataset", name: str) -> Table:
+def ida_table(found: xarray.Dataset, name: str) -> Table:
     """Return for every intensity the quantiles over the records, how many are beyond the capacity, and every record."""
     values = found[name]
     intensity = found[str(values.dims[1])]
     parts = [f"{part:g}" for part in found["quantile"].to_numpy().tolist()]
     records = [str(one) for one in found["record"].to_numpy().tolist()]
-    count = len(records)
 
-    def of(kind: str, one: str, title: str, head: str = "") -> Quantity:
-        key = f"{kind} {one}"
-        return replace(column(values), key=key, name=title, head=head, get=_entry(key), printed=bool(head))
+    def of(group: str, one: str, title: str, head: str = "") -> Quantity:
+        def get(row: Row) -> Any:
+            return row[group][one]
+
+        key = f"{group} {one}"
+        return replace(column(values), key=key, name=title, head=head, get=get, printed=bool(head))
 
     columns = [
         column(intensity),
         *(of("quantiles", part, f"{name} {part}", f"{100.0 * float(part):g} %") for part in parts),
         Quantity("beyond_capacity", "records beyond the capacity", NONE, printed=False),
-        Quantity("beyond", "records beyond the capacity", NONE, head="beyond\ncapacity", get=lambda row: f"{row['beyond_capacity']} of {count}", stored=False),
+        Quantity("beyond", "records beyond the capacity", NONE, head="beyond\ncapacity", get=lambda row: f"{row['beyond_capacity']} of {len(records)}", stored=False),
         *(of("records", record, record) for record in records),
     ]  # fmt: skip
-    quantiles = found[f"{name}_quantile"].to_numpy().T.tolist()
-    beyond = found["beyond_capacity"].sum("record").to_numpy().tolist()
+    lines = zip(
+        intensity.to_numpy().tolist(),
+        found["beyond_capacity"].sum("record").to_numpy().tolist(),
+        found[f"{name}_quantile"].to_numpy().T.tolist(),
+        values.to_numpy().T.tolist(),
+        strict=True,
+    )
     rows = [
         {
             str(intensity.name): at,
-            "beyond_capacity": int(beyond[i]),
-            **{f"quantiles {part}": one for part, one in zip(parts, quantiles[i], strict=True)},
-            **{f"records {record}": one for record, one in zip(records, single, strict=True)},
+            "beyond_capacity": int(beyond),
+            "quantiles": dict(zip(parts, quantiles, strict=True)),
+            "records": dict(zip(records, single, strict=True)),
         }
-        for i, (at, single) in enumerate(
-            zip(intensity.to_numpy().tolist(), values.to_numpy().T.tolist(), strict=True)
-        )
+        for at, beyond, quantiles, single in lines
     ]
     return Table(tuple(columns), rows)
 
@@ -155,7 +155,7 @@ def ida_table(found: "xarray.Dataset", name: str) -> Table:
 # ----- fragility -----
 
 
-def fragility_table(found: "xarray.Dataset") -> Table:
+def fragility_table(found: xarray.Dataset) -> Table:
     """Return for every capacity the median, the dispersions and their bounds, and the fractions that are observed."""
     intensity, capacity = _intensity(found), _capacity(found)
     at, of = column(intensity), column(capacity)
@@ -180,69 +180,54 @@ def fragility_table(found: "xarray.Dataset") -> Table:
         Quantity("total_dispersion", "total dispersion", NONE, digits=3, head="total beta"),
         Quantity("observed", "fractions that are observed", get=lambda row: Table((at, Quantity("fraction", "fraction", NONE)), row["observed"]).objects(), flat=False, printed=False),
     )  # fmt: skip
-    rows: list[Row] = []
-    for i, value in enumerate(capacity.to_numpy().tolist()):
-        one = found.isel(capacity=i)
-        observed = zip(intensity.to_numpy().tolist(), one["fraction"].to_numpy().tolist(), strict=True)
-        rows.append(
-            {
-                "capacity": value,
-                "observed": [{str(intensity.name): at, "fraction": part} for at, part in observed],
-                **{name: float(one[name]) for name in ("median", "dispersion", "total_dispersion")},
-                **{name: one[name].to_numpy().tolist() for name in ("median_bound", "dispersion_bound")},
-            }
-        )
+    single = {name: found[name] for name in ("median", "dispersion", "total_dispersion")}
+    observed = _rows(("capacity", str(intensity.name)), fraction=found["fraction"])
+    rows = [
+        {
+            **row,
+            **{name: found[name][i].to_numpy().tolist() for name in ("median_bound", "dispersion_bound")},
+            "observed": [one for one in observed if one["capacity"] == row["capacity"]],
+        }
+        for i, row in enumerate(_rows(("capacity",), **single))
+    ]
     return Table(columns, rows)
 
 
-def fragility_curves(found: "xarray.Dataset") -> Table:
+def fragility_curves(found: xarray.Dataset) -> Table:
     """Return for every capacity the points of its curve."""
     intensity, capacity = _intensity(found), _capacity(found)
     name = str(intensity.name)
-    rows: list[Row] = []
-    for i, value in enumerate(capacity.to_numpy().tolist()):
-        one = found.isel(capacity=i)
-        lines = (one["probability"], *one["probability_bound"])
-        points = zip(
-            found[f"{name}_of_curve"].to_numpy().tolist(),
-            *(line.to_numpy().tolist() for line in lines),
-            strict=True,
-        )
-        rows += [
-            dict(zip(("capacity", name, "probability", "low", "high"), (value, *point), strict=True))
-            for point in points
-        ]
+    points = {
+        name: found[f"{name}_of_curve"],
+        "probability": found["probability"],
+        **{end: found["probability_bound"].sel(bound=end, drop=True) for end in ("low", "high")},
+    }
     parts = (Quantity(one, one, NONE) for one in ("probability", "low", "high"))
-    return Table((Quantity("capacity", "capacity", column(capacity).unit), column(intensity), *parts), rows)
+    columns = (Quantity("capacity", "capacity", column(capacity).unit), column(intensity), *parts)
+    return Table(columns, _rows(("capacity", "point"), **points))
 
 
-def fragility_observed(found: "xarray.Dataset") -> Table:
+def fragility_observed(found: xarray.Dataset) -> Table:
     """Return for every intensity the fractions that are observed, and the probabilities that are fitted."""
     intensity, capacity = _intensity(found), _capacity(found)
     points = intensity.to_numpy()
-    columns, values = [column(intensity)], [points.tolist()]
-    for i in range(capacity.size):
+    columns = [column(intensity)]
+    values = {str(intensity.name): points.tolist()}
+    for i, value in enumerate(capacity.to_numpy().tolist()):
         one = found.isel(capacity=i)
         fitted = lognormal_probability(points, float(one["median"]), float(one["total_dispersion"]))
-        shown = shown_value(capacity, one["capacity"].item())
-        for head, part in ((f"{shown}:\nobserved", one["fraction"].to_numpy()), ("\nfitted", fitted)):
-            place = len(values)
-            columns.append(
-                Quantity(
-                    f"{place}",
-                    "probability",
-                    NONE,
-                    decimals=3,
-                    head=head,
-                    get=lambda row, place=place: row[place],
-                )
-            )
-            values.append(part.tolist())
-    rows = [{str(intensity.name): row[0], **dict(enumerate(row))} for row in zip(*values, strict=True)]
+        head = f"{shown_value(capacity, value)}:\nobserved"
+        for name, title, part in (
+            ("observed", head, one["fraction"].to_numpy()),
+            ("fitted", "\nfitted", fitted),
+        ):
+            columns.append(Quantity(f"{name} {i}", "probability", NONE, decimals=3, head=title))
+            values[f"{name} {i}"] = part.tolist()
+    rows = [dict(zip(values, row, strict=True)) for row in zip(*values.values(), strict=True)]
     return Table(tuple(columns), rows)
 
 
-def _capacity(found: "xarray.Dataset") -> "xarray.DataArray":
+def _capacity(found: xarray.Dataset) -> xarray.DataArray:
     """Return the capacities under the name of the quantity, whose unit they have."""
     return found["capacity"].rename(str(found.attrs["quantity"]))
 
@@ -252,11 +237,11 @@ def _capacity(found: "xarray.Dataset") -> "xarray.DataArray":
 _SIDES = ("least", "nominal", "largest")
 
 
-def bounds_table(found: "xarray.Dataset") -> Table:
+def bounds_table(found: xarray.Dataset) -> Table:
     """Return for every result, quantile and intensity the least, nominal and largest value, and where they are."""
     intensity = _intensity(found)
 
-    def of(row: Row) -> "xarray.DataArray":
+    def of(row: Row) -> xarray.DataArray:
         return found[str(row["quantity"])]
 
     def side(name: str) -> tuple[Quantity, Quantity]:
@@ -286,26 +271,21 @@ def bounds_table(found: "xarray.Dataset") -> Table:
         Quantity("least_at", "where it is least", printed=False),
         Quantity("largest_at", "where it is largest", head="largest at"),
     )  # fmt: skip
-    rows: list[Row] = []
-    names = str(found.attrs["quantities"]).split(", ")
-    parts: list[float] = found["quantile"].to_numpy().tolist()
-    points: list[float] = intensity.to_numpy().tolist()
-    for name, (i, part), (j, at) in product(names, enumerate(parts), enumerate(points)):
-        one = found.isel({"quantile": i, str(intensity.name): j})
-        rows.append(
-            {
-                "quantity": name,
-                "quantile": part,
-                str(intensity.name): at,
-                **{side: float(one[f"{name}_{side}"]) for side in _SIDES},
-                "largest_over_nominal": float(one[f"{name}_ratio"]),
-                **{f"{side}_at": one[f"{name}_{side}_at"].item() for side in ("least", "largest")},
-            }
+    over = ("quantile", str(intensity.name))
+    entries = (*_SIDES, "least_at", "largest_at")
+    rows = [
+        {"quantity": name, **row}
+        for name in str(found.attrs["quantities"]).split(", ")
+        for row in _rows(
+            over,
+            largest_over_nominal=found[f"{name}_ratio"],
+            **{entry: found[f"{name}_{entry}"] for entry in entries},
         )
+    ]
     return Table(columns, rows)
 
 
-def sensitivity_table(found: "xarray.Dataset") -> Table:
+def sensitivity_table(found: xarray.Dataset) -> Table:
     """Return for every factor, and every value of those that are left of the grid, its indices with their intervals."""
     left = [found[str(name)] for name in found["S1"].dims if name != "factor"]
     indices = ("S1", "S1_confidence", "ST", "ST_confidence")
@@ -323,34 +303,26 @@ def sensitivity_table(found: "xarray.Dataset") -> Table:
         *(Quantity(name, "index", NONE, printed=False) for name in indices),
         *(Quantity(head, "index", NONE, get=with_interval(name), stored=False) for head, name in (("first order", "S1"), ("total", "ST"))),
     )  # fmt: skip
-    rows: list[Row] = []
-    for places in product(*(range(one.size) for one in left)):
-        at = {str(one.name): place for one, place in zip(left, places, strict=True)}
-        where = {str(one.name): one.to_numpy()[place].item() for one, place in zip(left, places, strict=True)}
-        for i, name in enumerate(found["factor"].to_numpy().tolist()):
-            one = found.isel({**at, "factor": i})
-            rows.append({**where, "factor": name, **{index: float(one[index]) for index in indices}})
-    return Table(columns, rows)
+    over = (*(str(one.name) for one in left), "factor")
+    return Table(columns, _rows(over, **{name: found[name] for name in indices}))
 
 
 # ----- a store -----
 
-#: What is shown of each intensity of a store.
-SUMMARY = {
-    "peak_displacement": quantity("peak_displacement"),
-    "force_ratio": quantity("force_ratio"),
-    "peak_temperature": quantity("peak_temperature"),
-    "residual_displacement": quantity("residual_displacement"),
-    "input_velocity": quantity("input_velocity"),
+#: What is shown of each intensity of a store, with its head and its decimals there, besides what is added to the peaks.
+_SHOWN = {
+    "peak_displacement": ("y_max", 1),
+    "force_ratio": ("F/W", 3),
+    "peak_temperature": ("T_max", 0),
+    "residual_displacement": ("|residual|", 1),
+    "input_velocity": ("V_E", 2),
 }
-_HEADS = {"peak_displacement": "y_max", "force_ratio": "F/W", "peak_temperature": "T_max", "residual_displacement": "|residual|", "input_velocity": "V_E"}  # fmt: skip
-_DECIMALS = {"force_ratio": 3, "input_velocity": 2, "peak_temperature": 0}
 _QUANTILES = {"q16": 0.16, "median": 0.5, "q84": 0.84}
 #: Rows of the summary at most.
 _MOST_ROWS = 12
 
 
-def counts(dataset: "xarray.Dataset") -> dict[str, int]:
+def counts(dataset: xarray.Dataset) -> dict[str, int]:
     """Return how many analyses ended in which way."""
     found = np.zeros(len(MEANINGS), dtype=np.int64)
     for part in parts_of(dataset[["status"]]):
@@ -358,53 +330,44 @@ def counts(dataset: "xarray.Dataset") -> dict[str, int]:
     return dict(zip(MEANINGS, found.tolist(), strict=True))
 
 
-def summary_table(dataset: "xarray.Dataset") -> Table:
+def summary_table(dataset: xarray.Dataset) -> Table:
     """Return quantiles over all that is done, for some intensities of the grid, or for all of them together."""
     name = next((one for one in INTENSITIES if one in dataset.dims), None)
+    shown = [replace(quantity(one), head=head, decimals=decimals) for one, (head, decimals) in _SHOWN.items()]
+    shown += [replace(PEAKS[one], key=one) for one in added_peaks() if one in dataset]
 
-    def spread(one: str) -> Quantity:
-        entry = SUMMARY[one]
-
+    def spread(one: Quantity) -> Quantity:
         def text(row: Row) -> str:
-            shown = [entry.written(value, decimals=_DECIMALS.get(one, 1)) for value in row[one].values()]
-            return NOTHING if None in row[one].values() else f"{shown[1]} ({shown[0]}–{shown[2]})"
+            values = [one.written(value) for value in row[one.key].values()]
+            return NOTHING if None in row[one.key].values() else f"{values[1]} ({values[0]}–{values[2]})"
 
-        bracket = entry.shown.name if entry.shown.has_dimension else "-"
-        return Quantity(
-            f"{one} ", entry.words, entry.unit, head=f"{_HEADS[one]}\n[{bracket}]", get=text, stored=False
-        )
+        return Quantity(f"{one.key} ", one.words, one.unit, head=one.heading(), get=text, stored=False)
 
     first: list[Quantity] = []
-    rows = [_spread_of(dataset)]
+    rows = [_spread_of(dataset, shown)]
     if name is not None:
         places = np.unique(np.linspace(0, dataset.sizes[name] - 1, _MOST_ROWS).round().astype(int)).tolist()
         values = dataset[name].to_numpy().tolist()
-        rows = [{name: float(values[place]), **_spread_of(dataset.isel({name: place}))} for place in places]
-        shown = column(dataset[name])
-        first = [
-            Quantity(name, shown.words, described(dataset[name]).unit, printed=False),
-            Quantity(f"{name} ", shown.words, shown.unit, shown.shown, digits=4, head=shown.head, get=lambda row: row[name], stored=False),
-        ]  # fmt: skip
-    return Table(
-        (
-            *first,
-            *map(spread, SUMMARY),
-            *(Quantity(one, entry.words, printed=False) for one, entry in SUMMARY.items()),
-        ),
-        rows,
-    )
+        rows = [
+            {name: float(values[place]), **_spread_of(dataset.isel({name: place}), shown)} for place in places
+        ]
+        along = column(dataset[name])
+        stored = Quantity(name, along.words, along.unit.inner_unit, printed=False)
+        first = [stored, replace(along, key=f"{name} ", stored=False)]
+    hidden = (Quantity(one.key, one.words, printed=False) for one in shown)
+    return Table((*first, *map(spread, shown), *hidden), rows)
 
 
-def _spread_of(part: "xarray.Dataset") -> Row:
+def _spread_of(part: xarray.Dataset, shown: Sequence[Quantity]) -> Row:
     row: Row = {}
-    for name in SUMMARY:
-        values = np.abs(part[name].to_numpy().ravel())
+    for one in shown:
+        values = np.abs(part[one.key].to_numpy().ravel())
         known = values[np.isfinite(values)]
-        row[name] = {key: quantile(known, one) if known.size else None for key, one in _QUANTILES.items()}
+        row[one.key] = {key: quantile(known, at) if known.size else None for key, at in _QUANTILES.items()}
     return row
 
 
-def store_object(dataset: "xarray.Dataset") -> Row:
+def store_object(dataset: xarray.Dataset) -> Row:
     """Return what JSON holds of a store."""
     return {
         "title": dataset.attrs["title"],
