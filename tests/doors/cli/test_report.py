@@ -58,7 +58,7 @@ def test_json_holds_the_numbers_and_writes_a_file_only_where_one_is_named(
         (("{scenario}", "--out", "."), "a report can be written as"),
         (("{study}",), "a scenario has one bearing, but factor 'mu' has 2 values"),
         (("{broken}",), "this is not TOML"),
-        (("{unknown}",), "[report] has no 'colour'"),
+        (("{unknown}",), "[report]: there is no parameter of a report 'colour'"),
         (("{number}",), "[report]: author: who has calculated it must be a text, not 5"),
         (("{silent}",), "there is no factor 'record'"),
     ],
