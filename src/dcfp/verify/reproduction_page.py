@@ -77,4 +77,4 @@ def _rows(finding: Finding) -> tuple[tuple[Cell, ...], ...]:
 
 def _drawing(figure: "PaperFigure") -> Drawing:
     title = f"Figure {figure.number}. {figure.title}"
-    return Drawing(lambda: figure.figure, title, f"{title} {figure.words}")
+    return Drawing(lambda: figure.figure, title, f"{title}. {figure.words}")
