@@ -146,7 +146,7 @@ MUTATIONS = (
     Mutation(
         "the unit of a text in a file is not read",
         "schema/parameters.py",
-        "return convert(number, unit, self.unit, label) if unit else number",
+        "return convert(number, named, self.unit, label, difference=self.difference)",
         "return number",
         ("system/test_bearing.py",),
     ),
