@@ -7,6 +7,7 @@ import tomllib
 from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import settings
@@ -37,16 +38,28 @@ def pytest_configure(config: pytest.Config) -> None:
         process.wait()
 
 
-@pytest.hookimpl(tryfirst=True)
+def _group_of(path: str) -> str:
+    """Return the folder or the file whose tests stay in one process, of a path in the project."""
+    path = path.removeprefix(f"{TESTS.name}/")
+    return next((folder for folder in TOGETHER if path.startswith(f"{folder}/")), path)
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    """Spread groups over the processes of `pytest -n`: marks of groups do not reach pytest-xdist 3.8 under pytest 9.2."""
+    from xdist.scheduler import LoadScopeScheduling
+
+    class Groups(LoadScopeScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            return _group_of(nodeid.partition("::")[0])
+
+    return Groups(config, log)
+
+
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Say which tests stay in one process, and put those first that take longest."""
-    places = {}
-    for item in items:
-        path = item.path.relative_to(TESTS).as_posix()
-        together = [folder for folder in TOGETHER if path.startswith(f"{folder}/")]
-        item.add_marker(pytest.mark.xdist_group(together[0] if together else path))
-        places[item] = TOGETHER.index(together[0]) if together else len(TOGETHER)
-    items.sort(key=places.__getitem__)
+    """Put those first that take longest."""
+    places = {folder: place for place, folder in enumerate(TOGETHER)}
+    items.sort(key=lambda item: places.get(_group_of(item.path.relative_to(TESTS).as_posix()), len(places)))
 
 
 @pytest.fixture(scope="session", autouse=True)
