@@ -7,8 +7,9 @@ import numpy as np
 from dcfp.arrays import FloatArray
 from dcfp.kernels.law import Law, law_by_address
 from dcfp.kernels.user_law import compile_law
+from dcfp.schema.declared import declared
 from dcfp.schema.formulas import Expression
-from dcfp.schema.parameters import Parameter, declared
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import FRACTION, MM_PER_S
 from dcfp.system.friction.law import Factor, FrictionLaw
 

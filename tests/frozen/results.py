@@ -154,10 +154,11 @@ def _answer(run: Any, words: list[str]) -> dict[str, Any]:
     """What a command prints as JSON, and the CSV file that it writes."""
     file = Path(words[words.index("--out") + 1]) if "--out" in words else None
     has_json = words[0] != "study" or words[1] != "export"
-    out, err = (io.TextIOWrapper(io.BytesIO(), encoding="utf-8", write_through=True) for _ in range(2))
+    buffers = [io.BytesIO(), io.BytesIO()]
+    out, err = (io.TextIOWrapper(one, encoding="utf-8", write_through=True) for one in buffers)
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
         status = run([*words, *(["--json"] if has_json else [])])
-    printed, complaint = (stream.buffer.getvalue().decode() for stream in (out, err))  # type: ignore[attr-defined]
+    printed, complaint = (one.getvalue().decode() for one in buffers)
     answer: dict[str, Any] = {"status": status}
     if status:
         answer["complaint"] = complaint

@@ -15,7 +15,7 @@ from dcfp import AnalysisError, UserFriction
 from dcfp.kernels.friction import coefficient
 from dcfp.kernels.law import Law, law_by_address
 from dcfp.kernels.user_law import compile_law
-from dcfp.schema.parameters import declared
+from dcfp.schema.declared import declared
 from dcfp.system import FrictionLaw
 
 pytestmark = pytest.mark.filterwarnings("error")

@@ -3,7 +3,8 @@
 from typing import Annotated
 
 from dcfp.errors import InputError
-from dcfp.schema.parameters import Declared, Parameter, declared
+from dcfp.schema.declared import Declared, declared
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import FRACTION, NONE, SECOND
 from dcfp.system import Heating, PreciseHeating
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from dcfp.analysis import Response
     from dcfp.inference import Case
-    from dcfp.schema.parameters import Declared
+    from dcfp.schema.declared import Declared
     from dcfp.study.scenario import Calculation, ScenarioResult
     from dcfp.system import Bearing
 

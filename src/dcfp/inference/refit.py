@@ -19,7 +19,7 @@ from dcfp.methods.li_2020.constants import DESIGN, SIMPLIFIED
 from dcfp.methods.li_2020.simplified_method import absorbed_velocity_ratio
 from dcfp.methods.method import Variant
 from dcfp.methods.pulses import CHANGE, PREDICTION_QUANTITIES, value_of
-from dcfp.schema.parameters import parameters
+from dcfp.schema.declared import parameters
 from dcfp.schema.quantities import Quantity
 
 #: How far the fitted constants may go: part of, and times the paper's.

@@ -31,8 +31,9 @@ from dcfp.methods.equivalent_linear import PendulumWithFriction, halved
 from dcfp.methods.method import Look, register
 from dcfp.methods.spectra.elastic import DesignSpectrum, ElasticSpectrum, velocity
 from dcfp.schema.checks import positive
+from dcfp.schema.declared import declared
 from dcfp.schema.formulas import Formula, number
-from dcfp.schema.parameters import Parameter, declared
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import NONE
 
 METHOD_1, METHOD_2, ENERGY_BALANCE = "AIJ method 1", "AIJ method 2", "AIJ energy balance"

@@ -32,8 +32,9 @@ from dcfp.methods.equivalent_linear import PendulumWithFriction
 from dcfp.methods.method import Look, register
 from dcfp.methods.spectra.elastic import DesignSpectrum, ElasticSpectrum
 from dcfp.schema.check import Check, Verdict, at_least, at_most
+from dcfp.schema.declared import declared
 from dcfp.schema.formulas import Formula, number
-from dcfp.schema.parameters import Parameter, declared
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import SECOND, Unit
 
 NAME = "ASCE 7-16 ELF"

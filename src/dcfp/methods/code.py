@@ -14,9 +14,10 @@ from dcfp.methods.spectra.elastic import ElasticSpectrum, displacement, velocity
 from dcfp.methods.spectra.of_record import PERIODS, input_energy_spectrum, response_spectrum
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.check import COLUMNS, Check, Verdict, at_least
+from dcfp.schema.declared import Declared, declared
 from dcfp.schema.formulas import Formula, number
 from dcfp.schema.notebook import card, told
-from dcfp.schema.parameters import Declared, Parameter, declared
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import FRACTION, KM, METRE, MM, NONE, PERCENT, SECOND

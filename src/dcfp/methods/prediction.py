@@ -11,8 +11,9 @@ from dcfp.methods.li_2020.constants import LI_2020, Constants
 from dcfp.methods.method import METHODS, Information, Method
 from dcfp.methods.pulses import MARCH_THRESHOLD, THRESHOLD, Prediction, PulsePrediction, Pulses, find_pulses
 from dcfp.motion.ground_motion import GroundMotion
+from dcfp.schema.declared import Declared, declared
 from dcfp.schema.formulas import Formula
-from dcfp.schema.parameters import Declared, Parameter, declared
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import FRACTION
 from dcfp.system import LI_2020 as PAPER_BEARING
 from dcfp.system import ConstantFriction, Li2020, System

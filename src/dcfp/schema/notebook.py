@@ -11,8 +11,8 @@ from typing import Any, cast
 
 import numpy as np
 
+from dcfp.schema.declared import parameters
 from dcfp.schema.nomenclature import NOMENCLATURE
-from dcfp.schema.parameters import parameters
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import WORDS, Unit
 

@@ -1,31 +1,16 @@
-"""Parameters, each declared once beside its field: words, unit, limits, symbol, names; and what every door needs of them.
+"""What there is to know of a parameter (words, unit, limits, symbol, names), and what every door does with it: read, check, write, ask for another unit."""
 
-A class says what its fields are with ``Annotated[float, Parameter(...)]`` under `declared`. Its constructor, files, options, study factors,
-forms, reports and documentation all loop over the same declarations, so that they have the same names, limits and sentences.
-"""
-
-import dataclasses
-import inspect
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import (
-    Annotated,
     Any,
-    ClassVar,
-    Self,
     TypeVar,
-    Union,
     cast,
-    dataclass_transform,
-    get_args,
-    get_origin,
-    get_type_hints,
 )
 
 from dcfp.errors import InputError
-from dcfp.schema.docstring import with_parameters
 from dcfp.schema.units import HERTZ, M_PER_S, SECOND, WORDS, Unit, convert, split_number
 
 T = TypeVar("T")
@@ -280,98 +265,6 @@ class Parameter:
         return f" (were {near[0]} meant?)" if near else ""
 
 
-class Declared:
-    """A class whose fields are declared parameters."""
-
-    #: What the class is called in a sentence.
-    noun: ClassVar[str] = ""
-    _parameters: ClassVar[dict[str, Parameter]] = {}
-
-    def __post_init__(self) -> None:
-        for one in parameters(type(self)).values():
-            label = f"{type(self).__name__}: {one.words} ({one.name})"
-            object.__setattr__(self, one.name, one.checked(getattr(self, one.name), label))
-        self.check_relations()
-
-    def check_relations(self) -> None:
-        """Refuse values that are allowed each, but not together."""
-
-    def card_facts(self) -> dict[str, Any]:
-        """Return what its card in a notebook says besides the parameters, by labels with units."""
-        return {}
-
-    def _repr_html_(self) -> str:
-        from dcfp.schema.notebook import fields_card  # late: it knows the parameters
-
-        words = f"{(self.noun or type(self).__name__).removeprefix('the ').removeprefix('a ')} {getattr(self, 'name', '')}"
-        return fields_card(self, words[0].upper() + words[1:].strip(), self.card_facts())
-
-    @classmethod
-    def from_table(cls, table: Mapping[str, Any], where: str, base: Self | None = None) -> Self:
-        """Return what a table of a file says, with the rest from `base` or from the defaults.
-
-        Parameters
-        ----------
-        table
-            Values by their keys, each in its declared unit or a text with a number and a unit.
-        where
-            What to begin a complaint with: the file, and the table in it.
-        base
-            Where what the table leaves out comes from; by default the defaults.
-
-        Raises
-        ------
-        InputError
-            If there is an unknown key or a value that is not allowed.
-        """
-        values = read_table(cls, table, where)
-        return build(cls, values, where, base)
-
-    def to_table(self) -> dict[str, Any]:
-        """Return what a file would hold of it: every value that is given, by its key, in its declared unit."""
-        return {
-            one.key: one.written(value)
-            for one in parameters(type(self)).values()
-            if (value := getattr(self, one.name)) is not None and value != ""
-        }
-
-    def rows(self) -> Iterator[tuple[Parameter, Any]]:
-        """Give every parameter with its value."""
-        for one in parameters(type(self)).values():
-            yield one, getattr(self, one.name)
-
-    def unchecked(self, **values: Any) -> Self:
-        """Return a copy with values that may lie beyond the limits: a limit case of the mathematics, which no door takes."""
-        copy = object.__new__(type(self))
-        for one in parameters(type(self)).values():
-            object.__setattr__(copy, one.name, values.get(one.name, getattr(self, one.name)))
-        return copy
-
-
-def read_table(
-    kind: type[Declared], table: Mapping[str, Any], where: str, *, also: tuple[str, ...] = ()
-) -> dict[str, Any]:
-    """Return the values of a table in the package's units by the names of the fields.
-
-    Parameters
-    ----------
-    kind
-        The declared class.
-    table
-        Values by their keys.
-    where
-        What to begin a complaint with.
-    also
-        What else such a file may hold, for the sentence.
-
-    Raises
-    ------
-    InputError
-        If there is an unknown key or a value that is not allowed.
-    """
-    return read_values(parameters(kind).values(), table, where, f"parameter of {described(kind)}", also=also)
-
-
 def read_values(
     known: Iterable[Parameter],
     table: Mapping[str, Any],
@@ -438,21 +331,6 @@ def table_in(content: Mapping[str, Any], key: str, where: str = "", shown: str =
     return dict(cast("Mapping[str, Any]", table))
 
 
-def described(kind: type[Declared]) -> str:
-    """Return what a declared class is called in a sentence, such as ``"the friction law li2020"``."""
-    name = "" if "name" in parameters(kind) else getattr(kind, "name", "")
-    return f"{kind.noun or kind.__name__} {name}".strip()
-
-
-def build(kind: Callable[..., T], values: Mapping[str, Any], where: str, base: T | None = None) -> T:
-    """Return an object with those values; a complaint about how they go together begins with `where`."""
-    try:
-        return kind(**values) if base is None else replace(cast("Any", base), **values)
-    except InputError as error:
-        msg = f"{where}: {error}" if where else str(error)
-        raise InputError(msg) from error
-
-
 def refuse_other(value: object, kinds: type | tuple[type, ...], name: str, wanted: str) -> None:
     """Refuse what is of none of the kinds; `wanted` stands behind ``must be``.
 
@@ -472,65 +350,6 @@ def unknown(given: object, known: Iterable[str], what: str) -> str:
     near = get_close_matches(str(given), known, n=1)
     meant = f"did you mean {near[0]!r}?" if near else f"the choices are {', '.join(known)}."
     return f"there is no {what} {given!r}; {meant}"
-
-
-def parameters(kind: type) -> dict[str, Parameter]:
-    """Return the parameters of a declared class by the names of their fields, in their order."""
-    if "_parameters" not in kind.__dict__:
-        msg = f"{kind.__name__} is not declared."
-        raise TypeError(msg)
-    return cast("Any", kind)._parameters
-
-
-@dataclass_transform(frozen_default=True, field_specifiers=(field,))
-def declared(kind: type[T]) -> type[T]:
-    """Make a frozen dataclass of declared parameters; fields without `Parameter` are fields like any other."""
-    hints = get_type_hints(kind, include_extras=True)
-    marks = {name: hint for name, hint in hints.items() if get_origin(hint) is Annotated}
-    # without this every signature prints the whole declaration
-    for name in inspect.get_annotations(kind).keys() & marks.keys():
-        kind.__annotations__[name] = get_args(marks[name])[0]
-    inherited = {
-        name: one
-        for base in reversed(kind.__mro__[1:])
-        for name, one in base.__dict__.get("_parameters", {}).items()
-    }
-    made = dataclass(frozen=True)(kind)
-    defaults: dict[str, Any] = {
-        one.name: None if one.default is dataclasses.MISSING else one.default
-        for one in dataclasses.fields(cast("Any", made))
-    }
-    found: dict[str, Parameter] = {}
-    for name, default in defaults.items():
-        if name in marks:
-            found[name] = _bound(name, marks[name], default)
-        elif name in inherited:
-            found[name] = replace(inherited[name], default=default)
-    cast("Any", made)._parameters = found
-    sentences = {name: found[name].sentence if name in found else None for name in defaults}
-    made.__doc__ = with_parameters(kind.__doc__ or "", sentences)
-    return made
-
-
-def _bound(name: str, hint: Any, default: Any) -> Parameter:
-    """Return a parameter that knows its field."""
-    inside, *marks = get_args(hint)
-    mark = next(mark for mark in marks if isinstance(mark, Parameter))
-    options = get_args(inside) if get_origin(inside) in (Union, type(int | str)) else (inside,)
-    inner = next(one for one in options if one is not type(None))
-    kind = get_args(inner)[0] if get_origin(inner) is tuple else inner
-    counts = mark.counts
-    if get_origin(inner) is tuple and not counts:
-        counts = (len([one for one in get_args(inner) if one is not Ellipsis]),)
-    return replace(
-        mark,
-        name=name,
-        key=mark.key or name,
-        kind=cast("type", kind),
-        default=default,
-        optional=type(None) in options,
-        counts=counts,
-    )
 
 
 #: What a ground motion can be scaled to, at every door.

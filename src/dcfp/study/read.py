@@ -13,16 +13,8 @@ from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import load_motions
 from dcfp.motion.treatment import treated
-from dcfp.schema.parameters import (
-    HIGH_PASS,
-    TIME_STEP,
-    Parameter,
-    build,
-    read_table,
-    read_values,
-    table_in,
-    unknown,
-)
+from dcfp.schema.declared import build, read_table
+from dcfp.schema.parameters import HIGH_PASS, TIME_STEP, Parameter, read_values, table_in, unknown
 from dcfp.schema.reading import complaints_name, read_toml
 from dcfp.schema.units import NONE
 from dcfp.study.factors import OF_LAW, Value, factor

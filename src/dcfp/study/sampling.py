@@ -10,7 +10,8 @@ import numpy as np
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
-from dcfp.schema.parameters import Declared, Parameter, declared
+from dcfp.schema.declared import Declared, declared
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import NONE
 from dcfp.study.factors import Value
 

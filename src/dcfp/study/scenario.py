@@ -16,8 +16,9 @@ from dcfp.errors import InputError
 from dcfp.inference import Case, compare
 from dcfp.methods.prediction import Methods, Nominal, nominal_coefficient
 from dcfp.motion.ground_motion import GroundMotion
+from dcfp.schema.declared import Declared, declared
 from dcfp.schema.notebook import card, told
-from dcfp.schema.parameters import PGV, Declared, Parameter, declared, table_in
+from dcfp.schema.parameters import PGV, Parameter, table_in
 from dcfp.schema.reading import complaints_name, read_toml
 from dcfp.study import Study, read_study
 from dcfp.system import System

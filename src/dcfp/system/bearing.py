@@ -6,7 +6,8 @@ from typing import Annotated, Any
 
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
-from dcfp.schema.parameters import Declared, Parameter, declared
+from dcfp.schema.declared import Declared, declared
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import KN_PER_MM, MM, N_PER_MM2
 
 #: Stretch of spring (b) under a tenth of the vertical force above which a wrong unit is suspected [mm]; real bearings yield within some millimetres.

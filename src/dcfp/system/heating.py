@@ -10,7 +10,8 @@ from numpy.typing import ArrayLike
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.kernels.heat_state import LINE, NO_HEATING, POINT
-from dcfp.schema.parameters import Declared, Parameter, declared
+from dcfp.schema.declared import Declared, declared
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.registry import Registry
 from dcfp.schema.units import CONDUCTIVITY as CONDUCTIVITY_UNIT
 from dcfp.schema.units import DEGC, DIFFUSIVITY, MM, NONE

@@ -7,17 +7,9 @@ from pathlib import Path
 from typing import Any, TypeAlias, TypeVar
 
 from dcfp.errors import InputError
+from dcfp.schema.declared import build, described, parameters, read_table
 from dcfp.schema.notebook import fields_card
-from dcfp.schema.parameters import (
-    Parameter,
-    build,
-    described,
-    parameters,
-    read_table,
-    refuse_other,
-    table_in,
-    unknown,
-)
+from dcfp.schema.parameters import Parameter, refuse_other, table_in, unknown
 from dcfp.schema.reading import read_toml
 from dcfp.schema.units import NONE
 from dcfp.system.bearing import LI_2020, Bearing

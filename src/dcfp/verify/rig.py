@@ -9,7 +9,7 @@ from dcfp.analysis.integration import DEFAULT
 from dcfp.analysis.rig import Loops, Program, RigTest, Sine, Triangle, VerticalLoad, run_program
 from dcfp.analysis.rig.waveform import Travel, Waveform
 from dcfp.arrays import FloatArray
-from dcfp.schema.parameters import declared
+from dcfp.schema.declared import declared
 from dcfp.system import LI_2020, Bearing, ConstantFriction, FrictionLaw, Heating, PreciseHeating
 from dcfp.verify.check import Found
 

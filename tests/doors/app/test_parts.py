@@ -20,8 +20,9 @@ from dcfp.doors.app.session import MOST_COMPONENTS, MOST_FILES, Session, plain_n
 from dcfp.doors.app.thinning import TOLERANCE, kept, kept_of_path, turning_points
 from dcfp.doors.app.units import Units
 from dcfp.errors import InputError
+from dcfp.schema.declared import declared
 from dcfp.schema.nomenclature import quantity
-from dcfp.schema.parameters import Parameter, declared
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import (
     DEGC,

@@ -10,8 +10,9 @@ import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
+from dcfp.schema.declared import Declared, declared
 from dcfp.schema.notebook import fields_card
-from dcfp.schema.parameters import Declared, Parameter, declared
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import FRACTION, N_PER_MM, NONE, SECOND, TONNE
 
 _STOREYS = Parameter("number of storeys", NONE, 1, kind=int)

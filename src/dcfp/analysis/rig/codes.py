@@ -18,7 +18,8 @@ from dcfp.analysis.rig.waveform import Sine
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.schema.check import Check, Verdict
-from dcfp.schema.parameters import Declared, Parameter, declared
+from dcfp.schema.declared import Declared, declared
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import KN_M, KN_PER_MM, MM, N_PER_MM2, NONE, SECOND
 

@@ -15,17 +15,9 @@ from dcfp.analysis.rig.measurement import Measurement, read_measurement
 from dcfp.analysis.rig.waveform import Recorded, Sine, Triangle, Waveform
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
+from dcfp.schema.declared import Declared, build, declared, parameters, read_table
 from dcfp.schema.notebook import card
-from dcfp.schema.parameters import (
-    Declared,
-    Parameter,
-    build,
-    declared,
-    parameters,
-    read_table,
-    refuse_other,
-    unknown,
-)
+from dcfp.schema.parameters import Parameter, refuse_other, unknown
 from dcfp.schema.reading import read_toml
 from dcfp.schema.registry import Registry
 from dcfp.schema.units import KN, N_PER_MM2, SECOND

@@ -11,7 +11,8 @@ from scipy.interpolate import CubicHermiteSpline, PchipInterpolator
 from dcfp.analysis.rig.measures import CROSSING
 from dcfp.arrays import FloatArray, equally_spaced
 from dcfp.errors import InputError
-from dcfp.schema.parameters import Declared, Parameter, declared
+from dcfp.schema.declared import Declared, declared
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import MM, MM_PER_S, NONE
 
 #: Pieces in a cycle of a generated motion; the cubic is then within 2e-10 of the amplitude of a sine.

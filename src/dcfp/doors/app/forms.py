@@ -6,7 +6,8 @@ from itertools import takewhile
 from typing import Any
 
 from dcfp.errors import InputError
-from dcfp.schema.parameters import Declared, Parameter, build, parameters
+from dcfp.schema.declared import Declared, build, parameters
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.quantities import Quantity
 from dcfp.system import (
     FRICTION_LAWS,

@@ -21,7 +21,7 @@ from dcfp.methods.code_comparison import (
 from dcfp.methods.equivalent_linear import PendulumWithFriction
 from dcfp.methods.spectra.elastic import DESIGN_SPECTRA, ElasticSpectrum, read_spectrum
 from dcfp.schema.check import COLUMNS, Verdict
-from dcfp.schema.parameters import parameters
+from dcfp.schema.declared import parameters
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import NONE

@@ -11,7 +11,8 @@ from dcfp.doors.cli import options
 from dcfp.doors.cli.parser import Pairs, Parser, add_declared, add_parameter, add_switch
 from dcfp.errors import InputError
 from dcfp.files import DATA_EXTENSIONS
-from dcfp.schema.parameters import PGV, Parameter, parameters
+from dcfp.schema.declared import parameters
+from dcfp.schema.parameters import PGV, Parameter
 from dcfp.schema.units import FRACTION, MM, NONE, SECOND
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import load_motions as load
 from dcfp.motion.measures import refuse_a_drift
 from dcfp.motion.treatment import treated
-from dcfp.schema.parameters import Declared, parameters
+from dcfp.schema.declared import Declared, parameters
 from dcfp.system import System, read_bearing, system_parameters
 
 

@@ -9,7 +9,8 @@ from difflib import get_close_matches
 from typing import Any, NoReturn
 
 from dcfp.errors import InputError
-from dcfp.schema.parameters import Declared, Parameter, parameters
+from dcfp.schema.declared import Declared, parameters
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import split_number
 
 _SAID_BETTER = {

@@ -19,7 +19,7 @@ from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.kernels.law import EXPONENTIAL, Law, exponential_law
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.schema.parameters import declared
+from dcfp.schema.declared import declared
 from dcfp.system import FrictionLaw, Kumar2015, SimplifiedHeating, System
 
 #: What is written into FPBearingPTV: the temperature at the start [degC], and the part of the coefficient that is missing at zero speed [-].

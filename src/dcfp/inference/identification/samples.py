@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.inference.identification.friction_history import FrictionHistory
-from dcfp.schema.parameters import Parameter, parameters, unknown
+from dcfp.schema.declared import parameters
+from dcfp.schema.parameters import Parameter, unknown
 from dcfp.system import Heating, System
 from dcfp.system.friction import FittedFriction
 from dcfp.system.system import OF_LAW

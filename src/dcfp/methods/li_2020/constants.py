@@ -4,7 +4,8 @@ from typing import Annotated
 
 from dcfp.methods.method import Information, Variant
 from dcfp.methods.pulses import CHANGE, HYSTERETIC, INPUT
-from dcfp.schema.parameters import Declared, Parameter, declared
+from dcfp.schema.declared import Declared, declared
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import FRACTION, M_PER_S, MM_PER_S2, NONE
 from dcfp.system.friction.constant import NOMINAL_COEFFICIENT

@@ -12,8 +12,9 @@ from numpy.typing import ArrayLike
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
 from dcfp.motion.formats.source import canonical_unit, to_number, unit_size
+from dcfp.schema.declared import Declared, parameters
 from dcfp.schema.notebook import fields_card
-from dcfp.schema.parameters import Declared, Parameter, parameters
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.reading import read_bytes
 from dcfp.schema.registry import Registry
 from dcfp.schema.units import MM_PER_S2, SECOND

@@ -36,7 +36,8 @@ from dcfp.present.report.results import methods_section, results_section
 from dcfp.present.report.verdicts import checks_section, front_blocks
 from dcfp.present.report.worked import worked_out
 from dcfp.schema.citations import citation
-from dcfp.schema.parameters import Declared
+from dcfp.schema.declared import Declared
+from dcfp.schema.units import M_PER_S, M_PER_S2
 from dcfp.study.scenario import Calculation
 from dcfp.system import LI_2020, FrictionLaw, Heating
 from dcfp.system.heating import constant_flux_rise
@@ -78,7 +79,6 @@ def build_report(calculation: Calculation) -> Document:
 
 # ----- what the calculation starts from, and where each value comes from -----
 
-_KILO = 1e3
 _ASSUMED = "the scenario file, or the default of Li et al. (2020) where it says nothing (the file is in the appendix)"
 
 
@@ -174,8 +174,8 @@ def _motions(calculation: Calculation) -> tuple[Block, ...]:
         cells(
             label_of(one),
             _scale(one.motion),
-            written("pga_m_s2", one.motion.peak_acceleration / _KILO),
-            written("pgv_m_s", one.motion.peak_velocity / _KILO),
+            written("pga_m_s2", M_PER_S2.shown(one.motion.peak_acceleration)),
+            written("pgv_m_s", M_PER_S.shown(one.motion.peak_velocity)),
             f"{one.motion.duration:.2f}",
         )
         for one in calculation.results
@@ -199,7 +199,7 @@ def _record(motion: GroundMotion) -> Table:
             ("Treatment here", "; ".join(motion.treatment) or "none"),
             (
                 "As recorded",
-                f"PGA {written('pga_m_s2', motion.peak_acceleration / _KILO)} m/s², PGV {written('pgv_m_s', motion.peak_velocity / _KILO)} m/s,"
+                f"PGA {written('pga_m_s2', M_PER_S2.shown(motion.peak_acceleration))} m/s², PGV {written('pgv_m_s', M_PER_S.shown(motion.peak_velocity))} m/s,"
                 f" {values} values, {short(motion.time_step)} s apart",
             ),
             ("SHA-256 before scaling", (Code(motion.digest),)),

@@ -12,6 +12,7 @@ from dcfp.present.report.document import DECIMALS, written
 from dcfp.schema.check import COLUMNS, Check
 from dcfp.schema.citations import bibliography, citation
 from dcfp.schema.formulas import Formula
+from dcfp.schema.units import KN_M, M_PER_S2
 from dcfp.study.scenario import Calculation, ScenarioResult
 from dcfp.version import version
 
@@ -88,9 +89,6 @@ def versions() -> dict[str, str]:
 # Every number of a report, ready for JSON.
 
 
-_KILO, _MEGA = 1e3, 1e6
-
-
 def numbers_of(calculation: Calculation, formulas: tuple[Formula, ...]) -> dict[str, Any]:
     """Return the numbers of a report.
 
@@ -144,7 +142,7 @@ def energies_of(result: ScenarioResult) -> dict[str, float]:
         "absolute_input": energy.absolute_input,
         "residual": energy.residual,
     }
-    return {f"{name}_kN_m": float(values[-1]) / _MEGA for name, values in ends.items()} | {
+    return {f"{name}_kN_m": KN_M.shown(float(values[-1])) for name, values in ends.items()} | {
         "largest_residual_over_largest_input": energy.relative_residual
     }
 
@@ -155,7 +153,7 @@ def _case(one: ScenarioResult, row: dict[str, Any], compared: dict[str, Any]) ->
         **compared,
         **row,
         "remarks": one.response.all_remarks,
-        "pga_m_s2": motion.peak_acceleration / _KILO,
+        "pga_m_s2": M_PER_S2.shown(motion.peak_acceleration),
         "scaled_record_sha256": motion.digest,
         "record_origin": asdict(motion.origin),
         "record_treatment": list(motion.treatment),

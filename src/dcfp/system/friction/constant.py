@@ -3,8 +3,8 @@
 from typing import Annotated, ClassVar
 
 from dcfp.kernels.law import Law, exponential_law
+from dcfp.schema.declared import declared
 from dcfp.schema.formulas import Formula
-from dcfp.schema.parameters import declared
 from dcfp.system.friction.law import FrictionLaw, coefficient_formula, coefficient_parameter
 
 #: Nominal coefficient mu_n [-], Li et al. (2020), section 4.4: mean of the tests at zero displacement

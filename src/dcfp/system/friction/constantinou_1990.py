@@ -9,8 +9,9 @@ from numpy.typing import ArrayLike
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.kernels.law import Law, exponential_law
+from dcfp.schema.declared import declared
 from dcfp.schema.formulas import Expression, Formula, number
-from dcfp.schema.parameters import Parameter, declared
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import S_PER_MM
 from dcfp.system.friction import li_2020
 from dcfp.system.friction.law import FrictionLaw, coefficient_formula, coefficient_parameter

@@ -8,8 +8,9 @@ import numpy as np
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.kernels.law import Law, exponential_law
+from dcfp.schema.declared import declared
 from dcfp.schema.formulas import Expression, number
-from dcfp.schema.parameters import Parameter, declared
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import DEGC, MM_PER_S, N_PER_MM2, NONE, PER_DEGC, S_PER_MM
 from dcfp.system.friction import li_2020
 from dcfp.system.friction.law import Factor, FrictionLaw, Tested, coefficient_parameter

@@ -13,8 +13,9 @@ from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.kernels.law import Law, exponential_law
+from dcfp.schema.declared import declared
 from dcfp.schema.formulas import Expression
-from dcfp.schema.parameters import Parameter, declared
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import N_PER_MM2
 from dcfp.system.friction import li_2020
 from dcfp.system.friction.law import (

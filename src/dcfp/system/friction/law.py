@@ -11,8 +11,9 @@ from numpy.typing import ArrayLike
 from dcfp.arrays import FloatArray
 from dcfp.errors import AnalysisError, InputError
 from dcfp.kernels.law import Law
+from dcfp.schema.declared import Declared
 from dcfp.schema.formulas import Expression, Formula, number
-from dcfp.schema.parameters import Declared, Parameter
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.registry import Registry
 from dcfp.schema.units import FRACTION
 

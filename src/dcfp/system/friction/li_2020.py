@@ -8,8 +8,8 @@ from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray
 from dcfp.kernels.law import Law, exponential_law
+from dcfp.schema.declared import declared
 from dcfp.schema.formulas import Expression
-from dcfp.schema.parameters import declared
 from dcfp.system.friction.law import (
     Factor,
     FrictionLaw,

@@ -11,8 +11,9 @@ import numpy as np
 
 from dcfp.arrays import FloatArray
 from dcfp.kernels.law import Law, cycling_law
+from dcfp.schema.declared import declared
 from dcfp.schema.formulas import Expression
-from dcfp.schema.parameters import Parameter, declared
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import MM_PER_S, N_PER_MM2, N_PER_S, NONE
 from dcfp.system.friction import li_2020
 from dcfp.system.friction.law import Factor, FrictionLaw, Tested, coefficient_parameter
