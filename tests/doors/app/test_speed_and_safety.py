@@ -47,19 +47,26 @@ def test_from_the_slider_to_the_number(open_page, capsys):
     assert median < ALLOWED
 
 
-async def _visit(browser, address: str, number: int, seconds: float) -> tuple[int, list[str]]:
-    """Be a visitor with a record and a bearing of one's own, who always must see one's own number."""
+async def _visit(
+    browser, address: str, number: int, seconds: float, entrance: asyncio.Lock, together: asyncio.Barrier
+) -> tuple[int, list[str]]:
+    """Be a visitor with a record and a bearing of one's own, who always must see one's own number.
+
+    Visitors come in one by one, for to draw ten new pages keeps a browser on two processors busy for half a minute; then all use theirs together.
+    """
     wrong: list[str] = []
     loop = asyncio.get_running_loop()
     context = await browser.new_context(viewport={"width": 1000, "height": 700})
     page = await context.new_page()
     page.on("pageerror", lambda error: wrong.append(str(error)))
     page.on("console", lambda said: wrong.append(said.text) if said.type == "error" else None)
-    await page.goto(address)
-    await page.wait_for_function(
-        "document.querySelector('[data-tile=\"peak_displacement\"]')?.textContent.match(/\\d/)",
-        timeout=60_000,
-    )
+    async with entrance:
+        await page.goto(address)
+        await page.wait_for_function(
+            "document.querySelector('[data-tile=\"peak_displacement\"]')?.textContent.match(/\\d/)",
+            timeout=60_000,
+        )
+    await together.wait()
     text = at2_text(pulse_motion(size=1500.0 + 100.0 * number)).encode()
     own = {"name": f"own{number}.AT2", "mimeType": "text/plain", "buffer": text}
     await page.locator("input[type=file]").set_input_files([own])
@@ -94,8 +101,9 @@ async def visit_together(address: str, seconds: float) -> list[tuple[int, list[s
     async with async_playwright() as playwright:
         path = shutil.which("chromium") or shutil.which("google-chrome")
         browser = await playwright.chromium.launch(executable_path=path, args=["--no-sandbox"])
+        entrance, together = asyncio.Lock(), asyncio.Barrier(VISITORS)
         found = await asyncio.gather(
-            *(_visit(browser, address, number, seconds) for number in range(VISITORS))
+            *(_visit(browser, address, number, seconds, entrance, together) for number in range(VISITORS))
         )
         await browser.close()
     return found

@@ -91,6 +91,10 @@ def too_large(name: str) -> str:
 _SENT = "sent-"
 
 
+#: Records that come with the package stay in memory, for every change of a field analyses one anew.
+_named = cache(named_motion)
+
+
 @cache
 def named_choices() -> dict[str, str]:
     """Return the named records that come with the package, in words: the paper's first."""
@@ -175,7 +179,7 @@ class Session:
 
     def motion(self, key: str) -> GroundMotion:
         """Return a record as it is."""
-        return self.sent[key].motion if key in self.sent else named_motion(key)
+        return self.sent[key].motion if key in self.sent else _named(key)
 
     def file_of(self, key: str) -> str:
         """Return how a scenario names a record."""
