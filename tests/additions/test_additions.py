@@ -92,7 +92,9 @@ def test_python_and_notebook() -> None:
     response = dcfp.respond("NCC", system, pgv=500)
     assert response.summary()["toy_speed_mm_s"] == pytest.approx(0.5 * response.peak_velocity)
     assert response.to_dataset().attrs["toy_speed_mm_s"] == response.summary()["toy_speed_mm_s"]
-    assert "toy_speed" in response._repr_html_()
+    speed = 0.5 * response.peak_velocity
+    assert 'toy_speed [mm/s]</td><td style="text-align: right' in response._repr_html_()
+    assert f">{speed:.5g}</td>" in response._repr_html_()
     assert "halving" in system.friction._repr_html_()
     assert "toy_speed" in repr(response)
     with pytest.raises(dcfp.InputError, match=WORDS):
@@ -108,21 +110,26 @@ def test_workbook_and_report(capsys: pytest.CaptureFixture[str], tmp_path: Path)
         'title = "Toy"\n[factors]\nrecord = ["NCC"]\npgv = { values = [0.5], unit = "m/s" }\n'
         + FRICTION.format("bearing.friction")
     )
-    answer(capsys, "export", file, "--out", tmp_path / "toy.xlsx")
+    (told,) = json.loads(answer(capsys, "export", file, "--out", tmp_path / "toy.xlsx", "--json"))["analyses"]
+    speed = told["toy_speed_mm_s"]
     cells = [
-        str(cell.value)
+        cell.value
         for sheet in load_workbook(tmp_path / "toy.xlsx").worksheets
         for row in sheet.iter_rows()
         for cell in row
         if cell.value is not None
     ]
-    assert any("toy_speed" in cell for cell in cells)
-    assert any(WORDS in cell.casefold() for cell in cells)
+    assert "toy_speed [mm/s]" in cells
+    assert pytest.approx(speed, rel=1e-12) in [cell for cell in cells if isinstance(cell, float)]
+    assert any(WORDS in str(cell).casefold() for cell in cells)
     answer(capsys, "report", file, "--out", tmp_path / "toy.pdf")
+    answer(capsys, "report", file, "--out", tmp_path / "toy.html")
     printed = " ".join(page.extract_text() for page in PdfReader(tmp_path / "toy.pdf").pages)
-    printed = " ".join(printed.split()).casefold()
-    assert WORDS in printed
-    assert "half of the largest relative velocity" in printed or "toy" in printed
+    for text in (printed, (tmp_path / "toy.html").read_text()):
+        text = " ".join(text.split())
+        assert WORDS in text.casefold()
+        assert f"{speed / 1e3:.4f}" in text
+        assert "half of the largest relative velocity" in text
 
 
 def test_studies(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from dcfp.present.report.maths import SYMBOLS
 from dcfp.schema.check import Verdict
 from dcfp.schema.formulas import Formula, number
 from dcfp.study.scenario import Heading
@@ -45,6 +46,8 @@ class Tone(Enum):
     OPEN = "open"
 
 
+#: Words, names and letters of a symbol in LaTeX.
+_LATEX = re.compile(r"\\mathrm\{(?P<word>[^{}]*)\}|\\(?P<name>[A-Za-z]+)|[A-Za-z]{2,}")
 #: What a box of a tone and a cell of a verdict are called in both forms.
 BOXES = {Tone.GOOD: "met", Tone.BAD: "broken", Tone.OPEN: "open"}
 COLOURS = {Verdict.MET: "met", Verdict.NOT_MET: "broken", Verdict.NOT_KNOWN: "open"}
@@ -204,9 +207,15 @@ def heads(*texts: str | Parts) -> tuple[Parts, ...]:
 
 
 def maths_of(symbol: str) -> str:
-    """Return a symbol in LaTeX as `dcfp.present.report.maths` reads it."""
-    plain = re.sub(r"\\mathrm\{(\w+)\}|\\(max|min)", r'"\1\2"', symbol)
-    return plain.replace("\\", "").replace("{", "(").replace("}", ")")
+    """Return a symbol in LaTeX as `dcfp.present.report.maths` reads it; what that does not know stands there as words."""
+
+    def piece(found: re.Match[str]) -> str:
+        word, name = found["word"], found["name"]
+        if word is None and name is None:
+            return " ".join(found[0])  # each letter is a symbol
+        return name if name in SYMBOLS else f'"{word or name}"'
+
+    return _LATEX.sub(piece, symbol).replace("{", "(").replace("}", ")")
 
 
 def named_values(rows: "list[tuple[str, str | Parts]]", caption: str = "") -> Table:

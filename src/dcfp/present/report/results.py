@@ -2,24 +2,28 @@
 
 import math
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from dcfp.analysis import Status
+from dcfp.analysis.response import PEAKS
 from dcfp.inference.statistics import ratios
 from dcfp.methods import Prediction
 from dcfp.methods.code import CodeResult, code_methods, code_objects
 from dcfp.methods.pulses import CHANGE
 from dcfp.present.report.document import (
+    DECIMALS,
     Block,
     Cell,
     Drawing,
     Maths,
+    Part,
     Parts,
     Section,
     Table,
     Tone,
     cells,
     heads,
+    maths_of,
     powered,
     shortened,
     words,
@@ -27,6 +31,9 @@ from dcfp.present.report.document import (
 )
 from dcfp.present.report.references import energies_of, label_of
 from dcfp.schema.check import Verdict
+from dcfp.schema.formulas import true_minus
+from dcfp.schema.quantities import Quantity
+from dcfp.schema.units import Unit
 from dcfp.study.scenario import Calculation, ScenarioResult
 
 if TYPE_CHECKING:
@@ -37,18 +44,6 @@ if TYPE_CHECKING:
 _SHEET_WITH_PROFILE, _PULSES = 5.35, 3.55
 #: Characters of a record's name that the head of a figure has room for.
 _LONGEST = 40
-_PEAKS: tuple[tuple[str, Parts, str], ...] = (
-    ("pgv_m_s", ("PGV",), "m/s"),
-    ("y_max_mm", (Maths('y_"max"'),), "mm"),
-    ("dy_max_mm", (Maths('Delta y_"max"'),), "mm"),
-    ("v_max_mm_s", (Maths('v_"max"'),), "mm/s"),
-    ("residual_mm", (Maths('y_"r"'),), "mm"),
-    ("force_max_kN", (Maths('F_"max"'),), "kN"),
-    ("temperature_max_degC", (Maths('T_"max"'),), "°C"),
-    ("friction_min", (Maths('mu_"min"'),), "–"),
-    ("V_E_mm_s", (Maths("V_E"),), "mm/s"),
-    ("V_Eh_mm_s", (Maths('V_(E"h")'),), "mm/s"),
-)
 _METHODS: tuple[tuple[str, Parts], ...] = (
     ("dy_mm", (Maths("Delta y"), "\n[mm]")),
     ("V_dE_mm_s", (Maths("V_(Delta E)"), "\nlargest of\nany pulse\n[mm/s]")),
@@ -58,13 +53,10 @@ _METHODS: tuple[tuple[str, Parts], ...] = (
 
 def results_section(calculation: Calculation) -> Section:
     """Return the section of the results."""
-    key: Parts = (
-        Maths('y_"max"'), " largest displacement of the isolation layer, ", Maths('Delta y_"max"'), " largest change between two of its peaks, ",
-        Maths('v_"max"'), " largest relative velocity, ", Maths('y_"r"'), " residual displacement, ", Maths('F_"max"'),
-        " largest horizontal force of the bearing, ", Maths('T_"max"'), " highest temperature of the contact, ", Maths('mu_"min"'),
-        " smallest coefficient while sliding, ", Maths("V_E"), " and ", Maths('V_(E"h")'),
-        " equivalent velocities of input and hysteretic energy. Numbers are rounded to the digits shown; dcfp report --json prints all of them.",
-    )  # fmt: skip
+    key: list[Part] = []
+    for one in _peaks():
+        key += [", " if key else "", *_symbol(one), f" {one.words}"]
+    key.append(". Numbers are rounded to the digits shown; dcfp report --json prints all of them.")
     parts = [Section(f"Case {place}: {label_of(one)}", _case(one, calculation), on_new_page=True) for place, one in enumerate(calculation.results, 1)]  # fmt: skip
     return Section(
         "Results of the analyses", (peaks_table(calculation), words(*key, tone=Tone.NOTE)), tuple(parts)
@@ -73,18 +65,32 @@ def results_section(calculation: Calculation) -> Section:
 
 def peaks_table(calculation: Calculation) -> Table:
     """Return the peaks of all cases."""
-    head = [("Record",), *((*symbol, f"\n[{unit}]") for _, symbol, unit in _PEAKS), ("Status",)]
-    rows = [_peaks_row(row) for row in calculation.summary]
-    return Table(
-        tuple(head), tuple(rows), "l" + "r" * len(_PEAKS) + "l", (1.0, *[0.0] * len(_PEAKS), 0.9), "Peaks"
-    )
+    peaks = _peaks()
+    head = [("Record",), *((*_symbol(one), f"\n[{_digits(one)[0].name}]") for one in peaks), ("Status",)]
+    rows: list[tuple[Cell, ...]] = []
+    for one in calculation.results:
+        response = one.response
+        verdict = Verdict.MET if response.status is Status.OK else Verdict.NOT_MET
+        numbers = [true_minus(peak.text(response, *_digits(peak))) for peak in peaks]
+        rows.append((*cells(one.motion.name, *numbers), Cell((response.status.value,), verdict)))
+    return Table(tuple(head), tuple(rows), "l" + "r" * len(peaks) + "l", (1.0, *[0.0] * len(peaks), 0.9), "Peaks")  # fmt: skip
 
 
-def _peaks_row(row: dict[str, Any]) -> tuple[Cell, ...]:
-    status = str(row["status"])
-    verdict = Verdict.MET if status == Status.OK.value else Verdict.NOT_MET
-    numbers = cells(*(written(key, row[key]) for key, _, _ in _PEAKS))
-    return (*cells(str(row["record"])), *numbers, Cell((status,), verdict))
+def _peaks() -> list[Quantity]:
+    """Return what is declared of a response, as far as it is a number that both data and tables have."""
+    return [one for one in PEAKS.values() if one.is_number and one.printed and one.stored]
+
+
+def _digits(one: Quantity) -> tuple[Unit, int | None]:
+    """Return unit and decimals of a peak in a report: its own for data where the report has digits for it, else those of tables."""
+    return (one.unit, DECIMALS[one.key]) if one.key in DECIMALS else (one.shown, None)
+
+
+def _symbol(one: Quantity) -> Parts:
+    """Return the symbol of a quantity, or its name where it has none."""
+    source = maths_of(one.symbol)
+    is_word = source.count('"') == 2 and source.startswith('"') and source.endswith('"')
+    return (source.strip('"') if is_word else Maths(source) if source else one.title,)
 
 
 def _case(one: ScenarioResult, calculation: Calculation) -> tuple[Block, ...]:
