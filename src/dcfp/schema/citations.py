@@ -32,3 +32,23 @@ def citation(key: str) -> str:
 def citations_of(*keys: str) -> tuple[str, ...]:
     """Return the references of those keys that are not empty, each once."""
     return tuple(citation(key) for key in dict.fromkeys(keys) if key)
+
+
+def full_citation(key: str) -> str:
+    """Return a reference as a line with its volume, number and pages, as far as the bibliography has them."""
+    entry = bibliography()[key]
+    number = f"({entry['number']})" if "number" in entry else ""
+    places = [f"{entry['volume']}{number}"] if "volume" in entry else []
+    places += [entry["pages"].replace("--", "–")] if "pages" in entry else []
+    before, mark, doi = citation(key).partition(" doi:")
+    return f"{', '.join((before.removesuffix('.'), *places))}.{mark}{doi}"
+
+
+def source_of(key: str) -> str:
+    """Return authors and year of an entry of the bibliography, as they stand beside a formula."""
+    if key not in bibliography():
+        return "law of the scenario"
+    entry = bibliography()[key]
+    authors = [name.split(",")[0].strip() for name in entry["author"].split(" and ")]
+    who = f"{authors[0]} et al." if len(authors) > 2 else " and ".join(authors)
+    return f"{who} ({entry['year']})"

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from dcfp.present.report.document import Cell, Drawing, Section, Table, cells, heads, words
-from dcfp.present.report.page import page_with
+from dcfp.present.report.document import Cell, Drawing, Section, Table, cells, words
+from dcfp.present.report.forms import page_with
 from dcfp.schema.check import Verdict
 from dcfp.verify.reproduction import Finding
 from dcfp.version import version
@@ -38,7 +38,7 @@ def reproduction_page(
     lacking = (
         f" Not at hand are {', '.join(missing)}; ranges and means of the paper are of all eight records."
     )
-    head = heads("Finding", "Printed", "Ours", "100 components of FEMA P-695", "")
+    head = cells("Finding", "Printed", "Ours", "100 components of FEMA P-695", "")
     rows = [row for one in findings for row in _rows(one)]
     return page_with(
         "Energy-based prediction of the displacement of DCFP bearings, made again",

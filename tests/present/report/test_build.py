@@ -9,7 +9,7 @@ import pytest
 
 from dcfp.errors import InputError
 from dcfp.present.report import build_report
-from dcfp.present.report.pdf import data_of
+from dcfp.present.report.forms import data_of
 from dcfp.study.scenario import Calculation, calculate, read_scenario
 
 MOTION = '[motion]\nunits = "m/s2"\n'

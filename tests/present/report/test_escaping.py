@@ -1,7 +1,7 @@
 """Whatever a user wrote is words, in Typst and in HTML."""
 
 from dcfp.present.report import Document, page_of
-from dcfp.present.report.pdf import breakable, data_of
+from dcfp.present.report.forms import breakable, data_of
 
 
 def test_typst_shows_what_was_written(nasty: Document, nasty_pdf: bytes, reading) -> None:

@@ -11,7 +11,7 @@ from PIL import Image
 from pypdf import PdfReader
 
 from dcfp.present.report import Document, page_of, pdf_of
-from dcfp.present.report.pdf import data_of, fonts_suffice
+from dcfp.present.report.forms import data_of, fonts_suffice
 
 #: Margins of a page that stay empty [cm]: of the text there are 2.2 at the sides.
 _SIDES, _ENDS, _DOTS = 2.0, 0.9, 50.0

@@ -1,50 +1,32 @@
-"""A report from a calculation: its inputs, and what a reader must know besides the numbers; results, verdicts and formulas have modules of their own."""
+"""A report from a calculation: its inputs, what a reader must know besides the numbers, its sources, and every number ready for JSON."""
+
+import platform
+from dataclasses import asdict
+from importlib import metadata
+from typing import Any
 
 from dcfp.errors import InputError
+from dcfp.inference.told import case_objects
 from dcfp.kernels._jit import source_digest
+from dcfp.methods.code import code_methods
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import motion_remarks
-from dcfp.present.report.document import (
-    Block,
-    Bullets,
-    Code,
-    Document,
-    Equations,
-    Listing,
-    Maths,
-    Parts,
-    Section,
-    Table,
-    Tone,
-    cells,
-    heads,
-    maths_of,
-    named_values,
-    short,
-    words,
-    written,
-)  # fmt: skip
-from dcfp.present.report.references import (
-    label_of,
-    numbers_of,
-    record_citations,
-    source_of,
-    sources_of,
-    versions,
-)
-from dcfp.present.report.results import methods_section, results_section
-from dcfp.present.report.verdicts import checks_section, front_blocks
+from dcfp.present.report import document as doc
+from dcfp.present.report import results
 from dcfp.present.report.worked import worked_out
-from dcfp.schema.citations import citation
+from dcfp.schema.check import COLUMNS
+from dcfp.schema.citations import citation, full_citation, source_of
 from dcfp.schema.declared import Declared
+from dcfp.schema.formulas import Formula, true_minus
+from dcfp.schema.table import Table
 from dcfp.schema.units import M_PER_S, M_PER_S2
-from dcfp.study.scenario import Calculation
+from dcfp.study.scenario import Calculation, ScenarioResult
 from dcfp.system import LI_2020, FrictionLaw, Heating
 from dcfp.system.heating import constant_flux_rise
 from dcfp.version import version
 
 
-def build_report(calculation: Calculation) -> Document:
+def build_report(calculation: Calculation) -> doc.Document:
     """Return the report of a calculation, to be written by `pdf_of` or `page_of`.
 
     Raises
@@ -56,24 +38,23 @@ def build_report(calculation: Calculation) -> Document:
         msg = "there is no analysis to report; the scenario has no ground motion."
         raise InputError(msg)
     scenario = calculation.scenario
-    worked = worked_out(calculation)
-    return Document(
+    worked, formulas = worked_out(calculation)
+    return doc.Document(
         title=scenario.title,
         heading=scenario.heading,
-        front=front_blocks(calculation),
+        front=results.front_blocks(calculation),
         sections=(
             inputs_section(calculation),
-            results_section(calculation),
-            methods_section(calculation),
-            checks_section(calculation),
-            *worked.sections,
+            results.results_section(calculation),
+            results.methods_section(calculation),
+            results.checks_section(calculation),
+            worked,
             remarks_section(calculation),
             sources_section(calculation),
             *appendix(calculation),
         ),
         maker=f"dcfp {version()}",
-        with_contents=True,
-        numbers=numbers_of(calculation, worked.formulas),
+        numbers=numbers_of(calculation, formulas),
     )
 
 
@@ -82,41 +63,40 @@ def build_report(calculation: Calculation) -> Document:
 _ASSUMED = "the scenario file, or the default of Li et al. (2020) where it says nothing (the file is in the appendix)"
 
 
-def inputs_section(calculation: Calculation) -> Section:
+def inputs_section(calculation: Calculation) -> doc.Section:
     """Return the section of the inputs."""
-    return Section(
+    return doc.Section(
         "Inputs",
-        (words(f"Values are those of {_ASSUMED}.", tone=Tone.NOTE),),
+        (doc.note(f"Values are those of {_ASSUMED}."),),
         (
-            Section("Bearing", (_bearing(calculation),)),
-            Section("Friction", _friction(calculation)),
-            Section("Heating of the contact", _heating(calculation.scenario.model.heating)),
-            Section("Ground motions", _motions(calculation)),
-            Section("Analysis", (_settings(calculation),)),
+            doc.Section("Bearing", (_bearing(calculation),)),
+            doc.Section("Friction", _friction(calculation)),
+            doc.Section("Heating of the contact", _heating(calculation.scenario.model.heating)),
+            doc.Section("Ground motions", _motions(calculation)),
+            doc.Section("Analysis", (_settings(calculation),)),
         ),
         on_new_page=True,
     )
 
 
-def _bearing(calculation: Calculation) -> Table:
+def _bearing(calculation: Calculation) -> doc.Table:
     bearing = calculation.scenario.model.bearing
     unchanged = "unchanged" if bearing == LI_2020 else ""
-    return named_values([*_parameters(bearing), ("Bearing of Li et al. (2020)", unchanged)])
+    return doc.named_values([*_parameters(bearing), ("Bearing of Li et al. (2020)", unchanged)])
 
 
-def _parameters(thing: Declared) -> list[tuple[str, str | Parts]]:
+def _parameters(thing: Declared) -> list[tuple[str, str | doc.Parts]]:
     """Return words, symbol and value of every parameter, in its declared unit."""
-    rows: list[tuple[str, str | Parts]] = []
+    rows: list[tuple[str, str | doc.Parts]] = []
     for parameter, value in thing.rows():
-        symbol: Parts = (
-            (Maths(maths_of(parameter.symbol)), " = ") if parameter.symbol and value is not None else ()
-        )
-        text = "" if value == "" else parameter.text(value).replace("-", "−")
-        rows.append((parameter.words[:1].upper() + parameter.words[1:], (*symbol, text) if text else ""))
+        text = "" if value == "" else true_minus(parameter.text(value))
+        symbol = doc.maths_of(parameter.symbol) if value is not None else ""
+        shown = (doc.Maths(symbol), " = ", text) if symbol and text else text
+        rows.append((parameter.words[:1].upper() + parameter.words[1:], shown))
     return rows
 
 
-def _friction(calculation: Calculation) -> tuple[Block, ...]:
+def _friction(calculation: Calculation) -> tuple[doc.Block, ...]:
     law = calculation.scenario.model.friction
     equations = law.equations()
     speed = (
@@ -125,17 +105,18 @@ def _friction(calculation: Calculation) -> tuple[Block, ...]:
         else "of the upper plate relative to the lower"
     )
     nominal = calculation.nominal
-    rows: list[tuple[str, str | Parts]] = [
+    rows: list[tuple[str, str | doc.Parts]] = [
         ("Law", law.name),
         ("Source", citation(law.citation) if law.citation else ""),
         ("Speed in it", f"{speed}, in mm/s; pressure in N/mm², temperature in °C"),
         *_parameters(law),
         ("Tests behind it", _tests(law)),
         ("Caution", law.caution),
-        ("Nominal coefficient", (Maths("mu_n"), f" = {nominal.value:.4f}: {nominal.source}")),
+        ("Nominal coefficient", (doc.Maths("mu_n"), f" = {nominal.value:.4f}: {nominal.source}")),
     ]
     origin = source_of(law.citation) + law.equation_numbers
-    return (named_values(rows), Equations(equations, origin)) if equations else (named_values(rows),)
+    table = doc.named_values(rows)
+    return (table, doc.Equations(equations, origin)) if equations else (table,)
 
 
 def _tests(law: FrictionLaw) -> str:
@@ -143,21 +124,19 @@ def _tests(law: FrictionLaw) -> str:
     if tested is None:
         return "not known"
     (low, high), (slow, fast) = tested.pressure, tested.speed
-    ambient = "" if tested.ambient is None else f", plates of {short(tested.ambient)} °C at the start"
-    return (
-        f"{tested.source}: {short(low)} to {short(high)} N/mm², {short(slow)} to {short(fast)} mm/s{ambient}"
-    )
+    ambient = "" if tested.ambient is None else f", plates of {doc.short(tested.ambient)} °C at the start"
+    return f"{tested.source}: {doc.short(low)} to {doc.short(high)} N/mm², {doc.short(slow)} to {doc.short(fast)} mm/s{ambient}"
 
 
-def _heating(heating: Heating) -> tuple[Block, ...]:
-    table = named_values(
+def _heating(heating: Heating) -> tuple[doc.Block, ...]:
+    table = doc.named_values(
         [
             ("Model", f"{heating.name}: {heating.description}"),
             *_parameters(heating),
             ("Rise under 1 N/(mm s) for 1 s", f"{float(constant_flux_rise(heating, 1.0, 1.0)):.4f} °C"),
         ]
     )
-    flux = Equations(
+    flux = doc.Equations(
         (
             "q = (mu p v) / 2",
             'Delta T = sqrt(D) / (k sqrt(pi)) integral_0^t (q(t - tau)) / sqrt(tau) thin "d" tau',
@@ -165,30 +144,35 @@ def _heating(heating: Heating) -> tuple[Block, ...]:
         "Li et al. (2020), Eqs (12), (11)",
     )
     shares = "The flux q goes into each of two equal plates while the contact lies on the point; of different plates each has its share of the travel."
-    return (table,) if heating.name == "none" else (table, flux, words(shares, tone=Tone.NOTE))
+    return (table,) if heating.name == "none" else (table, flux, doc.note(shares))
 
 
-def _motions(calculation: Calculation) -> tuple[Block, ...]:
-    blocks: list[Block] = [_record(motion) for motion in calculation.scenario.study.motions]
+def _motions(calculation: Calculation) -> tuple[doc.Block, ...]:
+    records = [_record(motion) for motion in calculation.scenario.study.motions]
     rows = [
-        cells(
-            label_of(one),
+        doc.cells(
+            results.label_of(one),
             _scale(one.motion),
-            written("pga_m_s2", M_PER_S2.shown(one.motion.peak_acceleration)),
-            written("pgv_m_s", M_PER_S.shown(one.motion.peak_velocity)),
+            *_peaks(one.motion),
             f"{one.motion.duration:.2f}",
         )
         for one in calculation.results
     ]
-    head = heads("Case", "Scale factor\n[–]", "PGA\n[m/s²]", "PGV\n[m/s]", "Duration\n[s]")
-    blocks.append(Table(head, tuple(rows), "lrrrr", (1.0, 0.0, 0.0, 0.0, 0.0), "As they shake the bearing"))
-    return tuple(blocks)
+    head = doc.cells("Case", "Scale factor\n[–]", "PGA\n[m/s²]", "PGV\n[m/s]", "Duration\n[s]")
+    widths = (1.0, 0.0, 0.0, 0.0, 0.0)
+    return (*records, doc.Table(head, tuple(rows), "lrrrr", widths, "As they shake the bearing"))
 
 
-def _record(motion: GroundMotion) -> Table:
-    origin = motion.origin
-    values = motion.acceleration.size
-    return named_values(
+def _peaks(motion: GroundMotion) -> tuple[str, str]:
+    """Return PGA and PGV."""
+    pga, pgv = M_PER_S2.shown(motion.peak_acceleration), M_PER_S.shown(motion.peak_velocity)
+    return doc.written("pga_m_s2", pga), doc.written("pgv_m_s", pgv)
+
+
+def _record(motion: GroundMotion) -> doc.Table:
+    origin, values = motion.origin, motion.acceleration.size
+    pga, pgv = _peaks(motion)
+    return doc.named_values(
         [
             ("Record", motion.name),
             ("Earthquake", origin.event or "not given by the source"),
@@ -199,10 +183,9 @@ def _record(motion: GroundMotion) -> Table:
             ("Treatment here", "; ".join(motion.treatment) or "none"),
             (
                 "As recorded",
-                f"PGA {written('pga_m_s2', M_PER_S2.shown(motion.peak_acceleration))} m/s², PGV {written('pgv_m_s', M_PER_S.shown(motion.peak_velocity))} m/s,"
-                f" {values} values, {short(motion.time_step)} s apart",
+                f"PGA {pga} m/s², PGV {pgv} m/s, {values} values, {doc.short(motion.time_step)} s apart",
             ),
-            ("SHA-256 before scaling", (Code(motion.digest),)),
+            ("SHA-256 before scaling", (doc.Code(motion.digest),)),
         ]
     )
 
@@ -212,16 +195,16 @@ def _scale(motion: GroundMotion) -> str:
     return steps[-1].removeprefix("scaled by ") if steps else "1"
 
 
-def _settings(calculation: Calculation) -> Table:
+def _settings(calculation: Calculation) -> doc.Table:
     settings = calculation.scenario.study.settings
     constants = calculation.methods.constants
-    tail = "until no more sliding can come" if settings.tail is None else f"{short(settings.tail)} s"
+    tail = "until no more sliding can come" if settings.tail is None else f"{doc.short(settings.tail)} s"
     step = (
         "that of the record, at most 0.01 s while sliding"
         if settings.step is None
-        else f"{short(settings.step)} s"
+        else f"{doc.short(settings.step)} s"
     )
-    return named_values(
+    return doc.named_values(
         [
             (
                 "Structure",
@@ -233,20 +216,23 @@ def _settings(calculation: Calculation) -> Table:
             ),
             ("Longest step", step),
             ("Time after the record", tail),
-            ("Tolerance of the friction", f"{short(settings.tolerance)} relative, in the middle of a step"),
+            (
+                "Tolerance of the friction",
+                f"{doc.short(settings.tolerance)} relative, in the middle of a step",
+            ),
             (
                 "Prediction",
                 (
-                    f"pulses where the ground velocity turns back by {short(calculation.methods.threshold)} PGV, for the march by"
-                    f" {short(calculation.methods.march_threshold)} PGV; ",
-                    Maths("epsilon"),
-                    f" {short(constants.fall_ratio)}, ",
-                    Maths("zeta"),
-                    f" {short(constants.change_ratio)}, ",
-                    Maths('k_(g,"ave")'),
-                    f" {short(constants.average_slope)} mm/s², ",
-                    Maths("g"),
-                    f" {short(constants.gravity)} mm/s² (Li et al. 2020, section 6)",
+                    f"pulses where the ground velocity turns back by {doc.short(calculation.methods.threshold)} PGV, for the march by"
+                    f" {doc.short(calculation.methods.march_threshold)} PGV; ",
+                    doc.Maths("epsilon"),
+                    f" {doc.short(constants.fall_ratio)}, ",
+                    doc.Maths("zeta"),
+                    f" {doc.short(constants.change_ratio)}, ",
+                    doc.Maths('k_(g,"ave")'),
+                    f" {doc.short(constants.average_slope)} mm/s², ",
+                    doc.Maths("g"),
+                    f" {doc.short(constants.gravity)} mm/s² (Li et al. 2020, section 6)",
                 ),
             ),
         ]
@@ -266,48 +252,141 @@ _LIMITS = (
 )
 
 
-def remarks_section(calculation: Calculation) -> Section:
+def remarks_section(calculation: Calculation) -> doc.Section:
     """Return the remarks of all analyses, each once, and the limits of the model."""
     remarks: list[str] = []
     for one in calculation.results:
         remarks += [*motion_remarks(one.motion, with_scale=False), *one.response.remarks]
     found = tuple((remark,) for remark in dict.fromkeys(remarks))
-    blocks: tuple[Block, ...] = (Bullets(found),) if found else (words("None."),)
-    limits = Bullets(tuple((limit,) for limit in _LIMITS))
-    return Section(
+    blocks: tuple[doc.Block, ...] = (doc.Bullets(found),) if found else (doc.words("None."),)
+    limits = doc.Bullets(tuple((limit,) for limit in _LIMITS))
+    return doc.Section(
         "Remarks and limits",
         (),
-        (Section("Remarks of the analyses", blocks), Section("Limits of the model", (limits,))),
+        (doc.Section("Remarks of the analyses", blocks), doc.Section("Limits of the model", (limits,))),
     )
 
 
-def sources_section(calculation: Calculation) -> Section:
+def sources_section(calculation: Calculation) -> doc.Section:
     """Return the bibliography and what the numbers were made with."""
-    lines = (*sources_of(calculation), *record_citations(calculation))
+    asked = dict.fromkeys(motion.origin.citation for motion in calculation.scenario.study.motions)
+    lines = (*sources_of(calculation), *filter(None, asked))
     codes = [name for one in calculation.results for name in one.case.codes]
     if codes:
         lines += (
             f"Methods of codes as dcfp has them, with what could not be confirmed marked: {', '.join(dict.fromkeys(codes))}.",
         )
-    made = [cells("Program", f"dcfp {version()}"), cells("Kernels, SHA-256", (Code(source_digest()),))]
-    made += [cells(name, words) for name, words in versions().items()]
+    made = [
+        doc.cells("Program", f"dcfp {version()}"),
+        doc.cells("Kernels, SHA-256", (doc.Code(source_digest()),)),
+    ]
+    made += [doc.cells(name, words) for name, words in versions().items()]
     made += [
-        cells(f"Record {motion.name} before scaling, SHA-256", (Code(motion.digest),))
+        doc.cells(f"Record {motion.name} before scaling, SHA-256", (doc.Code(motion.digest),))
         for motion in calculation.scenario.study.motions
     ]
     # a user's words take what room the digests leave
-    table = Table((), tuple(made), "ll", (1.0, 0.0))
-    return Section(
+    table = doc.Table((), tuple(made), "ll", (1.0, 0.0))
+    return doc.Section(
         "Sources and provenance",
         (),
-        (Section("Sources", (Bullets(tuple((line,) for line in lines)),)), Section("Provenance", (table,))),
+        (
+            doc.Section("Sources", (doc.Bullets(tuple((line,) for line in lines)),)),
+            doc.Section("Provenance", (table,)),
+        ),
     )
 
 
-def appendix(calculation: Calculation) -> tuple[Section, ...]:
+def appendix(calculation: Calculation) -> tuple[doc.Section, ...]:
     """Return the scenario file; nothing where the scenario came from none."""
     text = calculation.scenario.study.text
     if not text.strip():
         return ()
-    note = words("The same program with this file gives the same numbers.")
-    return (Section("Appendix: scenario file", (note, Listing(text.rstrip())), on_new_page=True),)
+    note = doc.words("The same program with this file gives the same numbers.")
+    return (doc.Section("Appendix: scenario file", (note, doc.Listing(text.rstrip())), on_new_page=True),)
+
+
+#: What the checks of every analysis cite.
+_OF_CHECKS = "fema_p695_2009"
+#: Packages by their names in the report; Typst is there only where a PDF can be made.
+_PACKAGES = {"NumPy": "numpy", "SciPy": "scipy", "Numba": "numba", "Typst (of the PDF)": "typst"}
+
+
+def sources_of(calculation: Calculation) -> tuple[str, ...]:
+    """Return the references that a report cites, each as a line."""
+    used = {name for one in calculation.results for name in one.case.codes}
+    codes = [key for name, method in code_methods().items() if name in used for key in method.citations]
+    law = calculation.scenario.model.friction.citation
+    keys = dict.fromkeys(("li_2020", law, *codes, _OF_CHECKS))
+    return tuple(full_citation(key) for key in keys if key)
+
+
+def versions() -> dict[str, str]:
+    """Return the versions of Python and of the packages that are installed, by their names."""
+    found = {"Python": platform.python_version()}
+    for name, package in _PACKAGES.items():
+        try:
+            found[name] = metadata.version(package)
+        except metadata.PackageNotFoundError:  # a page is made without it
+            continue
+    return found
+
+
+def numbers_of(calculation: Calculation, formulas: tuple[Formula, ...]) -> dict[str, Any]:
+    """Return the numbers of a report.
+
+    Parameters
+    ----------
+    calculation
+        The results; ``cases`` has an object for each, with the keys of ``dcfp respond --json`` and of ``dcfp compare --json``.
+    formulas
+        Those that are worked out in the report.
+    """
+    scenario = calculation.scenario
+    model = scenario.model
+    digests = {motion.name: motion.digest for motion in scenario.study.motions}
+    compared = case_objects([one.case for one in calculation.results], calculation.methods)
+    return {
+        "title": scenario.title,
+        "report": asdict(scenario.heading),
+        "version": version(),
+        "kernels_sha256": source_digest(),
+        "versions": versions(),
+        "decimals": doc.DECIMALS,
+        "bearing": asdict(model.bearing)
+        | {
+            "vertical_force_N": model.bearing.vertical_force,
+            "mass_t": model.bearing.mass,
+            "restoring_stiffness_N_mm": model.bearing.restoring_stiffness,
+            "period_s": model.bearing.period,
+        },
+        "friction_law": repr(model.friction),
+        "heating_model": repr(model.heating),
+        "settings": asdict(scenario.study.settings),
+        "nominal_friction": calculation.nominal.value,
+        "nominal_friction_source": calculation.nominal.source,
+        "cases": [
+            _case(one, row, found) | {"record_sha256": digests[one.motion.name]}
+            for one, row, found in zip(calculation.results, calculation.summary, compared, strict=True)
+        ],
+        "formulas": [one.as_numbers() for one in formulas],
+        "references": list(sources_of(calculation)),
+    }
+
+
+def _case(one: ScenarioResult, row: dict[str, Any], compared: dict[str, Any]) -> dict[str, Any]:
+    motion = one.motion
+    return {
+        **compared,
+        **row,
+        "remarks": one.response.all_remarks,
+        "pga_m_s2": M_PER_S2.shown(motion.peak_acceleration),
+        "scaled_record_sha256": motion.digest,
+        "record_origin": asdict(motion.origin),
+        "record_treatment": list(motion.treatment),
+        "energies": Table(tuple(results.ENERGIES), [one.response.energy]).objects()[0],
+        "checks": [
+            {"of": check.of, **{one.key: one.datum(check) for one in COLUMNS if one.stored}}
+            for check in results.checks_of(one)
+        ],
+    }

@@ -1,5 +1,6 @@
 """What a report is made of, whatever it is written in: both renderers hold the same words and the same numbers."""
 
+import math
 import re
 import unicodedata
 from dataclasses import dataclass
@@ -8,7 +9,8 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from dcfp.present.report.maths import SYMBOLS
 from dcfp.schema.check import Verdict
-from dcfp.schema.formulas import Formula, number
+from dcfp.schema.formulas import Formula, true_minus, typeset
+from dcfp.schema.quantities import NOTHING
 from dcfp.study.scenario import Heading
 
 if TYPE_CHECKING:
@@ -80,23 +82,19 @@ class Cell:
 
 @dataclass(frozen=True)
 class Table:
-    """A table.
+    """A table with a caption above it.
 
     Attributes
     ----------
     head
         Of the columns; empty for names and values.
-    rows
-        Of cells.
     aligned
         A letter for each column: ``l``, ``r`` or ``c``.
     widths
         Weight of each column's width; 0 for one that is as narrow as its content.
-    caption
-        Above it.
     """
 
-    head: tuple[Parts, ...]
+    head: tuple[Cell, ...]
     rows: tuple[tuple[Cell, ...], ...]
     aligned: str
     widths: tuple[float, ...]
@@ -113,17 +111,7 @@ class Equations:
 
 @dataclass(frozen=True)
 class Drawing:
-    """A figure, drawn when it is needed.
-
-    Attributes
-    ----------
-    draw
-        Returns the figure.
-    words
-        What it shows, for those who cannot see it.
-    caption
-        Below it.
-    """
+    """A figure, drawn when it is needed; `words` say what it shows to those who cannot see it."""
 
     draw: "Callable[[], Figure]"
     words: str
@@ -142,19 +130,7 @@ Block: TypeAlias = Paragraph | Bullets | Table | Formula | Equations | Drawing |
 
 @dataclass(frozen=True)
 class Section:
-    """A section with its blocks, and sections within it.
-
-    Attributes
-    ----------
-    title
-        May hold a user's words.
-    blocks
-        In their order, before the sections within.
-    parts
-        Sections within.
-    on_new_page
-        Whether it begins a page.
-    """
+    """A section: its blocks, and then the sections within it; the title may hold a user's words."""
 
     title: str
     blocks: tuple[Block, ...] = ()
@@ -164,30 +140,13 @@ class Section:
 
 @dataclass(frozen=True, eq=False)
 class Document:
-    """A whole report.
-
-    Attributes
-    ----------
-    title, heading
-        Of the scenario.
-    front
-        What stands on the first page, below the head.
-    sections
-        After that.
-    maker
-        Program and version.
-    with_contents
-        Whether it is long enough for a table of contents.
-    numbers
-        Every number in it, ready for JSON.
-    """
+    """A whole report: what stands on the first page below the head, the sections, and every number ready for JSON."""
 
     title: str
     heading: Heading
     front: tuple[Block, ...]
     sections: tuple[Section, ...]
     maker: str
-    with_contents: bool
     numbers: dict[str, Any]
 
 
@@ -196,14 +155,14 @@ def words(*parts: Part, tone: Tone = Tone.PLAIN) -> Paragraph:
     return Paragraph(parts, tone)
 
 
+def note(*parts: Part) -> Paragraph:
+    """Return a note."""
+    return Paragraph(parts, Tone.NOTE)
+
+
 def cells(*texts: str | Parts) -> tuple[Cell, ...]:
-    """Return a row of plain cells."""
+    """Return a row of plain cells, or the head of a table."""
     return tuple(Cell((text,) if isinstance(text, str) else text) for text in texts)
-
-
-def heads(*texts: str | Parts) -> tuple[Parts, ...]:
-    """Return the head of a table."""
-    return tuple((text,) if isinstance(text, str) else text for text in texts)
 
 
 def maths_of(symbol: str) -> str:
@@ -221,9 +180,6 @@ def maths_of(symbol: str) -> str:
 def named_values(rows: "list[tuple[str, str | Parts]]", caption: str = "") -> Table:
     """Return a table of names and values; a value that is empty is left out."""
     return Table((), tuple(cells(name, value) for name, value in rows if value), "ll", (0.0, 1.0), caption)
-
-
-# How many digits each number of a report has.
 
 
 #: Decimals by the key of JSON; what ends in none of these is no number of a table.
@@ -250,28 +206,21 @@ DECIMALS = {
     "pga_m_s2": 3,
     "ratio": 2,
 }
-#: Decimals of a number in the power of ten.
-_POWER = 1
-#: Where nothing is known.
-NONE = "–"
 
 
 def written(key: str, value: float | None) -> str:
-    """Return a number of a key as it stands in the report, with a true minus; a dash for none."""
-    return NONE if value is None else number(value, DECIMALS[key]).replace("-", "−")
+    """Return a number of a key as it stands in the report; a dash for none and for what is not finite."""
+    return NOTHING if value is None or not math.isfinite(value) else typeset(value, DECIMALS[key])
 
 
 def powered(value: float) -> str:
     """Return a small number with a power of ten, as in ``1.1e−14``."""
-    return f"{value:.{_POWER}e}".replace("-", "−") if value else "0"
+    return true_minus(f"{value:.1e}") if value else "0"
 
 
 def short(value: float) -> str:
     """Return a given number with the digits that it was given with."""
-    return f"{value:.10g}".replace("-", "−")
-
-
-# The head of a report: who made it for whom.
+    return true_minus(f"{value:.10g}")
 
 
 def heading_rows(document: Document) -> Table:

@@ -1,7 +1,6 @@
 """The governing case, step by step: each formula with its numbers put in."""
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -11,44 +10,19 @@ from dcfp.inference.case import code_inputs
 from dcfp.methods.code import CodeResult, code_methods
 from dcfp.methods.prediction import Ground, Methods, PredictionMethod, prediction_methods
 from dcfp.methods.pulses import PulsePrediction
-from dcfp.present.report.document import (
-    Block,
-    Bullets,
-    Maths,
-    Paragraph,
-    Part,
-    Section,
-    Table,
-    Tone,
-    cells,
-    heads,
-    words,
-    written,
-)
-from dcfp.present.report.references import label_of, source_of
+from dcfp.present.report import document as doc
+from dcfp.present.report.results import governing, label_of
+from dcfp.schema.citations import source_of
 from dcfp.schema.formulas import Formula, number
 from dcfp.schema.units import KN, KN_PER_MM, M_PER_S2
-from dcfp.study.scenario import Calculation, ScenarioResult
+from dcfp.study.scenario import Calculation
 
 #: Rounds of an iteration that are printed, besides the last.
 _FIRST_ROUNDS = 4
 
 
-@dataclass(frozen=True)
-class Worked:
-    """The sections of what is worked out, and its formulas."""
-
-    sections: tuple[Section, ...]
-    formulas: tuple[Formula, ...]
-
-
-def governing(calculation: Calculation) -> ScenarioResult:
-    """Return the case with the largest displacement."""
-    return max(calculation.results, key=lambda one: one.response.peak_displacement)
-
-
-def worked_out(calculation: Calculation) -> Worked:
-    """Work out the bearing, and friction, predictions and codes of the governing case."""
+def worked_out(calculation: Calculation) -> tuple[doc.Section, tuple[Formula, ...]]:
+    """Return the section of the bearing, and of friction, predictions and codes of the governing case, and all its formulas."""
     result = governing(calculation)
     bearing = bearing_formulas(calculation)
     friction, state = _friction(result.response)
@@ -61,38 +35,39 @@ def worked_out(calculation: Calculation) -> Worked:
         for name, code_result in result.case.codes.items()
     }
     name = label_of(result)
-    note = words(
+    note = doc.note(
         f"For {name}, the case with the largest displacement, and in it for the pulse that governs each method. The tables of the results have what comes out of every case,"
         " there with the largest velocities of any pulse. Results are calculated with all digits"
         " and rounded for print, so that the last digit of a line may differ from that of its printed numbers.",
-        tone=Tone.NOTE,
     )
     sections = [
-        Section("Bearing", bearing),
-        Section(
+        doc.Section("Bearing", bearing),
+        doc.Section(
             "Friction at the hottest moment",
-            (words(state), *friction) if friction else (words("The law has no formula for a single state."),),
+            (doc.words(state), *friction)
+            if friction
+            else (doc.words("The law has no formula for a single state."),),
         ),
         *(section for section, _ in predictions if section is not None),
         *(_code(result.case.codes[name], formulas) for name, formulas in codes.items()),
     ]
     groups = (bearing, friction, *(formulas for _, formulas in predictions), *codes.values())
-    whole = Section("Calculation step by step", (note,), tuple(sections), on_new_page=True)
-    return Worked((whole,), tuple(one for group in groups for one in group))
+    whole = doc.Section("Calculation step by step", (note,), tuple(sections), on_new_page=True)
+    return whole, tuple(one for group in groups for one in group)
 
 
 def _prediction(
     method: PredictionMethod, ground: Ground, methods: Methods
-) -> tuple[Section | None, tuple[Formula, ...]]:
+) -> tuple[doc.Section | None, tuple[Formula, ...]]:
     """Return the section of a method of prediction, with its formulas; None for a method that brings none."""
     if method.formulas is None:
         return None, ()
     formulas = method.formulas(ground, methods)
     predicted = method.predict(ground, methods)
     by_pulse = None if predicted is None else predicted.by_pulse
-    blocks: tuple[Block, ...] = formulas or (words(f"No prediction: {method.without}."),)
+    blocks: tuple[doc.Block, ...] = formulas or (doc.words(f"No prediction: {method.without}."),)
     notes = () if by_pulse is None else largest_elsewhere(by_pulse)
-    return Section(f"Prediction by the {method.name} method", (*blocks, *notes)), formulas
+    return doc.Section(f"Prediction by the {method.name} method", (*blocks, *notes)), formulas
 
 
 def _friction(response: Response) -> tuple[tuple[Formula, ...], str]:
@@ -109,30 +84,28 @@ def _friction(response: Response) -> tuple[tuple[Formula, ...], str]:
     words = (
         f"At {response.time[at]:.2f} s the contact slides at {number(speed, 1)} mm/s{' on one plate' if share < 1.0 else ''} and has"
         f" {number(temperature, 1)} °C, under {number(pressure, 1)} N/mm². The analysis has a coefficient of"
-        f" {written('friction_min', float(response.friction[at]))} there."
+        f" {doc.written('friction_min', float(response.friction[at]))} there."
     )
     return formulas, words
 
 
-def _code(said: CodeResult, formulas: tuple[Formula, ...]) -> Section:
-    blocks: list[Block] = []
+def _code(said: CodeResult, formulas: tuple[Formula, ...]) -> doc.Section:
+    blocks: list[doc.Block] = []
     if len(said.steps) > 1:  # a single one was found by changes of sign, as its remark says
         blocks.append(_rounds(said))
     blocks += formulas
     if said.unconfirmed:
-        blocks.append(
-            words(f"Could not be confirmed in its source: {'; '.join(said.unconfirmed)}.", tone=Tone.NOTE)
-        )
+        blocks.append(doc.note(f"Could not be confirmed in its source: {'; '.join(said.unconfirmed)}."))
     if said.remarks:
-        blocks.append(Bullets(tuple((remark,) for remark in said.remarks)))
-    return Section(said.method, tuple(blocks))
+        blocks.append(doc.Bullets(tuple((remark,) for remark in said.remarks)))
+    return doc.Section(said.method, tuple(blocks))
 
 
-def _rounds(said: CodeResult) -> Table:
+def _rounds(said: CodeResult) -> doc.Table:
     numbered = list(enumerate(said.steps, 1))
     shown = numbered if len(numbered) <= _FIRST_ROUNDS + 1 else [*numbered[:_FIRST_ROUNDS], numbered[-1]]
     rows = tuple(
-        cells(
+        doc.cells(
             str(place),
             f"{step.displacement:.2f}",
             f"{step.period:.3f}",
@@ -143,8 +116,8 @@ def _rounds(said: CodeResult) -> Table:
     )
     left_out = len(numbered) - len(shown)
     words = f"Rounds of the iteration, each from the displacement of the one before ({left_out} between not printed)"
-    return Table(
-        heads("Round", "D\n[mm]", "Period\n[s]", "Damping\n[–]", "Factor on the\nspectrum [–]"),
+    return doc.Table(
+        doc.cells("Round", "D\n[mm]", "Period\n[s]", "Damping\n[–]", "Factor on the\nspectrum [–]"),
         rows,
         "rrrrr",
         (0.0, 1.0, 1.0, 1.0, 1.0),
@@ -152,7 +125,7 @@ def _rounds(said: CodeResult) -> Table:
     )
 
 
-def largest_elsewhere(predicted: PulsePrediction) -> tuple[Paragraph, ...]:
+def largest_elsewhere(predicted: PulsePrediction) -> tuple[doc.Paragraph, ...]:
     """Return a note on the velocities of which another pulse than the governing one has the largest; nothing where none has."""
     if predicted.governing is None:
         return ()
@@ -161,19 +134,17 @@ def largest_elsewhere(predicted: PulsePrediction) -> tuple[Paragraph, ...]:
         ("V_(Delta E)", "V_dE_mm_s", largest.input_velocity, here.input_velocity),
         ('V_(Delta E "hr")', "V_dEhr_mm_s", largest.hysteretic_velocity, here.hysteretic_velocity),
     )
-    parts: list[Part] = []
+    parts: list[doc.Part] = []
     for symbol, key, most, found in pairs:
         if most > found:
-            parts += [", " if parts else "", Maths(symbol), f" {written(key, most)} mm/s"]
+            parts += [", " if parts else "", doc.Maths(symbol), f" {doc.written(key, most)} mm/s"]
     if not parts:
         return ()
     start = "The table of predictions has the largest of any pulse, here of another than the governing one: "
-    return (words(start, *parts, ".", tone=Tone.NOTE),)
+    return (doc.note(start, *parts, "."),)
 
 
-# The bearing worked out: Li et al. (2020), sections 4 and 5.1.
-
-
+#: Sections 4 and 5.1 of it.
 _PAPER = "Li et al. (2020)"
 
 
