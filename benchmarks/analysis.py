@@ -8,7 +8,7 @@ import numpy as np
 from stopwatch import once
 
 from dcfp.analysis.integration import DEFAULT
-from dcfp.analysis.kernel_input import State, heat_of, state_at_rest
+from dcfp.analysis.response import State, state_at_rest
 from dcfp.analysis.response_history import LONGEST_STEP
 from dcfp.kernels.integrate import TEMPERATURE, integrate
 from dcfp.kernels.motion import StepControl
@@ -71,7 +71,7 @@ class Analysis:
     def march(self) -> float:
         """March once through the record; return the time of the kernels' call [s]."""
         self.state = self.at_rest.copy()
-        model = kernel_model(self.system, heat_of(self.state))
+        model = kernel_model(self.system, self.state.plates)
         control = StepControl(self.motion.time_step, self.coarsest, self.tolerance)
         given = (model, self.acceleration, control, self.acceleration.size)
         return once(lambda: integrate(*given, self.state.integration, 0, self.lines, True))

@@ -13,7 +13,6 @@ from figure import Figure
 from stopwatch import in_turn, microseconds, once, ratio
 
 from analysis import SINGLE, Analysis, motion_at
-from dcfp.analysis.kernel_input import heat_of
 from dcfp.arrays import FloatArray
 from dcfp.kernels.heat_state import RATES, WEIGHTS
 from dcfp.kernels.law import Law
@@ -104,12 +103,11 @@ class HandWritten:
     def __init__(self, library: ctypes.CDLL, analysis: Analysis) -> None:
         self.function = library.march
         self.analysis = analysis
-        heat = heat_of(analysis.at_rest)
-        row = c_double * MODES
+        model, row = kernel_model(analysis.system, analysis.at_rest.plates), c_double * MODES
+        heat = model.heat
         self.steel = _Steel(
             heat.ambient, heat.half_contact, heat.instant, row(*heat.modes[RATES]), row(*heat.modes[WEIGHTS])
         )
-        model = kernel_model(analysis.bearing, analysis.friction, heat)
         self.law = _Law(*model.law[1:])
         self.structure = _Structure(*model.system)
         self.lines = np.zeros_like(analysis.lines)

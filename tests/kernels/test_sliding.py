@@ -9,7 +9,7 @@ from dcfp.kernels.motion import GroundInput, Motion, SpringState, StepControl, S
 from dcfp.kernels.oscillator import advance_oscillator
 from dcfp.kernels.sliding import slide_step
 from dcfp.system import Constantinou1990, NoHeating, System
-from dcfp.system.plates import cold_plates, heat_of, kernel_model
+from dcfp.system.plates import cold_plates, kernel_model
 
 
 @pytest.mark.parametrize("sign", [1, -1])
@@ -19,7 +19,7 @@ def test_the_friction_that_moved_it_is_a_parabola_through_start_and_end(
     sign: int, speed: float, push: float
 ) -> None:
     system = System(friction=Constantinou1990(0.08, 0.02, 0.02), heating=NoHeating())
-    model = kernel_model(system, heat_of(cold_plates(system), system))
+    model = kernel_model(system, cold_plates(system))
     constants = model.system
     first = mean_coefficient(model, speed, PRESENT)
     elongation = sign * first * constants.yield_per_mu

@@ -27,7 +27,7 @@ from dcfp.system import (
     System,
     UserFriction,
 )
-from dcfp.system.plates import cold_plates, heat_of, kernel_model
+from dcfp.system.plates import cold_plates, kernel_model
 
 SEARCH = settings(max_examples=60, deadline=None, derandomize=True)
 MODELS = [
@@ -67,7 +67,7 @@ def final_state(pulses: Pulses, bearing: Bearing, law: FrictionLaw, heating: Hea
     state = np.zeros(1, k.PULSE_STATE)
     system = System(bearing, law, heating)
     plates = cold_plates(system).with_room(2000)
-    model = kernel_model(system, heat_of(plates, system))
+    model = kernel_model(system, plates)
     path = np.empty((0, k.PATH_SIZE))
     _, fits = k.integrate_pulses(model, pulses.times, pulses.velocities, 12, LONGEST_STEP, state, path)
     assert fits

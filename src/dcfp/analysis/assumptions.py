@@ -36,9 +36,6 @@ OF_MODEL: "Registry[Callable[[Result], Iterable[Check]]]" = Registry("assumption
 OF_RESPONSE: "Registry[Callable[[Response], Iterable[Check]]]" = Registry("check of a response")
 
 
-# Of a response.
-
-
 def _capacity(response: "Response") -> list[Check]:
     bearing, found = response.bearing, response.peak_displacement
     capacity, note = bearing.displacement_capacity, bearing.capacity_note
@@ -94,9 +91,6 @@ def _baseline(response: "Response") -> list[Check]:
     found, limit = f"{100.0 * drift:.1f} %", f"at most {100.0 * most:.0f} %"
     # what is to be said of it, the motion says itself
     return [Check(name, at_most(drift, most), found, limit, "hundred records of FEMA P-695")]
-
-
-# Of every result.
 
 
 def _sliding(result: "Result") -> list[Check]:
@@ -205,14 +199,10 @@ def _half_space(result: "Result") -> list[Check]:
     return checks
 
 
-for _name, _check in {
-    "capacity": _capacity, "angle": _angle, "rest": _rest, "residual": _residual, "energy": _energy, "baseline": _baseline,
-}.items():  # fmt: skip
-    OF_RESPONSE.add(_name, _check)
-for _name, _of_model in {
-    "sliding": _sliding, "law": _law, "tests": _tests, "spring": _spring, "plates": _plates, "half-space": _half_space,
-}.items():  # fmt: skip
-    OF_MODEL.add(_name, _of_model)
+for _check in (_capacity, _angle, _rest, _residual, _energy, _baseline):
+    OF_RESPONSE.add(_check.__name__.strip("_"), _check)
+for _of_model in (_sliding, _law, _tests, _spring, _plates, _half_space):
+    OF_MODEL.add(_of_model.__name__.strip("_"), _of_model)
 
 
 def _judged(

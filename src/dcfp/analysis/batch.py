@@ -1,16 +1,14 @@
-"""Many response history analyses in one compiled call, peaks and energies without histories: lanes, sorted into families, each in one call of the kernel."""
+"""Many response history analyses without histories: lanes, those of models that are alike in one call of the kernel."""
 
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.analysis.integration import DEFAULT, Integration
-from dcfp.analysis.kernel_input import states_at_rest
-from dcfp.analysis.response import FAILED, NUMBERS, Status
+from dcfp.analysis.response import FAILED, NUMBERS, Status, states_at_rest
 from dcfp.analysis.response_history import halvings
 from dcfp.arrays import FloatArray, IntArray
 from dcfp.kernels._jit import Records, as_bytes
@@ -19,9 +17,8 @@ from dcfp.kernels.integrate import BATCH_RECORD, BATCH_RUN, BATCH_SYSTEM, TEMPER
 from dcfp.kernels.motion import AT_REST, DONE, OUT_OF_CELLS
 from dcfp.kernels.sum_of_exponentials import MODES
 from dcfp.motion.ground_motion import LONGEST_TAIL, GroundMotion, parts_in, refined
-from dcfp.system import Heating, System
+from dcfp.system import System
 from dcfp.system.plates import (
-    FIRST_REACH,
     cell_width,
     cells_across,
     cold_workspace,
@@ -38,14 +35,8 @@ class Lanes:
 
     Attributes
     ----------
-    record
-        Number of the record in the `GroundSet`, shape (lanes,).
-    scale
-        Factor on its acceleration [-], shape (lanes,).
-    model
-        Number of the model in `models`, shape (lanes,).
-    models
-        Bearings with their friction laws and heating models.
+    record, scale, model
+        Number of its record in the `GroundSet`, factor on the acceleration [-], and number of its model, shape (lanes,).
     """
 
     record: IntArray
@@ -58,38 +49,15 @@ class Lanes:
 
     @classmethod
     def grid(cls, records: int, scales: FloatArray, models: Sequence[System]) -> "Lanes":
-        """Return every record at its scales on every model, the model varying fastest.
-
-        Parameters
-        ----------
-        records
-            Number of records.
-        scales
-            Of each record, shape (records, scales) [-].
-        models
-            As in `Lanes`.
-        """
+        """Return every one of so many records at its scales [-], shape (records, scales), on every model, which varies fastest."""
         shape = (records, scales.shape[1], len(models))
         record, _, model = (axis.ravel() for axis in np.indices(shape, dtype=np.intp))
         return cls(record, np.repeat(scales.ravel(), len(models)), model, models)
 
 
-# The records of a batch as its kernel steps through them.
-
-
 @dataclass(frozen=True, eq=False)
 class GroundSet:
-    """Records side by side, unscaled.
-
-    Attributes
-    ----------
-    acceleration
-        Of all records, one after the other [mm/s2].
-    records
-        Where each is in it, and how an analysis steps through it: `dcfp.kernels.integrate.BatchRecord`, shape (records,).
-    integration
-        How finely and how far each is analysed.
-    """
+    """Records one after the other [mm/s2], unscaled, and how each is stepped through: `dcfp.kernels.integrate.BatchRecord`."""
 
     acceleration: FloatArray
     records: Records
@@ -128,59 +96,8 @@ class GroundSet:
         return self.records["samples"]
 
 
-# Models of a batch that one call of the kernel can take, as its tables.
-
-
-_Kind: TypeAlias = tuple[int, int, int]
-
-
-@dataclass(frozen=True, eq=False)
-class Family:
-    """Models of one kind of heating and of plates.
-
-    Attributes
-    ----------
-    heating
-        Of one of them.
-    plates
-        That differ.
-    members
-        Numbers of the models, in the order of the rows of the table.
-    systems
-        As `dcfp.kernels.integrate.BatchSystem`, shape (members,).
-    mode_sets
-        Rates and weights of the modes, shape (sets, 2, modes).
-    margin
-        Cells on each side of the contact that all of them need at first.
-    """
-
-    heating: Heating
-    plates: int
-    members: list[int]
-    systems: Records
-    mode_sets: FloatArray
-    margin: int
-
-    def heat(self, margin: int) -> Heat:
-        """Return arrays to work in, with so many cells on each side; the numbers are those of the systems."""
-        modes, cells = np.zeros((MODE_ROWS, MODES)), no_heat(self.plates, self.heating, margin)
-        return Heat(self.heating.kind, 0.0, 0.0, 0.0, 0.0, modes, cold_workspace(0.0), cells)
-
-
-def families_of(models: Sequence[System]) -> list[Family]:
-    """Sort models into families, in the order in which they come first."""
-    kinds: dict[_Kind, list[int]] = {}
-    for number, model in enumerate(models):
-        kinds.setdefault(_kind(model), []).append(number)
-    return [_family(kind, numbers, models) for kind, numbers in kinds.items()]
-
-
-def _kind(model: System) -> _Kind:
-    return model.heating.kind, len(set(model.bearing.radii)), cells_across(model.heating)
-
-
-def _family(kind: _Kind, numbers: list[int], models: Sequence[System]) -> Family:
-    members = [models[number] for number in numbers]
+def _tables(members: Sequence[System]) -> tuple[Records, FloatArray]:
+    """Return systems as `dcfp.kernels.integrate.BatchSystem`, and the rates and weights of their modes, shape (sets, 2, modes)."""
     places: dict[bytes, int] = {}
     mode_sets: list[FloatArray] = []
     systems = np.zeros(len(members), BATCH_SYSTEM)
@@ -196,36 +113,15 @@ def _family(kind: _Kind, numbers: list[int], models: Sequence[System]) -> Family
         half_side, width = bearing.contact_half_side, cell_width(member)
         row["heat"] = (heating.kind, heating.ambient, half_side, width, instant * heating.rise_factor)
         row["modes"] = place
-    return Family(
-        heating=members[0].heating,
-        plates=kind[1],
-        members=numbers,
-        systems=systems,
-        mode_sets=np.array(mode_sets),
-        margin=max(margin_for(one, FIRST_REACH) for one in members),
-    )
+    return systems, np.array(mode_sets)
 
 
-# What a batch gives for each lane.
-
-
-def peaks_of(states: Records, lanes: Lanes) -> dict[str, NDArray[np.float64] | NDArray[np.uint8]]:
-    """Return the peaks and energies of each lane by the names of a `dcfp.Response`, from the states that the kernel left, shape (lanes,).
-
-    ``status`` counts as `dcfp.analysis.response.NUMBERS`; where it is `FAILED` all else is not a number.
-    """
+def _peaks_of(states: Records, lanes: Lanes) -> dict[str, NDArray[np.float64] | NDArray[np.uint8]]:
     bearings = [model.bearing for model in lanes.models]
-    capacities = [one.displacement_capacity for one in bearings]
-    mass, weight, elastic, restoring, capacity = np.array(
-        [
-            [one.mass for one in bearings],
-            [one.vertical_force for one in bearings],
-            [one.elastic_stiffness for one in bearings],
-            [one.restoring_stiffness for one in bearings],
-            [np.inf if one is None else one for one in capacities],
-        ],
-        dtype=np.float64,
-    )[:, lanes.model]
+    names = ("mass", "vertical_force", "elastic_stiffness", "restoring_stiffness", "displacement_capacity")
+    # an unknown capacity is never exceeded, not a number being above nothing
+    known = np.array([[getattr(one, name) for one in bearings] for name in names], dtype=np.float64)
+    mass, weight, elastic, restoring, capacity = known[:, lanes.model]
     extremes = states["extremes"]
     force = extremes["force"] * mass
     stuck = states["motion"]["displacement"] - states["spring"]["elongation"]
@@ -254,38 +150,28 @@ def _equivalent_velocity(energy: FloatArray, mass: FloatArray) -> FloatArray:
     return np.sqrt(np.maximum(2.0 * (energy * mass) / mass, 0.0))
 
 
-#: Cells that a plate may be widened to before a lane is given up.
-_MOST_CELLS = 1_000_000
-
-
 def respond_in_batch(grounds: GroundSet, lanes: Lanes) -> dict[str, NDArray[np.float64] | NDArray[np.uint8]]:
     """Analyse every lane on the calling thread; the interpreter's lock is free meanwhile.
 
     The numbers of a lane are those of `dcfp.respond` for its record, scale and model, and do not depend on what else is in the
-    batch.
-
-    Parameters
-    ----------
-    grounds
-        The records.
-    lanes
-        What is analysed; lanes of the same record and scale are best side by side.
+    batch. Lanes of the same record and scale are best side by side.
 
     Returns
     -------
     dict
-        As `peaks_of` gives it.
+        Peaks and energies of each lane by the names of a `dcfp.Response`, shape (lanes,). ``status`` counts as
+        `dcfp.analysis.response.NUMBERS`; where it is `FAILED` all else is not a number.
     """
     ambient = np.array([model.heating.ambient for model in lanes.models])
     states = states_at_rest(len(lanes), 0.0)
     states["extremes"]["temperature"] = ambient[lanes.model]
-    for family in families_of(lanes.models):
-        rows = np.full(len(lanes.models), -1, dtype=np.intp)
-        rows[family.members] = np.arange(len(family.members))
-        row = rows[lanes.model]
-        chosen = np.flatnonzero(row >= 0)
-        _run_family(grounds, lanes, family, chosen, row, states)
-    return peaks_of(states, lanes)
+    alike: dict[tuple[int, int, int], list[int]] = {}
+    for number, model in enumerate(lanes.models):
+        kind = model.heating.kind, len(set(model.bearing.radii)), cells_across(model.heating)
+        alike.setdefault(kind, []).append(number)
+    for numbers in alike.values():
+        _run_alike(grounds, lanes, numbers, states)
+    return _peaks_of(states, lanes)
 
 
 def available_threads() -> int:
@@ -293,34 +179,40 @@ def available_threads() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def _run_family(
-    grounds: GroundSet,
-    lanes: Lanes,
-    family: Family,
-    chosen: IntArray,
-    row: IntArray,
-    states: Records,
-) -> None:
-    """Make the runs numbered in `chosen` from their states at rest, again on wider plates for those whose slider left them."""
-    histories = np.empty((0, TEMPERATURE + family.plates))
-    margin = family.margin
+#: Cells that a plate may be widened to before a lane is given up.
+_MOST_CELLS = 1_000_000
+
+
+def _run_alike(grounds: GroundSet, lanes: Lanes, numbers: list[int], states: Records) -> None:
+    """Run the lanes of models that are alike from their states at rest, again on wider plates for those whose slider left them."""
+    members = [lanes.models[number] for number in numbers]
+    heating, plates = members[0].heating, len(set(members[0].bearing.radii))
+    systems, mode_sets = _tables(members)
+    margin = max(margin_for(one) for one in members)
+    rows = np.full(len(lanes.models), -1, dtype=np.intp)
+    rows[numbers] = np.arange(len(numbers))
+    row = rows[lanes.model]
+    chosen = np.flatnonzero(row >= 0)
     while chosen.size:
+        # arrays to work in; the numbers are those of the systems
+        modes, cells = np.zeros((MODE_ROWS, MODES)), no_heat(plates, heating, margin)
+        heat = Heat(heating.kind, 0.0, 0.0, 0.0, 0.0, modes, cold_workspace(0.0), cells)
         runs = np.zeros(chosen.size, BATCH_RUN)
         runs["record"], runs["system"] = lanes.record[chosen], row[chosen]
         runs["scale"] = lanes.scale[chosen]
         left = as_bytes(states)[chosen].view(states.dtype)
         run_batch(
-            family.heat(margin),
+            heat,
             margin,
-            family.systems,
-            family.mode_sets,
+            systems,
+            mode_sets,
             cold_workspace(0.0),
             grounds.acceleration,
             grounds.records,
             runs,
             grounds.integration.tolerance,
             np.zeros(grounds.longest),
-            histories,
+            np.empty((0, TEMPERATURE + plates)),
             left,
         )
         margin = 2 * margin + 1

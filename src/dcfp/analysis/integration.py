@@ -23,11 +23,6 @@ class Integration(Declared):
     tolerance
         How far the coefficient of friction in the middle of a step may be from the mean of its ends, relative to it [-];
         looked at where the ends differ by more than that.
-
-    Raises
-    ------
-    InputError
-        If one of them is not within its limits.
     """
 
     noun = "an analysis"
@@ -69,11 +64,6 @@ class Keep(Declared):
         About how many times over the motion the temperature along the plates is kept; heating models without it have none.
     every
         After how many samples it is kept, instead.
-
-    Raises
-    ------
-    InputError
-        If one of them is not a whole number, or negative.
     """
 
     noun = "what is kept"

@@ -2,21 +2,84 @@
 
 import json
 import math
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from enum import Enum
 from operator import attrgetter
 from typing import Any, ClassVar
 
+import numpy as np
+
 from dcfp.analysis.assumptions import OF_RESPONSE
 from dcfp.analysis.integration import Integration
-from dcfp.analysis.kernel_input import State
 from dcfp.analysis.result import MotionResult
 from dcfp.arrays import FloatArray
+from dcfp.kernels._jit import Records, as_bytes
+from dcfp.kernels.integrate import INTEGRATION_STATE, Extremes
 from dcfp.motion.measures import motion_remarks
 from dcfp.schema.check import Check
 from dcfp.schema.nomenclature import Quantities
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import KN, M_PER_S
+from dcfp.system import System
+from dcfp.system.plates import PlateHeat, cold_plates
+
+
+@dataclass(frozen=True)
+class State:
+    """Everything that an integration changes: where it can be taken up again.
+
+    Attributes
+    ----------
+    integration
+        Motion, energies and peaks: one `dcfp.kernels.integrate.IntegrationState`, shape (1,).
+    plates
+        Heat in the plates.
+    ground_velocity
+        Of the ground at this moment [mm/s].
+    system
+        What it is the state of.
+    """
+
+    integration: Records
+    plates: PlateHeat
+    ground_velocity: float
+    system: System
+
+    @property
+    def extremes(self) -> Extremes:
+        """What was added up or compared on the way, per unit mass."""
+        return Extremes(*self.integration["extremes"].item())
+
+    def with_room(self, cells: int) -> "State":
+        """Return a copy that shares no array with this one, with so many more cells at each end of the plates."""
+        states = as_bytes(self.integration).copy().view(INTEGRATION_STATE)
+        return replace(self, integration=states, plates=self.plates.with_room(cells))
+
+    def copy(self) -> "State":
+        """Return a copy that shares no array with this one."""
+        return self.with_room(0)
+
+    def afresh(self) -> "State":
+        """Return the same motion and heat with energies and peaks begun anew, for the next earthquake."""
+        state = self.copy()
+        new = states_at_rest(1, float(self.plates.temperature.max()))
+        new["extremes"]["turning"] = state.integration["motion"]["displacement"]
+        for name in ("extremes", "steps", "status", "at_rest"):
+            state.integration[name] = new[name]
+        return state
+
+
+def states_at_rest(count: int, temperature: float) -> Records:
+    """Return states of integrations at rest, with nothing added up yet and that peak temperature [degC]."""
+    states = np.zeros(count, INTEGRATION_STATE)
+    states["extremes"]["temperature"] = temperature
+    states["extremes"]["friction"] = math.inf
+    return states
+
+
+def state_at_rest(system: System) -> State:
+    """Return the state at rest and at the ambient temperature."""
+    return State(states_at_rest(1, system.heating.ambient), cold_plates(system), 0.0, system)
 
 
 class Status(Enum):
@@ -67,15 +130,7 @@ HISTORIES.tell("energy_residual", get=attrgetter("energy.residual"))
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Response(MotionResult):
-    """Histories, peaks and energies of a rigid structure on a bearing, and what they came from: a `MotionResult` with more.
-
-    Attributes
-    ----------
-    integration
-        How finely and how far.
-    final_state
-        Where it can be gone on with.
-    """
+    """Histories, peaks and energies of a rigid structure on a bearing; its ``final_state`` is where it can be gone on with."""
 
     quantities: ClassVar[Quantities] = PEAKS
     histories: ClassVar[Quantities] = HISTORIES
@@ -104,8 +159,6 @@ class Response(MotionResult):
     def _energies(self) -> tuple[FloatArray, FloatArray, dict[str, FloatArray]]:
         mass, velocity, ground = self.bearing.mass, self.velocity, self.ground_velocity
         return mass * ground * (0.5 * ground + velocity), 0.5 * mass * velocity**2, {}
-
-    # ----- peaks -----
 
     @property
     def peak_displacement(self) -> float:

@@ -2,14 +2,13 @@
 
 import math
 import time
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
 
 from dcfp.analysis.integration import DEFAULT, NOTHING, Integration, Keep
-from dcfp.analysis.kernel_input import State, heat_of, state_at_rest
-from dcfp.analysis.response import Response
+from dcfp.analysis.response import Response, State, state_at_rest
 from dcfp.arrays import FloatArray, freeze, integral
 from dcfp.errors import InputError
 from dcfp.kernels import integrate as k
@@ -23,18 +22,6 @@ from dcfp.system.plates import Profiles, kernel_model, profile_now
 
 #: Longest step of sliding [s], whatever the record's own: peaks are looked for at the ends of steps.
 LONGEST_STEP = 0.01
-
-
-@dataclass
-class _Run:
-    """What one integration left behind."""
-
-    state: State
-    lines: FloatArray
-    profiles: list[tuple[float, FloatArray]]
-    done: int
-    rests: bool
-    elapsed: float
 
 
 def respond(
@@ -116,27 +103,26 @@ def analyse(
         msg = f"{motion.name}: the starting state is that of another bearing, friction law or heating model."
         raise InputError(msg)
     _load_kernels()
-    run = None
-    while run is None:
-        run = _integrated(
-            motion.name, first.copy(), acceleration, interval, free_from, integration.tolerance, every
-        )
-        if run is None:  # the slider left the line of cells
-            first = first.with_room(first.plates.cells.shape[1])
-    samples = run.done + 1
-    ground = first.ground_velocity + integral(acceleration[:samples], interval)
+    control = StepControl(interval, halvings(interval), integration.tolerance)
+    state = first.copy()
+    while (run := _integrated(motion.name, state, acceleration, control, free_from, every)) is None:
+        # the slider left the line of cells
+        first = first.with_room(first.plates.cells.shape[1])
+        state = first.copy()
+    lines, profiles, elapsed = run
+    ground = first.ground_velocity + integral(acceleration[: len(lines)], interval)
     return Response(
         motion=motion,
         system=system,
         integration=integration,
-        time=freeze(np.arange(samples) * interval),
-        ground_acceleration=freeze(acceleration[:samples]),
+        time=freeze(np.arange(len(lines)) * interval),
+        ground_acceleration=freeze(acceleration[: len(lines)]),
         ground_velocity=freeze(ground),
-        lines=freeze(run.lines[:samples]),
-        final_state=replace(run.state, ground_velocity=float(ground[-1])),
-        rests=run.rests,
-        profiles=Profiles.of(run.profiles, system) if run.profiles else None,
-        elapsed=run.elapsed,
+        lines=freeze(lines),
+        final_state=replace(state, ground_velocity=float(ground[-1])),
+        rests=bool(state.integration["at_rest"][0]),
+        profiles=Profiles.of(profiles, system) if profiles else None,
+        elapsed=elapsed,
     )
 
 
@@ -148,23 +134,20 @@ def halvings(interval: float) -> int:
 @cache
 def _load_kernels() -> None:
     """Have the kernels compiled or loaded, and their arguments' types known, so that the time of an analysis is its own."""
-    _integrated("", state_at_rest(System()), np.zeros(2), 1e-3, 2, DEFAULT.tolerance, None)
+    _integrated("", state_at_rest(System()), np.zeros(2), StepControl(1e-3, 0, DEFAULT.tolerance), 2, None)
 
 
 def _integrated(
     name: str,
     state: State,
     acceleration: FloatArray,
-    interval: float,
+    control: StepControl,
     free_from: int,
-    tolerance: float,
     every: int | None,
-) -> _Run | None:
-    """Respond to the whole motion; None if the slider left the line of cells."""
-    model = kernel_model(state.system, heat_of(state))
+) -> tuple[FloatArray, list[tuple[float, FloatArray]], float] | None:
+    """Return histories, profiles and the computing time [s], or None if the slider left the line of cells; the state changes."""
+    model, integration = kernel_model(state.system, state.plates), state.integration
     began = time.perf_counter()
-    control = StepControl(interval, halvings(interval), tolerance)
-    integration = state.integration
     lines = np.empty((acceleration.size, k.TEMPERATURE + model.system.plates))
     profiles: list[tuple[float, FloatArray]] = []
     part = every or acceleration.size
@@ -176,15 +159,14 @@ def _integrated(
         if status == OUT_OF_CELLS:
             return None
         if status == NO_NUMBER:
-            raise state.system.friction.no_number(name, done * interval)
+            raise state.system.friction.no_number(name, done * control.interval)
         if status == NO_PROGRESS:
-            raise state.system.friction.no_progress(name, done * interval)
+            raise state.system.friction.no_progress(name, done * control.interval)
         if every is not None:
             _, velocity, _, coefficient, slip_sign = lines[done, : k.SLIP_SIGN + 1]
             flux = model.system.pressure * abs(slip_sign * coefficient * velocity)
             now = float(integration["time"][0])
-            profiles.append((done * interval, profile_now(model.heat, model.system, now, flux)))
+            profiles.append((done * control.interval, profile_now(model.heat, model.system, now, flux)))
         if status == AT_REST:
             break
-    rests = bool(integration["at_rest"][0])
-    return _Run(state, lines, profiles, done, rests, time.perf_counter() - began)
+    return lines[: done + 1], profiles, time.perf_counter() - began

@@ -1,6 +1,7 @@
 """What every result has: a system, histories by name, what is told of it, its forms, its remarks and its figure."""
 
 import json
+import math
 import textwrap
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
@@ -12,14 +13,13 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 
 from dcfp.analysis.assumptions import OF_MODEL
-from dcfp.analysis.energy import EnergyBalance, equivalent_velocity
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.check import Check
 from dcfp.schema.citations import citations_of
 from dcfp.schema.nomenclature import Quantities, quantity
-from dcfp.schema.notebook import card, told
+from dcfp.schema.notebook import card, fields_card, told
 from dcfp.schema.parameters import unknown
 from dcfp.system import Bearing, FrictionLaw, Heating, System
 from dcfp.system.plates import Profiles, mean_temperature, profile_variables
@@ -38,20 +38,64 @@ _WIDTH = 100
 LONGEST_MEMORY = 600.0
 
 
-@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Result(ABC):
-    """A result: histories over time of a system, and what is told of them.
+@dataclass(frozen=True)
+class EnergyBalance:
+    """Histories of the energies [N mm], shape (n,): Li et al. (2020), Eqs (3)-(6).
 
     Attributes
     ----------
-    system
-        What was analysed.
-    time
-        Of the histories [s], shape (n,).
+    input
+        Relative input energy E, Eq. (4): the work of - m a_g on the relative displacement, of a building summed over base and floors.
+    absolute_input
+        Absolute input energy, the work that the ground does on the structure (Uang and Bertero 1988).
+    kinetic, hysteretic, damping
+        E_k of the relative velocity, Eq. (5); E_h, dissipated by friction; E_xi, taken by the damping of a building.
+    pendulum, spring, storeys
+        Parts of the elastic strain energy E_s: in spring (a), in spring (b), and in the storeys of a building.
+    """
+
+    input: FloatArray
+    absolute_input: FloatArray
+    kinetic: FloatArray
+    pendulum: FloatArray
+    spring: FloatArray
+    hysteretic: FloatArray
+    storeys: FloatArray | float = 0.0
+    damping: FloatArray | float = 0.0
+
+    @property
+    def strain(self) -> FloatArray:
+        """Elastic strain energy E_s [N mm]."""
+        return self.storeys + self.pendulum + self.spring
+
+    @property
+    def residual(self) -> FloatArray:
+        """E - E_s - E_k - E_xi - E_h, by which Eq. (6) fails to close [N mm]."""
+        return self.input - self.strain - self.kinetic - self.damping - self.hysteretic
+
+    @property
+    def relative_residual(self) -> float:
+        """Largest residual over the largest input energy [-]."""
+        largest = float(np.abs(self.input).max())
+        return float(np.abs(self.residual).max()) / largest if largest > 0.0 else 0.0
+
+    def _repr_html_(self) -> str:
+        return fields_card(self, "Energies over time [N mm]")
+
+
+def equivalent_velocity(energy: float, mass: float) -> float:
+    """Equivalent velocity V_E = sqrt(2 E / m) of an energy [N mm] and a mass [t], in mm/s (Akiyama 1985)."""
+    return math.sqrt(max(2.0 * energy / mass, 0.0))
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Result(ABC):
+    """Histories over ``time`` [s] of a system, shape (n,), with the computing time [s], and what is told of them.
+
+    Attributes
+    ----------
     lines
-        What the kernels wrote, a row for each time: `columns`, and the temperatures of the plates.
-    elapsed
-        Computing time [s].
+        What the kernels wrote, a row for each time; it ends with `columns` and the temperatures of the plates.
     profiles
         Temperature along the plates, where it was kept.
     quantities, histories
@@ -70,8 +114,6 @@ class Result(ABC):
     lines: FloatArray
     elapsed: float
     profiles: Profiles | None = None
-
-    # ----- what it is of -----
 
     @property
     @abstractmethod
@@ -98,16 +140,10 @@ class Result(ABC):
         """Heating model of the system."""
         return self.system.heating
 
-    # ----- histories, shape (n,) -----
-
     def line(self, name: str) -> FloatArray:
         """Return a history that the kernels wrote, by its name among `columns`."""
-        return self.lines[:, self._first_column + self.columns.index(name)]
-
-    @property
-    def _first_column(self) -> int:
-        """Place of the first of `columns`."""
-        return 0
+        first = self.lines.shape[1] - len(self.columns) - len(set(self.bearing.radii))
+        return self.lines[:, first + self.columns.index(name)]
 
     @property
     def displacement(self) -> FloatArray:
@@ -137,7 +173,7 @@ class Result(ABC):
     @property
     def plate_temperatures(self) -> FloatArray:
         """Temperature of the contact on each plate that differs [degC], shape (n, plates)."""
-        return self.lines[:, self._first_column + len(self.columns) :]
+        return self.lines[:, -len(set(self.bearing.radii)) :]
 
     @property
     def temperature(self) -> FloatArray:
@@ -185,8 +221,6 @@ class Result(ABC):
         """Whether the plates have cooled in a pause."""
         return False
 
-    # ----- checks and remarks -----
-
     @property
     def checks(self) -> tuple[Check, ...]:
         """Every assumption with whether it was kept to."""
@@ -196,8 +230,6 @@ class Result(ABC):
     def remarks(self) -> tuple[str, ...]:
         """Sentences that a reader must know."""
         return tuple(one.remark for one in self.checks if one.remark)
-
-    # ----- forms -----
 
     def history(self, name: str) -> FloatArray:
         """Return a history over time by its name, in the units of the package.
@@ -274,17 +306,7 @@ class Result(ABC):
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class MotionResult(Result):
-    """A result of a ground motion: a `Result` with more.
-
-    Attributes
-    ----------
-    motion
-        What shook it.
-    ground_acceleration, ground_velocity
-        Histories [mm/s2, mm/s], shape (n,).
-    rests
-        Whether no more sliding can come.
-    """
+    """A result of a ground motion, with the histories of the ground [mm/s2, mm/s], and whether it rests: no more sliding can come."""
 
     motion: GroundMotion
     ground_acceleration: FloatArray

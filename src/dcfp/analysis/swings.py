@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from dcfp.analysis.energy import equivalent_velocity
 from dcfp.analysis.response import Response
+from dcfp.analysis.result import equivalent_velocity
 from dcfp.arrays import FloatArray, IntArray
 
 
@@ -15,10 +15,8 @@ class Swing:
 
     Attributes
     ----------
-    start, end
-        Times of the two peaks [s].
-    change
-        dy_i = y_i - y_(i-1), with its sign [mm].
+    start, end, change
+        Times of the two peaks [s], and dy_i = y_i - y_(i-1), with its sign [mm].
     input_velocity
         V_dE [mm/s]: of the largest input energy since the start. It is reached when the ground turns, at its own peak; from there on the ground takes energy back.
     net_input_velocity
@@ -43,10 +41,8 @@ class Swings:
 
     Attributes
     ----------
-    times
-        Of the peaks of displacement [s], shape (n + 1,); the first is the start.
-    displacements
-        y_i at the peaks [mm], shape (n + 1,).
+    times, displacements
+        Of the peaks of displacement [s], and y_i there [mm], shape (n + 1,); the first is the start.
     most_input, net_input, hysteretic
         dE_i, dEr_i and dEhr_i of each swing [N mm], shape (n,).
     mass

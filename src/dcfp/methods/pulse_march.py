@@ -20,7 +20,7 @@ from dcfp.methods.pulses import MARCH_THRESHOLD, Prediction, Pulses, find_pulses
 from dcfp.motion.load import Motion
 from dcfp.schema.notebook import fields_card
 from dcfp.system import FrictionLaw, Heating, System, SystemLike
-from dcfp.system.plates import cold_plates, heat_of, kernel_model
+from dcfp.system.plates import cold_plates, kernel_model
 
 NAME = "pulse march"
 #: Steps in a leg, at least, and the longest step [s].
@@ -123,7 +123,7 @@ def _marched(
         state = np.zeros(1, k.PULSE_STATE)
         state["peak_temperature"], state["peak_leg"] = system.heating.ambient, math.nan
         path = np.empty((rows, k.PATH_SIZE))
-        model = kernel_model(system, heat_of(plates, system))
+        model = kernel_model(system, plates)
         written, fits = k.integrate_pulses(
             model, pulses.times, pulses.velocities, parts, LONGEST_STEP, state, path
         )

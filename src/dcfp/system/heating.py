@@ -16,9 +16,7 @@ from dcfp.schema.registry import Registry
 from dcfp.schema.units import CONDUCTIVITY as CONDUCTIVITY_UNIT
 from dcfp.schema.units import DEGC, DIFFUSIVITY, MM, NONE
 
-#: What the back of a plate can do.
 INSULATED = "insulated"
-BACKS = (INSULATED, "ambient")
 
 #: Heating models by name.
 HEATINGS: "Registry[type[Heating]]" = Registry("heating model")
@@ -26,7 +24,7 @@ HEATINGS: "Registry[type[Heating]]" = Registry("heating model")
 
 @declared
 class Heating(Declared):
-    """What every heating model knows of the plates. A class with a ``name`` of its own registers itself.
+    """What every heating model knows of the plates. A class with a ``name`` of its own registers itself; its ``kind`` is that of the kernels.
 
     Parameters
     ----------
@@ -35,17 +33,6 @@ class Heating(Declared):
     back
         What the back of a plate of finite thickness does: ``"insulated"`` lets no heat through, ``"ambient"`` stays at the ambient
         temperature. A real one is in between.
-
-    Attributes
-    ----------
-    name
-        Name at every door.
-    words
-        What it is called where there is room.
-    description
-        What the model takes, with its source.
-    kind
-        Which model the kernels know it as.
     """
 
     noun = "the heating model"
@@ -69,9 +56,9 @@ class Heating(Declared):
         float | None,
         Parameter("thickness of the plates", MM, 10.0, 200.0, symbol="h", step=5.0, absent="endlessly thick"),
     ] = field(default=None, kw_only=True)
-    back: Annotated[str, Parameter("back of plates of finite thickness", choices=BACKS, vary=False)] = field(
-        default=INSULATED, kw_only=True
-    )
+    back: Annotated[
+        str, Parameter("back of plates of finite thickness", choices=(INSULATED, "ambient"), vary=False)
+    ] = field(default=INSULATED, kw_only=True)
 
     def __init_subclass__(cls) -> None:
         super().__init_subclass__()

@@ -24,21 +24,13 @@ if TYPE_CHECKING:
 
 #: Displacement for which the line of cells has room at first [mm].
 FIRST_REACH = 600.0
-#: Horizons for which heat is remembered [-], and the longest horizon [s]; see `horizon_for`.
+#: Horizons for which heat is remembered [-], and the longest horizon [s].
 _REMEMBERED, _LONGEST_HORIZON = 3.0, 1200.0
 
 
 @dataclass(frozen=True)
 class PlateHeat:
-    """Heat in the plates, which the kernels change in place.
-
-    Attributes
-    ----------
-    modes, workspace, cells
-        As in `dcfp.kernels.heat_state`.
-    instant
-        Instant weight of the modes [s^1/2].
-    """
+    """Heat in the plates, which the kernels change in place: arrays of `dcfp.kernels.heat_state`, and the instant weight of the modes [s^1/2]."""
 
     modes: FloatArray
     workspace: FloatArray
@@ -50,19 +42,14 @@ class PlateHeat:
         """Temperature of the contact on each plate that differs [degC], shape (plates,)."""
         return self.workspace[h.PRESENT : h.PRESENT + self.cells.shape[0]]
 
-    def copy(self) -> "PlateHeat":
-        """Return a copy that shares no array with this one."""
-        return replace(
-            self, modes=self.modes.copy(), workspace=self.workspace.copy(), cells=self.cells.copy()
-        )
-
     def with_room(self, cells: int) -> "PlateHeat":
-        """Return a copy with so many more cells at each end of the plates."""
-        wider = self.copy()
-        blank = np.zeros((self.cells.shape[0], cells, self.cells.shape[2]))
+        """Return a copy that shares no array with this one, with so many more cells at each end of the plates."""
+        workspace = self.workspace.copy()
         for plate in range(self.cells.shape[0]):
-            wider.workspace[h.PLATE_ENTRY + plate * h.PLATE_ENTRIES + h.LEFT_CELL] += cells
-        return replace(wider, cells=np.concatenate((blank, wider.cells, blank), axis=1))
+            workspace[h.PLATE_ENTRY + plate * h.PLATE_ENTRIES + h.LEFT_CELL] += cells
+        blank = np.zeros((self.cells.shape[0], cells, self.cells.shape[2]))
+        wider = np.concatenate((blank, self.cells, blank), axis=1)
+        return replace(self, modes=self.modes.copy(), workspace=workspace, cells=wider)
 
 
 def system_constants(system: System) -> SystemConstants:
@@ -91,10 +78,7 @@ def memory_of(duration: float) -> float:
 
 
 def mean_temperature(bearing: Bearing, temperatures: FloatArray) -> FloatArray:
-    """Return the mean temperature of the contacts [degC], by the plates' share of the travel, shape (n,).
-
-    `temperatures` [degC] are those of each plate that differs, shape (n, plates).
-    """
+    """Return the mean of the `temperatures` of each plate that differs [degC], shape (n, plates), by their share of the travel, shape (n,)."""
     return temperatures[:, 0] if temperatures.shape[1] == 1 else temperatures @ np.array(bearing.shares)
 
 
@@ -185,28 +169,15 @@ def heat_of(plates: PlateHeat, system: System) -> h.Heat:
     )
 
 
-def kernel_model(system: System, heat: h.Heat) -> BearingModel:
-    """Return the kernels' view of a bearing under its own load, with the heat in its plates."""
+def kernel_model(system: System, plates: PlateHeat) -> BearingModel:
+    """Return the kernels' view of a bearing under its own load, with the heat in its `plates`, which they will change."""
     law = system.friction.at_pressure(system.bearing.pressure)
-    return BearingModel(law, system_constants(system), heat)
-
-
-# Temperature along the plates over time.
+    return BearingModel(law, system_constants(system), heat_of(plates, system))
 
 
 @dataclass(frozen=True)
 class Profiles:
-    """Temperature along the plates.
-
-    Attributes
-    ----------
-    time
-        [s], shape (times,).
-    position
-        Of the middle of each cell, from the centre of the plate [mm], shape (cells,).
-    temperature
-        [degC], shape (times, plates, cells).
-    """
+    """Temperature along the plates [degC], shape (times, plates, cells), at times [s] and middles of cells, from the centre of the plate [mm]."""
 
     time: FloatArray
     position: FloatArray
@@ -223,10 +194,7 @@ class Profiles:
 
 
 def profile_now(heat: h.Heat, constants: SystemConstants, time: float, flux: float) -> FloatArray:
-    """Return the temperature along the plates [degC] at a time [s], shape (plates, cells).
-
-    `flux` is mu p |v| [N/(mm s)], zero while sticking.
-    """
+    """Return the temperature along the plates [degC] at a time [s] under a `flux` mu p |v| [N/(mm s)], shape (plates, cells)."""
     rises = np.zeros((constants.plates, heat.cells.shape[1]))
     shares = (constants.first_share, constants.second_share)
     for i in range(constants.plates):
@@ -238,20 +206,15 @@ def profile_variables(profiles: Profiles) -> "xarray.Dataset":
     """Return the profiles as variables of a data set, with units."""
     import xarray
 
+    dimensions = ("profile_time", "plate", "plate_position")
+    time, position, temperature = (
+        (axes, np.array(values), quantity(name).attributes)
+        for name, axes, values in (
+            ("time", dimensions[0], profiles.time),
+            ("plate_position", dimensions[2], profiles.position),
+            ("plate_temperature", dimensions, profiles.temperature),
+        )
+    )
     return xarray.Dataset(
-        {
-            "plate_temperature": (
-                ("profile_time", "plate", "plate_position"),
-                np.array(profiles.temperature),
-                quantity("plate_temperature").attributes,
-            )
-        },
-        coords={
-            "profile_time": ("profile_time", np.array(profiles.time), quantity("time").attributes),
-            "plate_position": (
-                "plate_position",
-                np.array(profiles.position),
-                quantity("plate_position").attributes,
-            ),
-        },
+        {"plate_temperature": temperature}, {"profile_time": time, "plate_position": position}
     )

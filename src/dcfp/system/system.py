@@ -29,22 +29,7 @@ _LAMBDA = Parameter("property factor on the reference coefficient", NONE, 0.05, 
 
 @dataclass(frozen=True)
 class System:
-    """A rigid structure on a bearing, with what rules its friction; a part may be given by its name.
-
-    Parameters
-    ----------
-    bearing
-        The bearing under its load; or the path of a bearing file, whose law and heating model then stand for those not given.
-    friction
-        The friction law, or its name.
-    heating
-        The heating model, or its name.
-
-    Raises
-    ------
-    InputError
-        If a part is none, or there is none of that name.
-    """
+    """A rigid structure on a bearing under its load, with the friction law and the heating model that rule its friction."""
 
     bearing: Bearing = LI_2020
     friction: FrictionLaw = field(default_factory=Li2020)
@@ -57,7 +42,13 @@ class System:
         friction: FrictionLaw | str | None = None,
         heating: Heating | str | None = None,
     ) -> "System":
-        """Return the system of parts or of their names; what is None is that of Li et al. (2020), or of the bearing file."""
+        """Return the system of parts or of their names; what is None is that of Li et al. (2020), or of the bearing file.
+
+        Raises
+        ------
+        InputError
+            If a part is none, or there is none of that name.
+        """
         bearings, laws, models = "Bearing, a System or the path of a bearing file", FRICTION_LAWS, HEATINGS
         for name, part, kinds, wanted in (
             ("bearing", bearing, (System, Bearing, str, Path), bearings),
@@ -77,22 +68,7 @@ class System:
 
     @classmethod
     def from_table(cls, content: Mapping[str, Any], where: str, name: str | None = None) -> "System":
-        """Return the system of a bearing file; what it leaves out is that of Li et al. (2020).
-
-        Parameters
-        ----------
-        content
-            As `read_bearing` reads it.
-        where
-            What to begin a complaint with.
-        name
-            Of the bearing, unless it has one of its own; None for that of Li et al. (2020).
-
-        Raises
-        ------
-        InputError
-            If there is an unknown key or a value out of range.
-        """
+        """Return the system of a bearing file, as for `read_bearing`; the bearing has the `name` unless the file has one, complaints begin with `where`."""
         tables = {key: table_in(content, key, where) for key in ("friction", "heating")}
         rest = {key: value for key, value in content.items() if key not in tables}
         values = read_table(Bearing, rest, where, also=("friction", "heating"))
@@ -231,16 +207,7 @@ def read_bearing(path: str | Path) -> System:
 
 
 def friction_law(name: object, table: Mapping[str, Any] | None = None, where: str = "") -> FrictionLaw:
-    """Return a friction law by name, with some of its parameters changed.
-
-    Parameters
-    ----------
-    name
-        Of the law.
-    table
-        Parameters by their keys, as a file holds them.
-    where
-        What to begin a complaint with.
+    """Return a friction law by name, with the parameters that a table of a file changes; complaints begin with `where`.
 
     Raises
     ------

@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from dcfp.analysis import Response, respond
-from dcfp.analysis.kernel_input import State, state_at_rest
+from dcfp.analysis.response import State, state_at_rest
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.named import named_motion

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from dcfp.analysis import Response, respond
-from dcfp.analysis.kernel_input import state_at_rest
+from dcfp.analysis.response import state_at_rest
 from dcfp.arrays import FloatArray
 from dcfp.kernels.sum_of_exponentials import (
     RATE_RATIO,

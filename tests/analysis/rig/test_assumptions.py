@@ -19,7 +19,9 @@ def test_a_short_dip_of_the_load_is_felt():
     dip = VerticalLoad((7.54e6, 7.54e6, 0.377e6, 7.54e6), (0.0, 20.0, 20.06, 20.12), is_pressure=False)
     loops = run(Sine(200.0, 20.0, 1), dip, ConstantFriction(), NoHeating())
     assert loops.load.min() == pytest.approx(0.377e6)
-    steady = run(Sine(200.0, 20.0, 1), VerticalLoad.force(7.54e6), ConstantFriction(), NoHeating())
+    steady = run(
+        Sine(200.0, 20.0, 1), VerticalLoad((7.54e6,), is_pressure=False), ConstantFriction(), NoHeating()
+    )
     assert np.interp(19.9, loops.time, loops.force) == pytest.approx(
         np.interp(19.9, steady.time, steady.force), rel=1e-6
     )

@@ -149,7 +149,7 @@ def test_a_single_plate_of_the_same_effective_radius_is_the_same_without_heat() 
 
 
 def test_a_test_in_forces_is_the_same_test() -> None:
-    force = VerticalLoad.force(LI_2020.vertical_force)
+    force = VerticalLoad((LI_2020.vertical_force,), is_pressure=False)
     waveform = Sine(200.0, 400.0, 2)
     there = run_one(waveform, Li2020(), SimplifiedHeating(), load=force)
     assert there.force.tolist() == pytest.approx(

@@ -91,7 +91,7 @@ def test_samples_near_reversals_are_left_out_by_the_reach_of_spring_b() -> None:
 def test_what_loads_the_spring_at_the_start_neither_slides_nor_heats(samples, stiffness) -> None:
     bearing = replace(LI_2020, elastic_stiffness=stiffness)
     time = np.linspace(0.0, 2.0 * np.pi, samples)
-    loops, measurement = machine(Recorded(time, 200.0 * np.sin(time), "sine"), bearing)
+    loops, measurement = machine(Recorded(time, 200.0 * np.sin(time)), bearing)
     history = friction_history(measurement, bearing, SimplifiedHeating())
     assert history.coefficient[history.used] == pytest.approx(loops.friction[history.used], rel=1e-8)
     early = history.used & (history.time < 0.2)

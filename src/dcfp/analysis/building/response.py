@@ -1,5 +1,6 @@
-"""The result of a response history analysis of a building."""
+"""Response history analysis of a shear building on a bearing, and its result."""
 
+import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -8,14 +9,24 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from dcfp.analysis.building.shear_building import ShearBuilding
+from dcfp.analysis.building.transition import building_of
+from dcfp.analysis.integration import Integration
 from dcfp.analysis.response import HISTORIES as OF_RESPONSE
 from dcfp.analysis.response import PEAKS, Response
 from dcfp.analysis.result import MotionResult
-from dcfp.arrays import FloatArray, freeze
+from dcfp.arrays import FloatArray, freeze, integral
 from dcfp.kernels import building as k
+from dcfp.motion.ground_motion import parts_in, with_tail
+from dcfp.motion.load import Motion, motion_of
 from dcfp.schema.nomenclature import Quantities
+from dcfp.schema.parameters import refuse_other
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import DEGC, KN_M, M_PER_S, M_PER_S2, MM, MM_PER_S, MM_PER_S2, N_MM, NONE
+from dcfp.system import FrictionLaw, Heating, System, SystemLike
+from dcfp.system.plates import cold_plates, heat_of, system_constants
+
+#: Longest fine step, unless another is asked for [s]; and over the shortest period on a fixed base [-], but for steps that are short already [s].
+LONGEST_STEP, PERIOD_FRACTION, SHORT_STEP = 0.002, 0.1, 0.0002
 
 #: What is told of it as a whole.
 BUILDING = Quantities("quantity of a building's response")
@@ -44,7 +55,7 @@ HISTORIES.take(OF_RESPONSE, "energy_residual")
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class BuildingResponse(MotionResult):
-    """Histories, peaks and energies of a building on a bearing, and what they came from: a `MotionResult` with more.
+    """Histories, peaks and energies of a building on a bearing.
 
     Attributes
     ----------
@@ -73,8 +84,6 @@ class BuildingResponse(MotionResult):
     def title(self) -> str:
         """What it is, in words."""
         return f"{self.building.storeys} storeys under {self.motion.name}"
-
-    # ----- histories -----
 
     @property
     def floor_displacement(self) -> FloatArray:
@@ -118,8 +127,6 @@ class BuildingResponse(MotionResult):
         put_in = ground * (0.5 * total * ground + self.floor_velocity @ masses)
         return put_in, 0.5 * self.floor_velocity**2 @ masses, of_storeys
 
-    # ----- peaks -----
-
     @property
     def peak_displacement(self) -> float:
         """Largest displacement y_max of the isolation layer, to either side [mm]."""
@@ -144,12 +151,97 @@ class BuildingResponse(MotionResult):
     def _floors(self) -> int:
         return self.building.storeys + 1
 
-    @property
-    def _first_column(self) -> int:
-        return 2 * self._floors
+
+def respond_building(
+    motion: Motion,
+    building: ShearBuilding,
+    bearing: SystemLike = None,
+    friction: FrictionLaw | str | None = None,
+    heating: Heating | str | None = None,
+    *,
+    pgv: float | None = None,
+    step: float | None = None,
+    tail: float | None = None,
+) -> BuildingResponse:
+    """Analyse a shear building on a bearing under a ground motion.
+
+    Parameters
+    ----------
+    motion, bearing, friction, heating, pgv, tail
+        As for `dcfp.respond`; without damping the analysis may well go on for all of 120 s. The vertical force is constant.
+    building
+        Its masses and stiffnesses are multiplied by one factor, so that the bearing carries the sum of the masses: `ShearBuilding.scaled_to`.
+    step
+        Longest fine step [s]; by default 0.002 s, or a tenth of the shortest period on a fixed base where that is less, down to 0.0002 s.
+
+    Returns
+    -------
+    BuildingResponse
+        Histories at the record's samples, peaks and energies.
+
+    Raises
+    ------
+    InputError
+        If an argument is out of range, or there is none of such a name.
+    AnalysisError
+        If the analysis cannot be finished.
+    """
+    motion = motion_of(motion, pgv)
+    refuse_other(building, ShearBuilding, "building", "a ShearBuilding")
+    system = System.of(bearing, friction, heating)
+    bearing, friction, heating = system.bearing, system.friction, system.heating
+    integration = Integration(step=step, tail=tail)
+    longest = _longest_step(building) if integration.step is None else integration.step
+    parts = parts_in(motion.time_step, longest)
+    fine = motion.time_step / parts
+    acceleration = with_tail(motion, tail)
+    # from one sample of the record after its last, where the ground has stopped accelerating
+    free_from = motion.acceleration.size if tail is None else acceleration.size
+    own = building_of(building, bearing, fine)
+    constants = system_constants(system)
+    law = friction.at_pressure(bearing.pressure)
+    lines = np.empty((acceleration.size, 2 * own.floors + k.LINE_SIZE + constants.plates))
+    plates = cold_plates(system)
+    state, peaks = np.zeros(k.STATE_SIZE), np.zeros((2, own.floors))
+
+    def march(ground: FloatArray) -> tuple[int, int, bool]:
+        own.vectors[:], state[:], peaks[:] = 0.0, 0.0, 0.0
+        state[k.ROOM], state[k.PEAK_TEMPERATURE] = k.TICKS, heating.ambient
+        heat = heat_of(plates.with_room(0), system)
+        return k.integrate_building(law, constants, heat, own, ground, parts, free_from, state, peaks, lines)
+
+    march(np.zeros(2))  # has the kernels compiled or loaded, so that the time of an analysis is its own
+    began = time.perf_counter()
+    status, done, rests = march(acceleration)
+    while status == k.OUT_OF_CELLS:  # the slider left the line of cells
+        plates = plates.with_room(plates.cells.shape[1])
+        status, done, rests = march(acceleration)
+    elapsed = time.perf_counter() - began
+    lines = lines[: done + 1]
+    if status == k.NO_PROGRESS:
+        raise friction.no_progress(motion.name, done * motion.time_step)
+    if not np.isfinite(lines).all():
+        raise friction.no_number(motion.name)
+    return BuildingResponse(
+        motion=motion,
+        system=system,
+        building=building.scaled_to(bearing.mass),
+        step=fine,
+        time=freeze(np.arange(done + 1) * motion.time_step),
+        ground_acceleration=freeze(acceleration[: done + 1]),
+        ground_velocity=freeze(integral(acceleration[: done + 1], motion.time_step)),
+        rests=rests,
+        elapsed=elapsed,
+        lines=freeze(lines),
+        _peaks=freeze(peaks),
+        _state=freeze(state),
+        _resistance=own.resistance,
+    )
 
 
-# What is told of a building, beside the rigid structure of the same mass.
+def _longest_step(building: ShearBuilding) -> float:
+    shortest = PERIOD_FRACTION * float(building.fixed_base_periods[-1])
+    return min(LONGEST_STEP, max(SHORT_STEP, shortest))
 
 
 class BesideRigid(NamedTuple):

@@ -25,13 +25,7 @@ _STIFFNESS = Parameter("stiffness of a storey", N_PER_MM, 0.0, above=True)
 
 @declared
 class StiffnessProportional(Declared):
-    """A damper in each storey, in proportion to its stiffness: C = beta K.
-
-    Parameters
-    ----------
-    ratio
-        Damping ratio of the first mode on a fixed base [-]; those of the others are in proportion to their frequencies.
-    """
+    """A damper in each storey, in proportion to its stiffness, C = beta K; the `ratio` is that of the first mode on a fixed base."""
 
     ratio: Annotated[float, _RATIO]
 
@@ -42,15 +36,7 @@ class StiffnessProportional(Declared):
 
 @declared
 class Rayleigh(Declared):
-    """Damping by mass and by stiffness, C = alpha M + beta K, on the motion relative to the base.
-
-    Parameters
-    ----------
-    ratios
-        Damping ratios of two modes on a fixed base [-].
-    modes
-        Numbers of these modes; 1 is the first.
-    """
+    """Damping by mass and by stiffness, C = alpha M + beta K, on the motion relative to the base, with the ratios of two modes on a fixed base."""
 
     ratios: Annotated[tuple[float, float], _RATIO]
     modes: Annotated[tuple[int, int], Parameter("number of a mode", NONE, 1)] = (1, 2)
@@ -196,14 +182,12 @@ def uniform_building(
 
     Parameters
     ----------
-    storeys
-        Number of storeys above the base.
+    storeys, damping
+        Number of storeys above the base, and damping of the superstructure.
     period
-        First period on a fixed base [s].
+        First on a fixed base [s].
     mass_ratio
         Mass of the base over that of a floor [-].
-    damping
-        Of the superstructure.
     """
     storeys = _STOREYS.checked(storeys, "uniform_building: number of storeys")
     frequency = 2.0 * math.pi / _PERIOD.checked(period, "uniform_building: first period on a fixed base")

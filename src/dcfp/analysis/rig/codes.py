@@ -8,7 +8,7 @@ standard; the limits of 17.8.4 are *unconfirmed*, from memory of the standard, w
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
@@ -52,10 +52,8 @@ class PrototypeDesign(Declared):
     pressure: Annotated[float, Parameter("pressure on the slider", N_PER_MM2, 0.0, above=True)] = 60.0
     total_displacement: Annotated[
         float | None,
-        Parameter(
-            "maximum displacement with torsion", MM, 1.0, 1e4, more="default 1.15 times the displacement"
-        ),
-    ] = None
+        Parameter("maximum displacement with torsion", MM, 1.0, 1e4, more="default 1.15 times the displacement"),
+    ] = None  # fmt: skip
     least_load: Annotated[float, Parameter("smallest over the average load", NONE, 0.0, above=True)] = 0.5
     largest_load: Annotated[float, Parameter("largest over the average load", NONE, 0.0, above=True)] = 1.5
     wind_displacement: Annotated[float, Parameter("amplitude of the wind cycles", MM, 0.0, above=True)] = 10.0
@@ -93,19 +91,7 @@ class PrototypeDesign(Declared):
 
 @dataclass(frozen=True)
 class PrototypeTests:
-    """The prototype tests of a code.
-
-    Attributes
-    ----------
-    title
-        What the program is called.
-    source
-        Where it stands, in words.
-    tests
-        Returns the tests of a design.
-    judge
-        Returns what the code wants of their results.
-    """
+    """The prototype tests of a code: title and source of their program, the tests of a design, and what the code wants of their results."""
 
     title: str
     source: str
@@ -114,25 +100,13 @@ class PrototypeTests:
 
 
 def prototype_program(code: str, design: PrototypeDesign) -> Program:
-    """Return the prototype tests of a code for a design.
-
-    Raises
-    ------
-    InputError
-        If there is no such code.
-    """
+    """Return the prototype tests of a code for a design; an InputError if there is no such code."""
     found = PROTOTYPE_TESTS.find(code)
     return Program(found.title, tuple(found.tests(design)), found.source, code=code)
 
 
 def judge_tests(program: Program, loops: Sequence[Loops]) -> list[Check]:
-    """Return what the code of a program wants of its tests, and NTC 2018 of those at the maximum displacement and for endurance; nothing for a program of no code.
-
-    Raises
-    ------
-    InputError
-        If there is no such code.
-    """
+    """Return what the code of a program wants of its tests, with what NTC 2018 wants; nothing for a program of no code."""
     return [*PROTOTYPE_TESTS.find(program.code).judge(loops), *_ntc_2018(loops)] if program.code else []
 
 
@@ -238,10 +212,9 @@ def _asce_2016(loops: Sequence[Loops]) -> list[Check]:
     return [*found, criterion(code, "17.8.4 (6)", name, words, fall, LARGEST_DAMPING_FALL)]
 
 
-# EN 15129, unconfirmed: peak velocity of the benchmark tests [mm/s], displacements over d_bd of the dynamic tests, cycles of all.
-BENCHMARK_VELOCITY = 50.0
-DYNAMIC = {"D1": 0.25, "D2": 0.5, "D3": 1.0}
-CYCLES_EACH = 3
+# EN 15129, unconfirmed: peak velocity of the benchmark tests [mm/s], displacements over d_bd and roles of the dynamic tests, cycles of all.
+BENCHMARK_VELOCITY, CYCLES_EACH = 50.0, 3
+DYNAMIC = {"D1": (0.25, "increment"), "D2": (0.5, "increment"), "D3": (1.0, "maximum")}
 #: How far stiffness and energy may be from the design values [-], unconfirmed.
 LARGEST_DEVIATION = 0.15
 
@@ -253,15 +226,8 @@ def _en_15129_tests(design: PrototypeDesign) -> list[RigTest]:
     return [
         design.test("P1", d, n, "benchmark", "increment", velocity=BENCHMARK_VELOCITY),
         *(
-            design.test(
-                name,
-                part * d,
-                n,
-                f"dynamic, {part:g} d_bd",
-                "maximum" if part == 1.0 else "increment",
-                velocity=peak,
-            )
-            for name, part in DYNAMIC.items()
+            design.test(name, part * d, n, f"dynamic, {part:g} d_bd", role, velocity=peak)
+            for name, (part, role) in DYNAMIC.items()
         ),
         design.test("E1", d, n, "seismic, largest load", "stability", load=design.largest_load),
         design.test("E2", d, n, "seismic, least load", "stability", load=design.least_load),
@@ -290,9 +256,7 @@ def _en_15129(loops: Sequence[Loops]) -> list[Check]:
     return found
 
 
-# NTC 2018.
-LEAST_CYCLES = 5
-LARGEST_FRICTION_CHANGE = 0.25
+LEAST_CYCLES, LARGEST_FRICTION_CHANGE = 5, 0.25
 
 
 def _ntc_2018(loops: Sequence[Loops]) -> list[Check]:
@@ -306,59 +270,34 @@ def _ntc_2018(loops: Sequence[Loops]) -> list[Check]:
         friction = _of_cycles(test, "loop_friction")
         if test.test.role in ("maximum", "endurance") and friction.size >= LEAST_CYCLES:
             change = float(np.abs(friction[1:] / friction[2] - 1.0).max())
-            found.append(
-                criterion(
-                    "NTC 2018", "11.9.8", test.name, words, change, LARGEST_FRICTION_CHANGE, confirmed=True
-                )
-            )
+            limit = LARGEST_FRICTION_CHANGE
+            found.append(criterion("NTC 2018", "11.9.8", test.name, words, change, limit, confirmed=True))
     return found
 
 
-PROTOTYPE_TESTS.add(
-    "asce7-16",
-    PrototypeTests(
-        "ASCE/SEI 7-16 prototype tests",
-        "ASCE/SEI 7-16, sections 17.8.2.2 and 17.8.2.5",
-        _asce_2016_tests,
-        _asce_2016,
-    ),
-)
-PROTOTYPE_TESTS.add(
-    "en15129",
-    PrototypeTests("EN 15129 type tests", "EN 15129, section 8.3.4, unconfirmed", _en_15129_tests, _en_15129),
-)
+for _code, _title, _source, _tests, _judge in (
+    ("asce7-16", "ASCE/SEI 7-16 prototype tests", "ASCE/SEI 7-16, sections 17.8.2.2 and 17.8.2.5", _asce_2016_tests, _asce_2016),
+    ("en15129", "EN 15129 type tests", "EN 15129, section 8.3.4, unconfirmed", _en_15129_tests, _en_15129),
+):  # fmt: skip
+    PROTOTYPE_TESTS.add(_code, PrototypeTests(_title, _source, _tests, _judge))
 
 
-# Property modification factors that tests show, lambda_test of ASCE/SEI 7-16, section 17.2.8.4: the first and the last cycle over the mean of
-# three, on which nominal design properties rest, at the maximum displacement; the endurance test gives a lower one after many cycles. Which
-# cycle counts as the last is *unconfirmed*, so both are given.
+# Property modification factors that tests show: ASCE/SEI 7-16, section 17.2.8.4. Which cycle counts as the last is *unconfirmed*, so the last
+# of three and that of the endurance tests are given.
 
 #: Cycles on which nominal properties rest.
 NOMINAL_CYCLES = 3
 
 
-@dataclass(frozen=True)
-class PropertyFactor:
+class PropertyFactor(NamedTuple):
     """How much one property of the bearing changes in the tests.
 
     Attributes
     ----------
-    name
-        Of the property, in words.
-    nominal
-        Mean over the first three cycles at the maximum displacement, in `unit`.
-    unit
-        Its unit.
-    upper
-        lambda_test,max: the first of these cycles over the nominal value [-].
-    lower
-        lambda_test,min: the last of these cycles over the nominal value [-].
-    first_over_third
-        The first over the third of these cycles [-].
+    upper, lower, first_over_third
+        lambda_test,max and lambda_test,min: the first and the last of three cycles at the maximum displacement over their mean, and one over the other [-].
     enduring
         The last cycle of the endurance tests over their own first three's mean [-]; None where there are none.
-    tests
-        Names of the tests that it comes from.
     """
 
     name: str

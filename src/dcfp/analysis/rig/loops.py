@@ -31,9 +31,7 @@ TEST.add("law", Quantity("friction", "friction law", get="friction_law.name"))
 TEST.add("heating", Quantity("heating", "heating model", get="heating.name"))
 TEST.add("waveform", Quantity("waveform", "waveform", get="test.waveform.kind"))
 TEST.add("begins", Quantity("begins_s", "time since the plates were cold, at the start", SECOND, decimals=1, name="begins"))  # fmt: skip
-TEST.add(
-    "count", Quantity("cycles", "number of cycles", NONE, decimals=0, get=lambda loops: len(loops.cycles))
-)
+TEST.add("count", Quantity("cycles", "number of cycles", NONE, decimals=0, get=lambda one: len(one.cycles)))
 TEST.tell("peak_displacement", "displacement_max_mm", name="displacement_max", decimals=1)
 TEST.tell("peak_velocity", "velocity_max_mm_s", name="velocity_max", decimals=3)
 TEST.tell("peak_temperature", "temperature_max_degC", name="temperature_max", decimals=0)
@@ -49,12 +47,10 @@ for _name in (
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Loops(Result):
-    """Histories of one test, and what they came from: a `Result` with more.
+    """Histories of one test.
 
     Attributes
     ----------
-    test
-        What was done.
     begins
         Time at which the test begins since the plates were at the ambient temperature [s].
     cycle_times
@@ -114,7 +110,7 @@ class Loops(Result):
     @cached_property
     def cycles(self) -> tuple[Cycle, ...]:
         """Measures of each cycle."""
-        return cycles_of(self)
+        return cycles_of(self, self.work, self.temperature)
 
     @property
     def peak_displacement(self) -> float:
@@ -151,26 +147,9 @@ class Loops(Result):
         return card(self.title, rows=rows, remarks=self.remarks)
 
 
-# The measures of each cycle with what they are of.
-
-
 @dataclass(frozen=True)
 class ToldCycle:
-    """One cycle and the test that it is of.
-
-    Attributes
-    ----------
-    cycle
-        Its measures.
-    test
-        Name of the test.
-    area
-        Of the slider [mm2].
-    loops
-        The virtual test; None for a measured one.
-    file
-        Name of a measured test; None for a virtual one.
-    """
+    """One cycle with the name of its test and the area of the slider [mm2]; the loops of a virtual test, or the file of a measured one."""
 
     cycle: Cycle
     test: str
@@ -182,9 +161,7 @@ class ToldCycle:
 def cycles_of_tests(tests: Sequence[Loops]) -> list[ToldCycle]:
     """Return every cycle of virtual tests."""
     return [
-        ToldCycle(one, test.test.name, test.bearing.slider_area, test)
-        for test in tests
-        for one in test.cycles
+        ToldCycle(one, test.name, test.bearing.slider_area, test) for test in tests for one in test.cycles
     ]
 
 

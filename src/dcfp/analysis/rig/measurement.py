@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from dcfp.analysis.rig.measures import Cycle, measured_cycles, zero_crossings
+from dcfp.analysis.rig.measures import Cycle, cycles_of, zero_crossings
 from dcfp.analysis.rig.waveform import cycle_bounds
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
@@ -63,20 +63,12 @@ _FORCE_RATIOS = (1e-3, 2.0)
 
 @dataclass(frozen=True, eq=False)
 class Measurement:
-    """Histories that were measured.
+    """Histories that were measured: times from zero [s] and displacement [mm], with name and SHA-256 of the file.
 
     Attributes
     ----------
-    name
-        Of the file, without its extension.
-    time
-        Increasing, from zero [s], shape (n,).
-    displacement
-        [mm].
     optional_force, optional_load, optional_temperature
         Horizontal and vertical force [N, compression positive], temperature of the contact [degC]; None where the file has no such column.
-    digest
-        SHA-256 of the file.
     """
 
     name: str
@@ -110,7 +102,7 @@ class Measurement:
     @cached_property
     def cycles(self) -> tuple[Cycle, ...]:
         """Measures of each cycle."""
-        return measured_cycles(self)
+        return cycles_of(self)
 
     def _needed(self, values: FloatArray | None, head: str) -> FloatArray:
         if values is None:

@@ -32,7 +32,7 @@ _LEAST_STROKE = 1e-3
 
 
 class ForceHistory(NamedTuple):
-    """What cycles are measured on: time [s], displacement [mm], horizontal and vertical force [N], and times at which cycles begin and end [s]."""
+    """What cycles are measured on [s, mm, N], with the times at which they begin and end."""
 
     time: FloatArray
     displacement: FloatArray
@@ -51,12 +51,8 @@ class Cycle:
 
     Attributes
     ----------
-    number
-        From one.
-    largest, least
-        Displacements at its ends, d+ and d- [mm].
-    force_at_largest, force_at_least
-        Forces there, F+ and F- [N].
+    largest, least, force_at_largest, force_at_least
+        Displacements at its ends, d+ and d- [mm], and forces there, F+ and F- [N].
     load
         Mean vertical force [N].
     energy
@@ -119,22 +115,19 @@ class Cycle:
         return fields_card(self, f"Cycle {self.number}")
 
 
-def cycles_of(history: "Loops") -> tuple[Cycle, ...]:
-    """Return the measures of every cycle of a test whose temperature and work are known."""
-    return _measured(history, history.work, history.temperature, exact=True)
-
-
-def measured_cycles(history: History) -> tuple[Cycle, ...]:
-    """Return the measures of every cycle of a measured history; the area is that of the polygon of its samples."""
-    steps = 0.5 * (history.force[1:] + history.force[:-1]) * np.diff(history.displacement)
-    work = np.concatenate(([0.0], np.cumsum(steps)))
-    return _measured(history, work, np.full(work.size, math.nan), exact=False)
-
-
-def _measured(
-    history: History, work: FloatArray, temperature: FloatArray, *, exact: bool
+def cycles_of(
+    history: History, work: FloatArray | None = None, temperature: FloatArray | None = None
 ) -> tuple[Cycle, ...]:
-    """Return the measures; where the history is not `exact`, the forces at the ends are fitted to the samples before."""
+    """Return the measures of every cycle.
+
+    Of a measured history neither `work` [N mm] nor `temperature` [degC] is known: the area is that of the polygon of its samples, and the forces at
+    the ends are fitted to the samples before.
+    """
+    exact = work is not None
+    if work is None:
+        steps = 0.5 * (history.force[1:] + history.force[:-1]) * np.diff(history.displacement)
+        work = np.concatenate(([0.0], np.cumsum(steps)))
+    temperature = np.full(work.size, math.nan) if temperature is None else temperature
     time, bounds = history.time, history.cycle_times
     slack = 1e-9 * float(time[-1] - time[0])
     crossings = zero_crossings(history)
@@ -163,7 +156,7 @@ def _measured(
                 energy=float(np.diff(np.interp(np.array([first, last]), time, work))[0]),
                 crossings=tuple((forces / loads).tolist()),
                 strength=float(forces.mean()) if forces.size else math.nan,
-                post_yield_stiffness=_post_yield_stiffness(displacement, force, virgin=virgin)
+                post_yield_stiffness=_post_yield_stiffness(displacement, force, virgin)
                 if steady
                 else math.nan,
                 peak_temperature=float(temperature[part].max()),
@@ -176,10 +169,10 @@ def _measured(
 def _force_at_end(
     time: FloatArray, displacement: FloatArray, force: FloatArray, end: int, *, exact: bool
 ) -> float:
-    """Return the force [N] at the turn near the sample `end` of a measured cycle.
+    """Return the force [N] at the turn near the sample `end`.
 
-    A single sample can lie on either side of the turn, where the force jumps. The turn is that of a parabola through the samples near the
-    end, and the force that of a parabola through those that lead up to it.
+    A single sample can lie on either side of the turn, where the force jumps. Unless it is `exact`, the turn is that of a parabola through the
+    samples near the end, and the force that of a parabola through those that lead up to it.
     """
     cycle = float(time[-1] - time[0])
     near = np.flatnonzero(
@@ -231,7 +224,7 @@ def _passages(displacement: FloatArray, crossings: IntArray) -> IntArray:
     return np.array(kept, dtype=np.intp)
 
 
-def _post_yield_stiffness(displacement: FloatArray, force: FloatArray, *, virgin: int) -> float:
+def _post_yield_stiffness(displacement: FloatArray, force: FloatArray, virgin: int) -> float:
     """Return the mean slope of the strokes [N/mm], weighted by how far they go; so many `virgin` samples at the start are left out."""
     largest = 0.5 * float(np.ptp(displacement))
     middle = 0.5 * float(displacement.max() + displacement.min())

@@ -17,7 +17,7 @@ from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.schema.declared import Declared, build, declared, parameters, read_table
 from dcfp.schema.notebook import card
-from dcfp.schema.parameters import Parameter, refuse_other, unknown
+from dcfp.schema.parameters import Parameter, unknown
 from dcfp.schema.reading import read_toml
 from dcfp.schema.registry import Registry
 from dcfp.schema.units import KN, N_PER_MM2, SECOND
@@ -32,17 +32,7 @@ LEAST_PRESSURE, LARGEST_PRESSURE = 0.1, 1000.0
 
 @dataclass(frozen=True)
 class VerticalLoad:
-    """A vertical load, linear between its times and constant before and after them.
-
-    Parameters
-    ----------
-    values
-        Pressures on the slider [N/mm2], or forces [N].
-    times
-        At which they act [s]; increasing; none needed for a constant load.
-    is_pressure
-        Which of the two the values are.
-    """
+    """A vertical load, linear between its times [s] and constant before and after them: pressures on the slider [N/mm2], or forces [N]."""
 
     values: tuple[float, ...]
     times: tuple[float, ...] = (0.0,)
@@ -63,19 +53,8 @@ class VerticalLoad:
             )
             raise InputError(msg)
 
-    @classmethod
-    def force(cls, newton: float) -> "VerticalLoad":
-        """Return a constant force [N]."""
-        return cls((newton,), is_pressure=False)
-
     def at(self, time: FloatArray, bearing: Bearing) -> FloatArray:
-        """Return the force [N] at times [s].
-
-        Raises
-        ------
-        InputError
-            If the pressure is out of any sensible range, as it is where a unit was wrong.
-        """
+        """Return the force [N] at times [s], if it passes `check_load`."""
         factor = bearing.slider_area if self.is_pressure else 1.0
         forces = np.asarray(np.interp(time, self.times, np.array(self.values) * factor))
         check_load(forces, bearing)
@@ -83,13 +62,7 @@ class VerticalLoad:
 
 
 def check_load(forces: FloatArray, bearing: Bearing) -> None:
-    """Refuse vertical forces [N] under which the pressure on the slider is out of any sensible range.
-
-    Raises
-    ------
-    InputError
-        If it is.
-    """
+    """Refuse vertical forces [N] under which the pressure on the slider is out of any sensible range, as it is where a unit was wrong."""
     pressures = forces / bearing.slider_area
     for extreme in (float(pressures.min()), float(pressures.max())):
         if not LEAST_PRESSURE <= extreme <= LARGEST_PRESSURE:
@@ -101,26 +74,19 @@ def check_load(forces: FloatArray, bearing: Bearing) -> None:
             raise InputError(msg)
 
 
-#: What a test can be to the checks of a code.
-ROLES = ("wind", "increment", "maximum", "endurance", "stability")
+_ROLES = ("wind", "increment", "maximum", "endurance", "stability")
 
 
 @declared
 class RigTest(Declared):
-    """One test.
+    """One test: a displacement, under the vertical load of the bearing or another.
 
     Parameters
     ----------
-    name
-        Such as ``"T01"``.
-    waveform
-        The displacement.
-    load
-        The vertical load; None for that of the bearing.
     pause
         Time of cooling between the test before and this one [s]; None where the plates begin at the ambient temperature.
     role
-        What it is to the checks of a code: one of `ROLES`, or empty.
+        What it is to the checks of a code: wind, increment, maximum, endurance or stability; None where it is nothing.
     """
 
     noun = "a test"
@@ -130,24 +96,12 @@ class RigTest(Declared):
     load: VerticalLoad | None = None
     pause: Annotated[float | None, Parameter("pause before the test", SECOND, 0.0, 7 * 24 * 3600.0)] = None
     purpose: Annotated[str, Parameter("what the test is for")] = ""
-    role: Annotated[str, Parameter("what it is to the checks of a code")] = ""
-
-    def check_relations(self) -> None:
-        """Refuse a role that no code knows."""
-        if self.role and self.role not in ROLES:
-            msg = f"The role of {self.name} must be one of {', '.join(ROLES)}, not {self.role!r}."
-            raise InputError(msg)
+    role: Annotated[str | None, Parameter("what it is to the checks of a code", choices=_ROLES)] = None
 
 
 @declared
 class Program(Declared):
-    """Tests in their order.
-
-    Parameters
-    ----------
-    tests
-        At least one.
-    """
+    """Tests in their order, at least one."""
 
     noun = "a test program"
 
@@ -206,13 +160,7 @@ class Program(Declared):
 
 
 def check_stroke(test: RigTest, bearing: Bearing) -> None:
-    """Refuse a test that moves the slider beyond the plate.
-
-    Raises
-    ------
-    InputError
-        If the amplitude is above the bearing's capacity, or, where that is not known, above half of its effective radius.
-    """
+    """Refuse a test with a stroke above the bearing's capacity, or above half of its effective radius."""
     stroke = test.waveform.travel().largest
     capacity = bearing.displacement_capacity
     if capacity is not None and stroke > capacity * (1.0 + 1e-9):
@@ -228,9 +176,6 @@ def check_stroke(test: RigTest, bearing: Bearing) -> None:
             f" {bearing.effective_radius:g} mm; look at the unit of the displacement."
         )
         raise InputError(msg)
-
-
-# Programs by name and from files.
 
 
 #: Codes whose prototype tests can be made and judged, by name.
@@ -258,25 +203,30 @@ def load_program(name: str | Path) -> Program:
     Parameters
     ----------
     name
-        ``dependency`` or ``asce``, the two of Li et al. (2020); a TOML file; or a CSV file with a measured displacement (and load), which is
-        one test.
+        ``dependency`` or ``asce``, the two of Li et al. (2020); a CSV file with a measured displacement (and load), which is one test; or a TOML file with the
+        fields of a `Program`, and a list of ``[[test]]`` with those of a `RigTest`, and: ``waveform`` (``sine``, ``triangle`` or ``file``) with the fields
+        of a `Sine`, of which ``period`` [s] may stand for ``peak_velocity``, or a ``file`` (CSV); ``pressure`` [N/mm2], ``load`` [kN] or
+        ``load_points`` (pairs of s and kN), else the bearing's own.
 
     Raises
     ------
     InputError
-        If there is no such program, or the file is not one.
+        If there is no such program, the file is not one, a key is not known or missing, or a value is out of range.
     """
     key = str(name).strip().lower()
     if key in NAMED:
         text = files("dcfp.analysis.rig").joinpath("programs", NAMED[key]).read_text(encoding="utf-8")
-        return parse_program(tomllib.loads(text), key, Path())
-    path = _path(name)
+        return _parsed(tomllib.loads(text), key, Path())
+    path = Path(name)
+    try:
+        is_there = path.exists()
+    except (OSError, ValueError) as error:
+        msg = f"{str(name)[:60]!r}: this cannot be the name of a file."
+        raise InputError(msg) from error
     if path.suffix.lower() == ".csv":
-        measurement = read_measurement(path)
-        return Program(
-            measurement.name, (measured_test(measurement),), source=f"measured displacement, {path.name}"
-        )
-    if not path.exists():
+        test = measured_test(read_measurement(path))
+        return Program(test.name, (test,), source=f"measured displacement, {path.name}")
+    if not is_there:
         programs = (*NAMED, *PROTOTYPE_TESTS)
         near = get_close_matches(key, programs, n=1)
         hint = (
@@ -287,26 +237,7 @@ def load_program(name: str | Path) -> Program:
         msg = f"{name}: there is no such test program or file; {hint}"
         raise InputError(msg)
     content = read_toml(path, "a test program is TOML with [[test]] tables")
-    return parse_program(content, str(path), path.parent)
-
-
-def program_of(program: Program | str | Path) -> Program:
-    """Return a test program, by name or from a file unless it is one; raises as `load_program`."""
-    if isinstance(program, (str, Path)):
-        return load_program(program)
-    refuse_other(program, Program, "program", "a Program, the name of one or a file")
-    return program
-
-
-def _path(name: str | Path) -> Path:
-    """Return the path of that name, if the system can look for it at all."""
-    path = Path(name)
-    try:
-        path.exists()
-    except (OSError, ValueError) as error:
-        msg = f"{str(name)[:60]!r}: this cannot be the name of a file."
-        raise InputError(msg) from error
-    return path
+    return _parsed(content, str(path), path.parent)
 
 
 def measured_test(measurement: Measurement) -> RigTest:
@@ -323,29 +254,11 @@ def measured_test(measurement: Measurement) -> RigTest:
             " it is too noisy to be driven, smooth it or take fewer samples."
         )
         raise InputError(msg)
-    waveform = Recorded(measurement.time, measurement.displacement, measurement.name)
-    return RigTest(measurement.name, waveform, load)
+    return RigTest(measurement.name, Recorded(measurement.time, measurement.displacement), load)
 
 
-def parse_program(content: Mapping[str, Any], where: str, folder: Path) -> Program:
-    """Return the program that a TOML document describes.
-
-    Parameters
-    ----------
-    content
-        Fields of a `Program`, and a list of ``[[test]]`` with those of a `RigTest`, and: ``waveform`` (``sine``, ``triangle`` or ``file``) with the fields
-        of a `Sine`, of which ``period`` [s] may stand for ``peak_velocity``, or a ``file`` (CSV); ``pressure`` [N/mm2], ``load`` [kN] or
-        ``load_points`` (pairs of s and kN), else the bearing's own.
-    where
-        What to call the document in a sentence.
-    folder
-        Which files are relative to.
-
-    Raises
-    ------
-    InputError
-        If a key is not known or missing, or a value is out of range.
-    """
+def _parsed(content: Mapping[str, Any], where: str, folder: Path) -> Program:
+    """Return the program of a TOML document, called `where` in a sentence, whose files are relative to a folder."""
     rest = {key: value for key, value in content.items() if key != "test"}
     values = {"name": Path(where).stem} | read_table(Program, rest, where, also=("test",))
     tables = content.get("test")

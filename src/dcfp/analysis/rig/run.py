@@ -9,7 +9,7 @@ import numpy as np
 
 from dcfp.analysis.integration import DEFAULT, NOTHING, Integration, Keep
 from dcfp.analysis.rig.loops import Loops
-from dcfp.analysis.rig.program import Program, RigTest, VerticalLoad, check_stroke, program_of
+from dcfp.analysis.rig.program import Program, RigTest, VerticalLoad, check_stroke, load_program
 from dcfp.analysis.rig.waveform import Travel
 from dcfp.arrays import FloatArray, freeze
 from dcfp.kernels import integrate as k
@@ -81,7 +81,9 @@ def run_program(
         If a test cannot be finished.
     """
     system, integration = System.of(bearing, friction, heating), Integration(tolerance=tolerance)
-    program = program_of(program)
+    if isinstance(program, (str, Path)):
+        program = load_program(program)
+    refuse_other(program, Program, "program", "a Program, the name of one or a file")
     refuse_other(keep, Keep, "keep", "a Keep")
     for test in program.tests:
         check_stroke(test, system.bearing)
@@ -128,9 +130,14 @@ class _Machine:
         law, path = self._path(test, travel)
         model = BearingModel(law, self.constants, heat)
         lines = np.empty((travel.lengths.size + 1, k.TEST_TEMPERATURE + self.constants.plates))
-        lines[0] = self._first_line(model, path)
+        first, lines[0] = PathInterval(*path[0].item()), 0.0
+        imposed = ImposedMotion(self.machine, first, self.clock, 0.0)
+        friction = friction_at(model, imposed, 0.0, PRESENT)
+        lines[0, [k.DISPLACEMENT, k.VELOCITY]] = first.displacement, first.velocity
+        lines[0, [k.FRICTION, k.LOAD]] = friction, first.load
+        lines[0, k.TEST_TEMPERATURE :] = self.plates.temperature
         state = self._state()
-        state["spring"]["friction"] = lines[0, k.FRICTION]
+        state["spring"]["friction"] = friction
         begins = self.clock
         began = time.perf_counter()
         profiles = self._imposed(test, model, travel, path, state, lines)
@@ -164,17 +171,6 @@ class _Machine:
         columns = (travel.pieces, load[:-1], load_rate, reference[:-1], reference_rate)
         return law, np.column_stack(columns).view(k.PATH)[:, 0]
 
-    def _first_line(self, model: BearingModel, path: Records) -> FloatArray:
-        line = np.zeros(k.TEST_TEMPERATURE + self.constants.plates)
-        first = PathInterval(*path[0].item())
-        line[k.DISPLACEMENT], line[k.VELOCITY] = first.displacement, first.velocity
-        line[k.FRICTION] = friction_at(
-            model, ImposedMotion(self.machine, first, self.clock, 0.0), 0.0, PRESENT
-        )
-        line[k.LOAD] = first.load
-        line[k.TEST_TEMPERATURE :] = self.plates.temperature
-        return line
-
     def pause(self, heat: Heat, length: float) -> None:
         """Let the plates cool."""
         lines = np.empty((2, k.TEST_TEMPERATURE + self.constants.plates))
@@ -203,10 +199,9 @@ class _Machine:
             status, done = k.impose_motion(
                 model, self.machine, lengths, intervals, self.tolerance, state, lines[first:]
             )
-            if status == NO_NUMBER:
-                raise self.friction.no_number(test.name, float(travel.time[first + done]))
             if status != DONE:
-                raise self.friction.no_progress(test.name, float(travel.time[first + done]))
+                failure = self.friction.no_number if status == NO_NUMBER else self.friction.no_progress
+                raise failure(test.name, float(travel.time[first + done]))
             if every is not None:
                 line = lines[last]
                 heating = abs(line[k.SLIP_SIGN] * line[k.FRICTION] * line[k.VELOCITY]) * line[k.LOAD]

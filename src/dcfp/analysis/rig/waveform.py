@@ -32,10 +32,8 @@ class Travel:
 
     Attributes
     ----------
-    lengths
-        How long each piece lasts [s], shape (n,).
-    pieces
-        Coefficients of 1, t, t2 and t3 in each piece [mm, mm/s, ...], shape (n, 4).
+    lengths, pieces
+        How long each piece lasts [s], shape (n,), and coefficients of 1, t, t2 and t3 in it [mm, mm/s, ...], shape (n, 4).
     cycles
         Times at which cycles begin and end [s], shape (cycles + 1,).
     """
@@ -179,21 +177,10 @@ class Triangle(Wave):
 
 @dataclass(frozen=True, eq=False)
 class Recorded:
-    """A measured displacement; between samples it goes one way only, without overshoot.
-
-    Parameters
-    ----------
-    time
-        Increasing, from zero [s], shape (n,).
-    displacement
-        [mm], shape (n,).
-    origin
-        Where it was read from.
-    """
+    """A measured displacement [mm] at increasing times [s], shape (n,); between samples it goes one way only, without overshoot."""
 
     time: FloatArray
     displacement: FloatArray
-    origin: str = ""
     kind: ClassVar[str] = "recorded"
 
     def __post_init__(self) -> None:
@@ -211,19 +198,9 @@ class Recorded:
             raise InputError(msg)
 
     @property
-    def amplitude(self) -> float:
-        """Largest displacement [mm]."""
-        return float(np.abs(self.displacement).max())
-
-    @property
     def peak_velocity(self) -> float:
         """Largest mean velocity between two samples [mm/s]."""
         return float(np.abs(np.diff(self.displacement) / np.diff(self.time)).max())
-
-    @property
-    def cycles(self) -> float:
-        """Full cycles that were found."""
-        return float(self.travel().cycles.size - 1)
 
     @property
     def period(self) -> float:
@@ -250,8 +227,7 @@ Waveform: TypeAlias = Sine | Triangle | Recorded
 def cycle_bounds(time: FloatArray, displacement: FloatArray) -> FloatArray:
     """Return the times [s] at which the displacement passes zero upwards, with the start if it begins there.
 
-    Only passages between a tenth of the largest displacement on either side count, so that noise around zero makes no cycle. Smaller
-    cycles before and after others that are alike are left out: they are ramps. A motion that has no full cycle is one cycle.
+    Only passages between a tenth of the largest displacement on either side count, so that noise around zero makes no cycle. A motion that has no full cycle is one.
     """
     far = CROSSING * float(np.abs(displacement).max())
     bounds: list[float] = []
@@ -284,18 +260,11 @@ def _without_ramps(bounds: FloatArray, time: FloatArray, displacement: FloatArra
     return bounds[first : last + 2] if full.size == last - first + 1 else bounds
 
 
-def _moved(pieces: FloatArray, later: FloatArray) -> FloatArray:
-    """Return cubic pieces that begin `later` [s]."""
+def _moved(pieces: FloatArray, t: FloatArray) -> FloatArray:
+    """Return cubic pieces that begin later by `t` [s]."""
     c0, c1, c2, c3 = pieces.T
-    t = later
-    return np.column_stack(
-        (
-            c0 + t * (c1 + t * (c2 + t * c3)),
-            c1 + t * (2.0 * c2 + t * 3.0 * c3),
-            c2 + 3.0 * t * c3,
-            c3,
-        )
-    )
+    value, slope = c0 + t * (c1 + t * (c2 + t * c3)), c1 + t * (2.0 * c2 + t * 3.0 * c3)
+    return np.column_stack((value, slope, c2 + 3.0 * t * c3, c3))
 
 
 def _rows(coefficients: FloatArray) -> FloatArray:

@@ -292,7 +292,7 @@ def _rise_by_own_flux(
     if heating.name == "none":
         return np.zeros(displacement.size)
     lengths, place = np.unique(steps, return_inverse=True)
-    heat = heat_of(plates.copy(), system)
+    heat = heat_of(plates.with_room(0), system)
     closing = np.empty(lengths.size)
     for n, length in enumerate(lengths.tolist()):
         prepare(heat, ODD_LENGTH, length)

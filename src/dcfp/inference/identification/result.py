@@ -9,7 +9,7 @@ import numpy as np
 import tomli_w
 
 from dcfp.analysis.rig import Cycle, Program, Recorded, RigTest, VerticalLoad, run_program
-from dcfp.analysis.rig.measures import ForceHistory, measured_cycles
+from dcfp.analysis.rig.measures import ForceHistory, cycles_of
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.inference.identification.friction_history import FrictionHistory
@@ -221,7 +221,7 @@ def predict(history: FrictionHistory, system: System) -> Prediction:
     measurement = history.measurement
     test = RigTest(
         history.name,
-        Recorded(measurement.time, history.displacement, history.name),
+        Recorded(measurement.time, history.displacement),
         VerticalLoad(tuple(history.load.tolist()), tuple(measurement.time.tolist()), is_pressure=False),
     )
     # what was measured did not go beyond the plate
@@ -233,8 +233,8 @@ def predict(history: FrictionHistory, system: System) -> Prediction:
         force=loops.force,
         friction=loops.friction,
         temperature=loops.temperature,
-        measured=measured_cycles(ForceHistory(*motion, measurement.force, history.load, bounds)),
-        predicted=measured_cycles(ForceHistory(*motion, loops.force, history.load, bounds)),
+        measured=cycles_of(ForceHistory(*motion, measurement.force, history.load, bounds)),
+        predicted=cycles_of(ForceHistory(*motion, loops.force, history.load, bounds)),
     )
 
 

@@ -4,9 +4,8 @@ With two more falls with temperature: Kim and Constantinou (2023).
 """
 
 import math
-from dataclasses import dataclass
 from itertools import compress
-from typing import Annotated, ClassVar
+from typing import Annotated, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -33,21 +32,8 @@ VELOCITY_DROP, VELOCITY_RATE = 0.5, 0.1
 BASE, PRESSURE_RATE = 0.7, 0.02
 
 
-@dataclass(frozen=True)
-class TemperatureLaw:
-    r"""A fall with temperature that levels off.
-
-    .. math:: k_T = A\,0.7^{n T} + C
-
-    Parameters
-    ----------
-    scale
-        A [-].
-    power
-        n [1/degC].
-    floor
-        C [-].
-    """
+class TemperatureLaw(NamedTuple):
+    r"""A fall with temperature that levels off, :math:`k_T = A\,0.7^{n T} + C`: scale A [-], power n [1/degC] and floor C [-]."""
 
     scale: float
     power: float

@@ -24,10 +24,8 @@ class Tested:
 
     Attributes
     ----------
-    pressure
-        Smallest and largest on the slider's area [N/mm2].
-    speed
-        Smallest and largest relative speed of the plates [mm/s].
+    pressure, speed
+        Smallest and largest pressure on the slider [N/mm2] and relative speed of the plates [mm/s].
     source
         Where they are described.
     ambient
@@ -48,14 +46,10 @@ class Factor:
     ----------
     of
         What it depends on: pressure, speed, temperature, or dose.
-    symbol
-        Of the factor, in the mathematics of `dcfp.schema.formulas`.
-    expression
-        What it is.
+    symbol, expression, equation
+        In the mathematics of `dcfp.schema.formulas`, with its number in the source as it stands behind that.
     function
         The same as a function of an array [N/mm2, mm/s, degC or N/s].
-    equation
-        Number of the equation in the source, as it stands behind it.
     """
 
     of: str
@@ -90,25 +84,16 @@ class FrictionLaw(Declared, ABC):
 
     Attributes
     ----------
-    name
-        Name at every door and in results.
-    words
-        What it is called where there is room; empty for a law that cannot be asked for by its name.
-    citation
-        Key of the source in the bibliography; empty for a law that needs none.
+    name, words
+        At every door and in results, and where there is room; no words for a law that cannot be asked for by its name.
+    citation, equation_numbers, product_number
+        Key of the source in the bibliography, and numbers in it of all equations and of the one with the factors, as they stand behind it.
     speed_is_of_surface
-        True where the law means the speed of the slider on one plate, False where it means the
-        relative speed of the two plates.
-    reference_parameter
-        Name of the parameter that scales the whole law; empty for a law that has none.
-    tested
-        The tests that it rests on, where they are known.
-    caution
-        A sentence that must stand beside every result; empty for a law that needs none.
-    reference_symbol
-        Symbol of the reference coefficient, in the mathematics of `dcfp.schema.formulas`.
-    equation_numbers, product_number
-        Numbers in the source of all equations, and of the one with the factors, as they stand behind it.
+        Whether the law means the speed of the slider on one plate, and not the relative speed of the two plates.
+    reference_parameter, reference_symbol
+        Name of the parameter that scales the whole law, if there is one, and its symbol in the mathematics of `dcfp.schema.formulas`.
+    tested, caution
+        The tests that it rests on, where they are known, and a sentence that must stand beside every result.
     """
 
     noun = "the friction law"
@@ -154,13 +139,7 @@ class FrictionLaw(Declared, ABC):
         return getattr(self, self.reference_parameter) if self.reference_parameter else 1.0
 
     def with_reference(self, coefficient: float) -> Self:
-        """Return the same law with another reference coefficient [-].
-
-        Raises
-        ------
-        InputError
-            If the law has none, or it is out of range.
-        """
+        """Return the same law with another reference coefficient [-]; an InputError if it has none."""
         if not self.reference_parameter:
             msg = f"The friction law {self.name} has no reference coefficient that could be changed."
             raise InputError(msg)
@@ -228,31 +207,16 @@ class FrictionLaw(Declared, ABC):
         return (f"mu = {product}", *each) if factors else ()
 
     def formulas(self, pressure: float, speed: float, temperature: float, source: str) -> tuple[Formula, ...]:
-        """Return the factors and the coefficient at a state, with numbers; none for a law that wears off or says no equations.
-
-        Parameters
-        ----------
-        pressure, speed, temperature
-            As for `coefficient` [N/mm2, mm/s, degC].
-        source
-            Of the law, as it stands beside a formula.
-        """
+        """Return the factors and the coefficient at a state, with numbers; none for a law that wears off or says no equations."""
         factors, state = self.factors(), {"pressure": pressure, "speed": speed, "temperature": temperature}
         if not factors or any(one.of not in state for one in factors):
             return ()
         values = [float(self._factor(one.of, state[one.of])) for one in factors]
-        found = [
-            Formula(
-                f"Factor of {one.of}",
-                f"{one.symbol} = {one.expression.symbols}",
-                one.expression.numbers(number(state[one.of], 1)),
-                value,
-                DECIMALS,
-                "",
-                source + one.equation,
-            )
-            for one, value in zip(factors, values, strict=True)
-        ]
+        found: list[Formula] = []
+        for one, value in zip(factors, values, strict=True):
+            symbols, numbers = one.expression.symbols, one.expression.numbers(number(state[one.of], 1))
+            words, where = f"Factor of {one.of}", source + one.equation
+            found.append(Formula(words, f"{one.symbol} = {symbols}", numbers, value, DECIMALS, "", where))
         symbols = " ".join((self.reference_symbol, *(one.symbol for one in factors)))
         numbers = " times ".join((f"{self.reference:g}", *(number(value, DECIMALS) for value in values)))
         coefficient = float(self.coefficient(pressure, speed, temperature))
