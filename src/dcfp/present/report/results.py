@@ -7,8 +7,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from dcfp.analysis import Status
-from dcfp.analysis.energy import EnergyBalance
 from dcfp.analysis.response import PEAKS
+from dcfp.analysis.result import EnergyBalance
 from dcfp.inference.statistics import ratios
 from dcfp.methods import Prediction
 from dcfp.methods.code import code_methods, code_objects
