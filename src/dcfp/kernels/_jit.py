@@ -1,8 +1,7 @@
 """The one place that says how kernels are compiled and where the result is kept.
 
-Numba keeps compiled code in a folder and looks only at the file of the compiled function to tell whether
-it is still valid: an edited callee in another file is not noticed. Here the folder's name carries a digest of
-every kernel source and of all else that the code depends on, so that any edit opens a new folder.
+Numba looks only at the file of the compiled function to tell whether its code is still valid: an edited callee in another file is not noticed. Here the
+folder's name carries a digest of every kernel source and of all else that the code depends on, so that any edit opens a new folder.
 """
 
 import contextlib
@@ -148,10 +147,7 @@ def kernel(function: Callable[P, R]) -> Callable[P, R]:
     return compiled
 
 
-# Records: a row of a NumPy array whose fields are those of a class of named tuples, so that each field is named once.
-
-
-#: An array of records, whose fields no type checker knows.
+#: An array of records, whose fields are those of a class of named tuples and which no type checker knows.
 Records: TypeAlias = Any
 
 

@@ -1,12 +1,11 @@
 r"""The coefficient of friction as compiled code sees it.
 
-A law is a `Law`, whatever it is: numbers, among which is the form that they are the constants of. All but one of the package's
-laws are a reference value times
+All but one of the package's laws are a reference value, which holds the effect of pressure, times
 
 .. math:: (1 - a\,e^{-b |v|})\,(A\,e^{-B T} + C)
 
-in which the reference holds the effect of pressure; the other one falls with the cycling parameter instead of the temperature. Both forms
-are in line. The form of any other law is the address of a compiled function, which is called, so that one compiled kernel serves every law.
+The other one falls with the cycling parameter instead of the temperature. Both forms are in line; that of any other law is the address of a compiled function,
+which is called, so that one compiled kernel serves every law.
 """
 
 import ctypes

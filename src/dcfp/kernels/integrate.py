@@ -344,9 +344,6 @@ def impose_motion(
     return DONE, lengths.size
 
 
-# Many in one call.
-
-
 @kernel
 def run_batch(
     heat: Heat,

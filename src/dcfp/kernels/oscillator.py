@@ -142,9 +142,6 @@ def time_of_turn(
     return t
 
 
-# Many oscillators at once.
-
-
 @kernel
 def _stepped(
     coefficients: NDArray[np.float64], j: int, u: float, v: float, a: float, c: float

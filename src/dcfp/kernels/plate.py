@@ -1,11 +1,9 @@
 """The plate as a line of cells, for the precise heating model.
 
-A point that has always been under the slider has the state of the *common* modes, which feel every flux. A point in contact
-differs from them by modes that only decay, since both feel the same flux; a point in the open cools by itself. So a cell is left
-alone until an edge of the contact reaches it. A step costs the common modes, the sum *inside* of the
-differences under the slider, and the two cells that the edges are in: each has a part that is covered (kept as difference to
-the common modes) and a part in the open (kept as it is), both summed over their width. The contact is a whole number of
-cells long, so both edges are at the same place in their cells.
+A point that has always been under the slider has the state of the *common* modes, which feel every flux. A point in contact differs from them by modes that
+only decay; a point in the open cools by itself. So a step costs the common modes, the sum *inside* of the differences under the slider, and the two cells that
+the edges are in: each has a part that is covered (kept as difference to the common modes) and a part in the open (kept as it is), both summed over their width.
+The contact is a whole number of cells long, so both edges are at the same place in their cells.
 """
 
 import numpy as np

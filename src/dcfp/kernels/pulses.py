@@ -258,9 +258,8 @@ def _with_row(path: NDArray[np.float64], rows: int, time: float, state: Any) -> 
 def find_turning_points(values: NDArray[np.float64], least: float, places: NDArray[np.int64]) -> int:
     """Write the places of the successive peaks of `values`, up and down in turn; return their number.
 
-    A peak counts once the history has turned back from it by at least `least`. The first place is where the history
-    left for the first peak, the last is the furthest point after the last peak that counts. There are none if it never turns by as
-    much. Of equal values the last counts at the beginning and the first thereafter, so that zeros before and after
+    A peak counts once the history has turned back from it by at least `least`. The first place is where the history left for the first peak, the last is the
+    furthest point after the last peak that counts. Of equal values the last counts at the beginning and the first thereafter, so that zeros before and after
     change nothing.
     """
     high, low = 0, 0

@@ -5,24 +5,10 @@ For a half-space the kernel of Eq. (11) is an integral of exponentials, and the 
 .. math:: \frac1{\sqrt\tau} = \frac2{\sqrt\pi} \int_0^\infty e^{-x^2\tau}\,dx
           \approx \sum_j w_j e^{-s_j \tau} + w_\infty \delta(\tau)
 
-with rates in geometric ratio. Beylkin and Monzon (2005) give the idea. The endless rule with ratio :math:`r = s_{j+1}/s_j` is off by at most
-:math:`2\sqrt2\,e^{-\pi^2/\ln r}` of the kernel. Modes faster than anything that happens in a step act at once
-(:math:`w_\infty`); slower modes are lumped into the two slowest.
-Each mode is a first-order recursion, so a step costs the same whatever came before it, and neither a restart nor the way
-in which time is cut can alter what a given flux does.
-
-For a plate of finite thickness the kernel becomes, by images of the source in both faces (Carslaw and Jaeger 1959, section 10.10),
-
-.. math:: G(\tau) = \frac1{\sqrt\tau} \Bigl[1 + 2 \sum_{n \ge 1} s^n e^{-n^2 L^2 / (D \tau)}\Bigr]
-
-with s = 1 for a back that lets no heat through and s = -1 for one that is held at the ambient temperature, which are the limits of what a back can
-do. For long times the same is a sum of exponentials, with a = pi2 D / L2:
-
-.. math:: G = \frac{\sqrt{\pi D}}{L} \Bigl[1 + 2 \sum_{n \ge 1} e^{-n^2 a \tau}\Bigr] \quad (s = 1), \qquad
-          G = \frac{2 \sqrt{\pi D}}{L} \sum_{n \ge 1} e^{-(n - 1/2)^2 a \tau} \quad (s = -1)
-
-The slowest of these are kept as they are, those that follow are lumped into a few modes whose weights were fitted to the kernel, and from
-there on the modes are those of the half-space, in geometric ratio.
+with rates in geometric ratio (Beylkin and Monzon 2005). Modes faster than anything that happens in a step act at once
+(:math:`w_\infty`); slower modes are lumped into the two slowest. Each mode is a first-order recursion, so a step costs the same whatever came before it,
+and neither a restart nor the way in which time is cut can alter what a given flux does. Of a plate of finite thickness, whose kernel is a sum of exponentials
+for long times (``docs/heat_model.md``), the slowest modes are kept, and a few that follow were fitted to the kernel; from there on they are the half-space's.
 
 The exponential function is evaluated in line: a call of the mathematical library saves and restores the registers around it, and in the
 integration, where each step depends on a coefficient of friction, that is a twentieth of the time.

@@ -26,13 +26,7 @@ _compiled: dict[str, "CompiledLaw"] = {}
 
 
 class CompiledLaw:
-    """A law at an address.
-
-    Attributes
-    ----------
-    address
-        Of a function of a pointer to six constants, pressure [N/mm2], speed [mm/s], temperature [degC] and cycling parameter [N/s].
-    """
+    """A law at an address, of a function with the `LAW_ARGUMENTS`."""
 
     def __init__(self, callback: Any, address: int) -> None:
         self._callback = callback
