@@ -135,7 +135,7 @@ def test_pulses_are_scaled_with_their_motion(motion: GroundMotion) -> None:
 @pytest.mark.parametrize("threshold", [0.0, -0.1, 1.01, np.nan, np.inf])
 def test_a_threshold_out_of_range_is_refused(threshold: float) -> None:
     with pytest.raises(
-        InputError, match=r"^The threshold of a pulse must be above 0 and at most 1 .*, not .*\.$"
+        InputError, match=r"^The threshold of a pulse must be a number above 0 and up to 1, not .*\.$"
     ):
         find_pulses(harmonic(1000.0, 1.0, 2.0), threshold)
 

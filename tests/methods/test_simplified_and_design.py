@@ -137,7 +137,7 @@ def test_friction_above_the_average_slope_is_refused(six_legs: Pulses, friction:
 
 @pytest.mark.parametrize("pgv", [0.0, -250.0, np.nan, np.inf])
 def test_a_pgv_that_is_none_is_refused(pgv: float) -> None:
-    with pytest.raises(InputError, match=r"^The PGV must be positive, not .* m/s\.$"):
+    with pytest.raises(InputError, match=r"^The PGV \[mm/s\] must be a number above 0, not .*\.$"):
         predict_from_pgv(pgv)
 
 

@@ -28,12 +28,11 @@ from dcfp.methods.code import (
     shear_formula,
 )
 from dcfp.methods.equivalent_linear import PendulumWithFriction, halved
-from dcfp.methods.method import Look, register
+from dcfp.methods.method import Look
 from dcfp.methods.spectra.elastic import DesignSpectrum, ElasticSpectrum, velocity
-from dcfp.schema.checks import positive
 from dcfp.schema.declared import declared
 from dcfp.schema.formulas import Formula, number
-from dcfp.schema.parameters import Parameter
+from dcfp.schema.parameters import POSITIVE, Parameter
 from dcfp.schema.units import NONE
 
 METHOD_1, METHOD_2, ENERGY_BALANCE = "AIJ method 1", "AIJ method 2", "AIJ energy balance"
@@ -89,7 +88,7 @@ def method_2(pendulum: PendulumWithFriction, pseudo_velocity: float) -> CodeResu
 
     `pseudo_velocity` S_v at a damping of 5 % [mm/s].
     """
-    S_v = positive(pseudo_velocity, "pseudo-velocity", "mm/s")
+    S_v = POSITIVE.checked(pseudo_velocity, "The pseudo-velocity [mm/s]")
     free = S_v / pendulum.free_frequency
 
     def displacement(alpha: float) -> float:
@@ -117,16 +116,13 @@ def energy_balance(
     `equivalent_velocity` V_E [mm/s]; `loops` n_1 [-], two steady loops at the largest displacement. With
     :math:`\omega_f = \sqrt{g/R}` and :math:`a = \mu g / (\omega_f V_E)`, :math:`D \omega_f / V_E = \sqrt{(4 n_1 a)^2 + 1} - 4 n_1 a`.
     """
-    V_E = positive(equivalent_velocity, "equivalent velocity V_E", "mm/s")
-    n_1 = positive(loops, "number of loops", "-")
+    V_E = POSITIVE.checked(equivalent_velocity, "The equivalent velocity V_E [mm/s]")
+    n_1 = POSITIVE.checked(loops, "The number of loops")
     omega = pendulum.free_frequency
     a = pendulum.friction * pendulum.radius * omega / V_E  # mu g / (omega V_E), with g = omega^2 R
     b = 4.0 * n_1 * a
     D = V_E / omega / (b + math.hypot(b, 1.0))  # the difference of the roots, without cancelling
     return CodeResult(ENERGY_BALANCE, D, pendulum.force(D))
-
-
-# As they are asked under a spectrum or a record.
 
 
 def constant_velocity(spectrum: ElasticSpectrum, pendulum: PendulumWithFriction) -> float:
@@ -205,48 +201,34 @@ def _formulas_energy(result: CodeResult, inputs: CodeInputs) -> tuple[Formula, .
     )  # fmt: skip
 
 
-AIJ_1 = register(
-    CodeMethod(
-        key="aij1",
-        name=METHOD_1,
-        citations=("aij_2016",),
-        look=Look("h", "grey", order=3),
-        calculate=lambda inputs: method_1(inputs.pendulum, inputs.spectrum),
-        formulas=_formulas_1,
-    )
+AIJ_1 = CodeMethod(
+    key="aij1",
+    name=METHOD_1,
+    citations=("aij_2016",),
+    look=Look("h", "grey", order=3),
+    calculate=lambda inputs: method_1(inputs.pendulum, inputs.spectrum),
+    formulas=_formulas_1,
 )
-AIJ_2 = register(
-    CodeMethod(
-        key="aij2",
-        name=METHOD_2,
-        citations=("aij_2016",),
-        look=Look("P", "ink", order=3),
-        calculate=lambda inputs: method_2(
-            inputs.pendulum, constant_velocity(inputs.spectrum, inputs.pendulum)
-        ),
-        remarks=_remarks_2,
-        formulas=_formulas_2,
-    )
+AIJ_2 = CodeMethod(
+    key="aij2",
+    name=METHOD_2,
+    citations=("aij_2016",),
+    look=Look("P", "ink", order=3),
+    calculate=lambda inputs: method_2(inputs.pendulum, constant_velocity(inputs.spectrum, inputs.pendulum)),
+    remarks=_remarks_2,
+    formulas=_formulas_2,
 )
-AIJ_ENERGY = register(
-    CodeMethod(
-        key="aij-energy",
-        name=ENERGY_BALANCE,
-        citations=("aij_2016", "akiyama_1985"),
-        look=Look("X", "red", order=4),
-        calculate=lambda inputs: replace(
-            energy_balance(inputs.pendulum, inputs.input_velocity), unconfirmed=(_WHICH_ENERGY,)
-        ),
-        remarks=_remarks_energy,
-        formulas=_formulas_energy,
-    )
+AIJ_ENERGY = CodeMethod(
+    key="aij-energy",
+    name=ENERGY_BALANCE,
+    citations=("aij_2016", "akiyama_1985"),
+    look=Look("X", "red", order=4),
+    calculate=lambda inputs: replace(
+        energy_balance(inputs.pendulum, inputs.input_velocity), unconfirmed=(_WHICH_ENERGY,)
+    ),
+    remarks=_remarks_energy,
+    formulas=_formulas_energy,
 )
-
-
-# The very rare earthquake of the Japanese notifications 1457 and 1461 (2000) and 2009 (2000).
-#
-# The notifications themselves were not read. The spectrum on the bedrock agrees in three public programs (the calculation basis of matsumok/Squid-N, a
-# ``soil.py`` and a ``japan.js``), the amplification of all soil classes in the last two. Published points of class 1, and one of class 2, are in the tests.
 
 
 #: Corner periods [s] and levels [m/s2] of the spectrum on the engineering bedrock.
@@ -259,7 +241,11 @@ _SHORT, _LONG = 1.5, {2: 2.025, 3: 2.7}
 
 @declared
 class Notification2000Spectrum(DesignSpectrum):
-    """Spectrum on the engineering bedrock times the amplification of the soil."""
+    """Spectrum on the engineering bedrock times the amplification of the soil: Notifications 1457, 1461 and 2009 (2000), which were not read.
+
+    The spectrum on the bedrock agrees in three public programs (the calculation basis of matsumok/Squid-N, a ``soil.py`` and a ``japan.js``), the amplification
+    of all soil classes in the last two. Published points of class 1, and one of class 2, are in the tests.
+    """
 
     noun = "a spectrum of Notification 1457"
     option: ClassVar[str] = "japan"

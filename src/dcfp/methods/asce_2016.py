@@ -1,8 +1,8 @@
 """The equivalent lateral force procedure and the spectrum of ASCE/SEI 7-16: sections 17.5 and 11.4.
 
-The standard itself was not read. D_M, T_M, B_M, V_b, V_st and the form of D_TM agree in two or three independent transcriptions: a program of
-Amin-Moghaddasi (ASCE7_16_Design_Framework), one of H. Pham (mgrubisic/tfp-database), and the Peruvian E.031, whose equations are those of chapter 17.
-One source only gives the least D_TM, P_T, and the exponent for abrupt loops. Of the conditions below none could be confirmed.
+The standard itself was not read. D_M, T_M, B_M, V_b and V_st agree in two or three independent transcriptions: a program of Amin-Moghaddasi
+(ASCE7_16_Design_Framework), one of H. Pham (mgrubisic/tfp-database), and the Peruvian E.031, whose equations are those of chapter 17. One source only
+gives the least D_TM and the exponent for abrupt loops. Of the conditions below none could be confirmed.
 """
 
 from collections.abc import Sequence
@@ -29,7 +29,7 @@ from dcfp.methods.code import (
     unless_unknown,
 )
 from dcfp.methods.equivalent_linear import PendulumWithFriction
-from dcfp.methods.method import Look, register
+from dcfp.methods.method import Look
 from dcfp.methods.spectra.elastic import DesignSpectrum, ElasticSpectrum
 from dcfp.schema.check import Check, Verdict, at_least, at_most
 from dcfp.schema.declared import declared
@@ -41,15 +41,7 @@ NAME = "ASCE 7-16 ELF"
 #: Accelerations of this code are in units of gravity.
 GRAVITIES = Unit("g", udunits="1", typed="g_0", meant=(("%", 0.01),))
 #: Damping ratio and factor B_M [-]: Table 17.5-1.
-DAMPING_TABLE = (
-    (0.02, 0.8),
-    (0.05, 1.0),
-    (0.10, 1.2),
-    (0.20, 1.5),
-    (0.30, 1.7),
-    (0.40, 1.9),
-    (0.50, 2.0),
-)
+DAMPING_TABLE = ((0.02, 0.8), (0.05, 1.0), (0.10, 1.2), (0.20, 1.5), (0.30, 1.7), (0.40, 1.9), (0.50, 2.0))
 #: Least total over maximum displacement [-]: section 17.5.3.3.
 _LEAST_TORSION = 1.15
 #: Damping at which the exponent 1 - 2.5 beta of V_st is zero [-].
@@ -61,28 +53,6 @@ def damping_factor(damping: float) -> float:
     """Factor B_M [-] at a damping ratio [-]: Table 17.5-1, with straight lines between."""
     ratios, factors = zip(*DAMPING_TABLE, strict=True)
     return float(np.interp(damping, ratios, factors))
-
-
-def total_displacement(
-    displacement: float, eccentricity: float, distance: float, width: float, length: float, ratio: float = 1.0
-) -> float:
-    """Total maximum displacement D_TM [mm]: Eq. (17.5-3), and not under 1.15 D_M.
-
-    Parameters
-    ----------
-    displacement
-        D_M [mm].
-    eccentricity
-        e, with the accidental one [mm].
-    distance
-        y, of the element from the centre of rigidity [mm].
-    width, length
-        b and d, of the plan [mm].
-    ratio
-        P_T of translational to rotational period of the isolation [-]; one source has it at least 1.
-    """
-    torsion = 1.0 + distance / ratio**2 * 12.0 * eccentricity / (width**2 + length**2)
-    return displacement * max(torsion, _LEAST_TORSION)
 
 
 def structure_shear(base_shear: float, weight_above: float, damping: float, *, abrupt: bool = False) -> float:
@@ -159,16 +129,10 @@ def _formulas(result: CodeResult, inputs: CodeInputs) -> tuple[Formula, ...]:
     )  # fmt: skip
 
 
-# Under which conditions the equivalent lateral force procedure may be used: ASCE/SEI 7-16, sections
-# 17.2.4.4 and 17.4.1.
-#
-# None could be confirmed in the standard. Codes of its family have the same numbers for the period (E.031
-# of Peru; 4 s in the Turkish code of 2018), the damping (E.031, the Turkish code and the Italian NTC 2018),
-# the height (E.031 and the Turkish code), the fixed base (E.031 and NTC) and the softening (E.031). The
-# rise of the force by 0.025 W is that of NTC 2018, 7.10.5.2; AASHTO asks for half of it. For the site class
-# nothing was found but the Turkish code, which admits its classes ZA to ZD.
-
-
+# None of the conditions could be confirmed in the standard. Codes of its family have the same numbers for the period (E.031 of Peru; 4 s in the Turkish code
+# of 2018), the damping (E.031, the Turkish code and the Italian NTC 2018), the height (E.031 and the Turkish code), the fixed base (E.031 and NTC) and the
+# softening (E.031). The rise of the force by 0.025 W is that of NTC 2018, 7.10.5.2; AASHTO asks for half of it. For the site class nothing was found but the
+# Turkish code, which admits its classes ZA to ZD.
 #: Limits of section 17.4.1: period [s], damping [-], fixed-base periods in a period, stiffness over that at 0.2 D_M, height [mm].
 _LONGEST, _MOST_DAMPING, _STIFFER, _SOFTENING, _HEIGHT = 5.0, 0.30, 3.0, 1.0 / 3.0, 65.0 * 304.8
 #: Rise of the force between half of D_M and D_M over the weight [-]: section 17.2.4.4.
@@ -195,21 +159,16 @@ def _conditions(pendulum: PendulumWithFriction, structure: Structure, found: Cod
     )  # fmt: skip
 
 
-ASCE_2016 = register(
-    CodeMethod(
-        key="asce7",
-        name=NAME,
-        citations=("asce_7_2016",),
-        look=Look("v", "blue"),
-        calculate=lambda inputs: equivalent_lateral_force(inputs.pendulum, inputs.spectrum, inputs.structure),
-        remarks=_remarks,
-        formulas=_formulas,
-        symbols=("D_M", "T_M", "beta_M", "V_b/W"),
-    )
+ASCE_2016 = CodeMethod(
+    key="asce7",
+    name=NAME,
+    citations=("asce_7_2016",),
+    look=Look("v", "blue"),
+    calculate=lambda inputs: equivalent_lateral_force(inputs.pendulum, inputs.spectrum, inputs.structure),
+    remarks=_remarks,
+    formulas=_formulas,
+    symbols=("D_M", "T_M", "beta_M", "V_b/W"),
 )
-
-
-# The spectrum of the risk-targeted maximum considered earthquake: sections 11.4.6 and 11.4.7.
 
 
 #: Part of T_S at which the plateau begins, and of it the value at period zero [-].
@@ -218,7 +177,7 @@ _START, _AT_ZERO = 0.2, 0.4
 
 @declared
 class Asce2016Spectrum(DesignSpectrum):
-    """Four branches: rising, constant acceleration, constant velocity, constant displacement."""
+    """Four branches, rising, of constant acceleration, velocity and displacement: sections 11.4.6 and 11.4.7."""
 
     noun = "a spectrum of ASCE 7-16"
     option: ClassVar[str] = "asce"
@@ -249,11 +208,6 @@ class Asce2016Spectrum(DesignSpectrum):
         T_L = self.long_period
         rising = self.short * (_AT_ZERO + (1.0 - _AT_ZERO) * T / T_0)
         velocity = self.one_second / np.maximum(T, 1e-9)
-        S_a = np.where(
-            T < T_0,
-            rising,
-            np.where(
-                T <= T_S, self.short, np.where(T <= T_L, velocity, velocity * T_L / np.maximum(T, 1e-9))
-            ),
-        )
+        falling = velocity * T_L / np.maximum(T, 1e-9)
+        S_a = np.select([T < T_0, T <= T_S, T <= T_L], [rising, self.short, velocity], falling)
         return np.asarray(S_a * STANDARD_GRAVITY)

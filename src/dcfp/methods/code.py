@@ -34,37 +34,17 @@ ENERGY_DAMPING = 0.10
 
 @dataclass(frozen=True)
 class CodeResult:
-    """What a method of a code says.
-
-    Attributes
-    ----------
-    method
-        Its name.
-    displacement
-        Of the isolation layer [mm].
-    base_shear
-        Horizontal force over the weight that goes with it [-].
-    period, damping
-        Effective period [s] and damping ratio [-]; None where the method has none.
-    steps
-        The iteration, the last of them the answer; empty where there is none.
-    conditions
-        Under which the method may be used.
-    unconfirmed
-        What in the method could not be confirmed in its source.
-    remarks
-        Sentences that a reader must know.
-    """
+    """What a method of a code says."""
 
     method: str
-    displacement: float
-    base_shear: float
-    period: float | None = None
-    damping: float | None = None
-    steps: tuple[Step, ...] = ()
-    conditions: tuple[Check, ...] = ()
-    unconfirmed: tuple[str, ...] = ()
-    remarks: tuple[str, ...] = ()
+    displacement: float  #: of the isolation layer [mm]
+    base_shear: float  #: horizontal force over the weight that goes with it [-]
+    period: float | None = None  #: effective [s]; None where the method has none
+    damping: float | None = None  #: effective ratio [-]; None where the method has none
+    steps: tuple[Step, ...] = ()  #: rounds of the iteration, the last of them the answer
+    conditions: tuple[Check, ...] = ()  #: under which the method may be used
+    unconfirmed: tuple[str, ...] = ()  #: what in the method could not be confirmed in its source
+    remarks: tuple[str, ...] = ()  #: sentences that a reader must know
 
     @property
     def valid(self) -> bool | None:
@@ -113,14 +93,7 @@ class Structure(Declared):
         float | None, Parameter("larger dimension of the plan", METRE, 0.0, 1000.0, above=True)
     ] = None
     fault_distance: Annotated[
-        float | None,
-        Parameter(
-            "distance to a fault of magnitude 6.5 or more",
-            KM,
-            0.0,
-            1e4,
-            above=True,
-        ),
+        float | None, Parameter("distance to a fault of magnitude 6.5 or more", KM, 0.0, 1e4, above=True)
     ] = None
     weight_above: Annotated[float | None, Parameter("weight above the base level over the whole, for V_st of ASCE 7", FRACTION, 0.0, 0.9999, above=True, symbol="W_s / W")] = None  # fmt: skip
 
@@ -186,28 +159,14 @@ class Bounds(Declared):
 
 @dataclass(frozen=True, eq=False)
 class CodeInputs:
-    """What the methods of codes are given.
+    """What the methods of codes are given; record and bearing, for methods that need them, are None with a design spectrum."""
 
-    Attributes
-    ----------
-    spectrum
-        At a damping of 5 %.
-    pendulum
-        The bearing as they take it.
-    structure
-        What their conditions ask of the building and its site.
-    motion, bearing
-        The record whose spectrum it is, and the bearing itself, for methods that need them; None for a design spectrum.
-    energy_velocity
-        V_E of the energy balance [mm/s], where it is given.
-    """
-
-    spectrum: ElasticSpectrum
-    pendulum: PendulumWithFriction
-    structure: Structure = field(default_factory=Structure)
-    motion: GroundMotion | None = None
+    spectrum: ElasticSpectrum  #: at a damping of 5 %
+    pendulum: PendulumWithFriction  #: the bearing as the methods take it
+    structure: Structure = field(default_factory=Structure)  #: building and site, for their conditions
+    motion: GroundMotion | None = None  #: the record whose spectrum it is
     bearing: Bearing | None = None
-    energy_velocity: float | None = None
+    energy_velocity: float | None = None  #: V_E of the energy balance [mm/s], where it is given
 
     @classmethod
     def of_record(
@@ -219,11 +178,7 @@ class CodeInputs:
 
     @cached_property
     def input_velocity(self) -> float:
-        """V_E of the energy balance [mm/s].
-
-        That of the largest relative input energy at the period of the pendulum and a damping of 10 %, as Akiyama (1985) takes it. Of a spectrum alone
-        the largest pseudo-velocity, below which the V_E of an oscillator hardly is.
-        """
+        """V_E of the energy balance [mm/s]: of a record as Akiyama (1985) takes it, of a spectrum alone the largest pseudo-velocity, below which it hardly is."""
         if self.energy_velocity is not None:
             return self.energy_velocity
         if self.motion is None:
@@ -242,27 +197,17 @@ class CodeInputs:
 class CodeMethod(Method):
     """A method of a design code.
 
-    Attributes
-    ----------
-    calculate
-        Returns its result; raises an AnalysisError where there is none.
-    remarks
-        Returns sentences that a reader must know, of its results with both bounds, the governing one first, whose friction the inputs then have; of nominal
-        properties there is one result.
-    formulas
-        Returns the last round with its numbers, for the report; None where the report has none.
-    symbols
-        Of displacement, period, damping and base shear, as its remarks have them.
-    needs_record
-        Whether it can do nothing with a design spectrum.
+    It is calculated from its inputs, with an AnalysisError where there is no solution. Remarks are of its results with both bounds, the governing one first,
+    whose friction the inputs then have; formulas are of the last round, with its numbers, for the report.
     """
 
     calculate: Callable[[CodeInputs], CodeResult]
     remarks: Callable[[Sequence[CodeResult], CodeInputs], tuple[str, ...]] | None = None
     formulas: Callable[[CodeResult, CodeInputs], tuple[Formula, ...]] | None = None
     knows: tuple[Information, ...] = (Information.SPECTRUM,)
+    #: of displacement, period, damping and base shear, as its remarks have them
     symbols: tuple[str, str, str, str] = ("D", "T_eq", "h_eq", "Q/W")
-    needs_record: bool = False
+    needs_record: bool = False  #: whether it can do nothing with a design spectrum
 
     def result(self, inputs: CodeInputs, bounds: Bounds | None = None) -> CodeResult:
         """Return what the code says; with bounds, the larger displacement and the larger force of both.
@@ -343,8 +288,7 @@ def code_methods() -> Mapping[str, CodeMethod]:
     return {one.name: one for one in METHODS.values() if isinstance(one, CodeMethod)}
 
 
-# What the reports of several codes have in common.
-
+#: Sources of what the reports of several codes have in common.
 MECHANICS, OF_RECORD = "mechanics", "spectrum of the record"
 
 

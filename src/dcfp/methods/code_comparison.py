@@ -61,31 +61,15 @@ def _asked(inputs: CodeInputs) -> dict[str, CodeMethod]:
 
 @dataclass(frozen=True, eq=False)
 class CodeComparison:
-    """What every method of a code says of one demand.
+    """What every method of a code says of one demand, beside the response history analysis where there is a record."""
 
-    Attributes
-    ----------
-    name
-        Of the spectrum or the record.
-    inputs
-        What the methods were given.
-    results
-        By name; a method that has no solution is not there.
-    pgv
-        Of the record [mm/s], or None.
-    displacement, base_shear
-        y_max [mm] and the largest force over the weight [-] of the response history analysis, or None where there is no record.
-    remarks
-        Sentences that a reader of the numbers must know, besides those of the results.
-    """
-
-    name: str
-    inputs: CodeInputs
-    results: dict[str, CodeResult]
-    pgv: float | None = None
-    displacement: float | None = None
-    base_shear: float | None = None
-    remarks: tuple[str, ...] = ()
+    name: str  #: of the spectrum or the record
+    inputs: CodeInputs  #: what the methods were given
+    results: dict[str, CodeResult]  #: by name; a method that has no solution is not there
+    pgv: float | None = None  #: of the record [mm/s], or None
+    displacement: float | None = None  #: y_max of the analysis [mm]
+    base_shear: float | None = None  #: largest force of the analysis over the weight [-]
+    remarks: tuple[str, ...] = ()  #: besides those of the results
 
     @property
     def missing(self) -> tuple[str, ...]:

@@ -1,8 +1,9 @@
-"""Bearings as equivalent linear systems, and the displacement at which the system moves as far as it stands for: by rounds, and by halving where they do not settle."""
+"""Bearings as equivalent linear systems, and the displacement at which the system moves as far as it stands for."""
 
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
@@ -10,49 +11,34 @@ from dcfp.arrays import freeze
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import AnalysisError
 from dcfp.methods.spectra.elastic import ElasticSpectrum, displacement
-from dcfp.schema.checks import fraction, positive
+from dcfp.schema.declared import Declared, declared
+from dcfp.schema.parameters import Parameter
+from dcfp.schema.units import MM
+from dcfp.system.friction.law import coefficient_parameter
 
 
 @dataclass(frozen=True)
 class Step:
-    """One round of an iteration.
+    """One round of an iteration."""
 
-    Attributes
-    ----------
-    displacement
-        It began with [mm].
-    period
-        Effective period [s].
-    damping
-        Effective damping ratio [-].
-    reduction
-        Factor on the spectrum at a damping of 5 % [-].
-    """
-
-    displacement: float
-    period: float
-    damping: float
-    reduction: float
+    displacement: float  #: that it began with [mm]
+    period: float  #: effective period [s]
+    damping: float  #: effective damping ratio [-]
+    reduction: float  #: factor on the spectrum at a damping of 5 % [-]
 
 
-@dataclass(frozen=True)
-class PendulumWithFriction:
-    """What the methods of codes take of a bearing: F / W = mu + D / R.
+#: A constant coefficient of friction.
+FRICTION = coefficient_parameter("coefficient of friction", r"\mu")
 
-    Parameters
-    ----------
-    radius
-        Effective radius R, 2 Rs for two equal plates [mm].
-    friction
-        Coefficient mu [-].
-    """
 
-    radius: float
-    friction: float
+@declared
+class PendulumWithFriction(Declared):
+    """What the methods of codes take of a bearing: F / W = mu + D / R."""
 
-    def __post_init__(self) -> None:
-        positive(self.radius, "effective radius", "mm")
-        fraction(self.friction, "coefficient of friction")
+    radius: Annotated[
+        float, Parameter("effective radius, 2 Rs for two equal plates", MM, 0.0, symbol="R", above=True)
+    ]
+    friction: Annotated[float, FRICTION]
 
     @property
     def free_frequency(self) -> float:
@@ -84,9 +70,6 @@ class PendulumWithFriction:
     def rest(self) -> float:
         """Largest displacement at which it can stay at rest, mu R [mm]."""
         return self.friction * self.radius
-
-
-# The displacement at which a reduced spectrum and a bearing agree.
 
 
 #: Rounds of hand calculation at most, and halvings of an interval.
@@ -140,8 +123,8 @@ def iterate(
 ) -> tuple[tuple[Step, ...], tuple[str, ...]]:
     """Return the rounds of D = S_d(T_eff(D)) times the reduction at the damping of D, the last of which is the solution, and remarks on them.
 
-    The rounds are those of hand calculation, each from the displacement of the one before. Where the spectrum and the bearing agree at
-    several displacements the largest is the solution; where the rounds do not come to it, because they settle at another or go to and fro, it alone is returned.
+    Where the spectrum and the bearing agree at several displacements the largest is the solution; where the rounds, which are those of hand calculation, do
+    not come to it, because they settle at another or go to and fro, it alone is returned.
 
     Parameters
     ----------

@@ -1,8 +1,8 @@
 """The simplified linear analysis and the elastic spectrum of Eurocode 8: EN 1998-1:2004, sections 10.9 and 3.2.2.2; re-centring after EN 1998-2:2005, 7.7.1.
 
-The standards themselves were not read. Spectrum and damping correction agree in independent programs. The equation of d_dc, the torsion and most conditions are
-those of the Italian NTC 2018, 7.10.5, the twin of section 10.9, and so not confirmed for Eurocode 8 itself. For gamma_x, the distance to a fault, re-centring
-and the accumulation of residual displacements nothing was found.
+The standards themselves were not read. Spectrum and damping correction agree in independent programs. The equation of d_dc and most conditions are those of
+the Italian NTC 2018, 7.10.5, the twin of section 10.9, and so not confirmed for Eurocode 8 itself. For gamma_x, the distance to a fault, re-centring and the
+accumulation of residual displacements nothing was found.
 """
 
 import math
@@ -29,7 +29,7 @@ from dcfp.methods.code import (
     unless_unknown,
 )
 from dcfp.methods.equivalent_linear import PendulumWithFriction
-from dcfp.methods.method import Look, register
+from dcfp.methods.method import Look
 from dcfp.methods.spectra.elastic import DesignSpectrum, ElasticSpectrum
 from dcfp.schema.check import Check, Verdict, at_least, at_most
 from dcfp.schema.declared import declared
@@ -72,48 +72,10 @@ def accumulation_factor(displacement: float, yield_displacement: float, rest: fl
     return 1.0 + 1.35 * (1.0 - (d_y / d_cd) ** 0.6) / (1.0 + 80.0 * (d_cd / d_r) ** 1.5)
 
 
-def torsion_factors(
-    places: FloatArray, stiffness: FloatArray, eccentricity: tuple[float, float]
-) -> tuple[FloatArray, FloatArray]:
-    r"""Return the factors on the displacement of every device along x and along y [-], shape (n,): EN 1998-1, 10.9.3(7), read in NTC 2018, (7.10.4) and (7.10.5).
-
-    .. math::
-        \delta_{xi} = 1 + \frac{e_y}{r_y^2} y_i, \quad \delta_{yi} = 1 + \frac{e_x}{r_x^2} x_i, \quad
-        r_x^2 = \frac{\sum (x_i^2 K_{yi} + y_i^2 K_{xi})}{\sum K_{yi}}, \quad
-        r_y^2 = \frac{\sum (x_i^2 K_{yi} + y_i^2 K_{xi})}{\sum K_{xi}}
-
-    Parameters
-    ----------
-    places
-        x_i and y_i from the centre of stiffness [mm], shape (n, 2).
-    stiffness
-        K_xi and K_yi, effective [N/mm], shape (n, 2).
-    eccentricity
-        e_x and e_y, total, of the mass [mm].
-    """
-    x, y = np.asarray(places, dtype=np.float64).T
-    K_x, K_y = np.asarray(stiffness, dtype=np.float64).T
-    rotational = float((x**2 * K_y + y**2 * K_x).sum())
-    e_x, e_y = eccentricity
-    return 1.0 + e_y * y * K_x.sum() / rotational, 1.0 + e_x * x * K_y.sum() / rotational
-
-
 def simplified_linear_analysis(
-    pendulum: PendulumWithFriction,
-    spectrum: ElasticSpectrum,
-    structure: Structure | None = None,
-    yield_displacement: float = _YIELD,
+    pendulum: PendulumWithFriction, spectrum: ElasticSpectrum, structure: Structure | None = None
 ) -> CodeResult:
     """Return the displacement d_dc and the base shear: section 10.9.3.
-
-    Parameters
-    ----------
-    pendulum, spectrum
-        The bearing, and the spectrum at a damping of 5 %.
-    structure
-        What the conditions ask of the building and its site.
-    yield_displacement
-        d_y of the bearing [mm].
 
     Raises
     ------
@@ -121,7 +83,7 @@ def simplified_linear_analysis(
         If the iteration has no solution.
     """
     found = iterated(NAME, pendulum, spectrum, damping_correction)
-    factor = accumulation_factor(found.displacement, yield_displacement, pendulum.rest)
+    factor = accumulation_factor(found.displacement, _YIELD, pendulum.rest)
     return replace(
         found,
         conditions=_conditions(pendulum, structure or Structure(), found),
@@ -181,23 +143,16 @@ def _conditions(pendulum: PendulumWithFriction, structure: Structure, found: Cod
     )  # fmt: skip
 
 
-EUROCODE_8 = register(
-    CodeMethod(
-        key="eurocode8",
-        name=NAME,
-        citations=("en_1998_1_2004", "en_1998_2_2005"),
-        look=Look("p", "ochre", 1.1),
-        calculate=lambda inputs: simplified_linear_analysis(
-            inputs.pendulum, inputs.spectrum, inputs.structure
-        ),
-        remarks=_remarks,
-        formulas=_formulas,
-        symbols=("d_dc", "T_eff", "xi", "V/W"),
-    )
+EUROCODE_8 = CodeMethod(
+    key="eurocode8",
+    name=NAME,
+    citations=("en_1998_1_2004", "en_1998_2_2005"),
+    look=Look("p", "ochre", 1.1),
+    calculate=lambda inputs: simplified_linear_analysis(inputs.pendulum, inputs.spectrum, inputs.structure),
+    remarks=_remarks,
+    formulas=_formulas,
+    symbols=("d_dc", "T_eff", "xi", "V/W"),
 )
-
-
-# The horizontal elastic spectrum: section 3.2.2.2, Tables 3.2 and 3.3.
 
 
 #: S [-], T_B, T_C and T_D [s] of every ground type: Table 3.2 (type 1) and Table 3.3 (type 2).
@@ -223,20 +178,10 @@ _PLATEAU = 2.5
 
 @declared
 class Eurocode8Spectrum(DesignSpectrum):
-    """Four branches: rising, constant acceleration, constant velocity, constant displacement.
+    """Four branches, rising, of constant acceleration, velocity and displacement: section 3.2.2.2.
 
-    Parameters
-    ----------
-    ground_acceleration
-        a_g on ground type A, with the importance factor [mm/s2].
-    ground
-        Ground type, ``"A"`` to ``"E"``.
-    kind
-        1 for regions of large earthquakes, 2 where those that matter are below M_s 5.5.
-
-    Notes
-    -----
-    The code gives the spectrum up to 4 s; beyond, the displacement is kept constant here, which is on the safe side of its Annex A.
+    Type 1 is for regions of large earthquakes, type 2 where those that matter are below M_s 5.5; a_g has the importance factor in it. The code gives the
+    spectrum up to 4 s; beyond, the displacement is kept constant here, which is on the safe side of its Annex A.
     """
 
     noun = "a spectrum of Eurocode 8"
@@ -262,7 +207,5 @@ class Eurocode8Spectrum(DesignSpectrum):
         S, T_B, T_C, T_D = TABLES[self.kind][self.ground]
         rising = 1.0 + T / T_B * (_PLATEAU - 1.0)
         falling = _PLATEAU * T_C / T
-        shape = np.where(
-            T < T_B, rising, np.where(T <= T_C, _PLATEAU, np.where(T <= T_D, falling, falling * T_D / T))
-        )
+        shape = np.select([T < T_B, T <= T_C, T <= T_D], [rising, _PLATEAU, falling], falling * T_D / T)
         return np.asarray(self.ground_acceleration * S * shape)

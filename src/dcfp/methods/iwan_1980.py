@@ -11,6 +11,7 @@ could be read prints them. A friction bearing yields at a fraction of a millimet
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -24,12 +25,11 @@ from dcfp.methods.code import (
     decimals_of,
     millimetres,
 )
-from dcfp.methods.equivalent_linear import LARGEST, Step, halved, rounds
-from dcfp.methods.method import Look, register
+from dcfp.methods.equivalent_linear import FRICTION, LARGEST, Step, halved, rounds
+from dcfp.methods.method import Look
 from dcfp.methods.spectra.of_record import DAMPING, LONGEST, SHORTEST, response_spectrum
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.check import Check, Verdict, at_most
-from dcfp.schema.checks import fraction
 from dcfp.schema.formulas import Formula, number
 from dcfp.system import LI_2020, Bearing
 from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
@@ -62,29 +62,15 @@ def added_damping(ductility: float) -> float:
 
 @dataclass(frozen=True)
 class Bilinear:
-    """Springs (a) and (b) of a bearing together, then spring (a) alone; without viscous damping.
+    """Springs (a) and (b) of a bearing together, then spring (a) alone; without viscous damping."""
 
-    Attributes
-    ----------
-    initial_period
-        T_0, of the stiffness kra + kf [s].
-    yield_displacement
-        r_f = mu N / kf, at which the slider begins to slide [mm].
-    """
-
-    initial_period: float
-    yield_displacement: float
+    initial_period: float  #: T_0, of the stiffness kra + kf [s]
+    yield_displacement: float  #: r_f = mu N / kf, at which the slider begins to slide [mm]
 
     @classmethod
     def of(cls, bearing: Bearing, friction: float) -> "Bilinear":
-        """Return the system of a bearing and a constant coefficient of friction [-].
-
-        Raises
-        ------
-        InputError
-            If the coefficient is not between 0 and 1.
-        """
-        mu = fraction(friction, "coefficient of friction")
+        """Return the system of a bearing and a constant coefficient of friction [-]."""
+        mu = FRICTION.checked(friction, "The coefficient of friction")
         stiffness = bearing.restoring_stiffness + bearing.elastic_stiffness
         return cls(
             initial_period=2.0 * math.pi * math.sqrt(bearing.mass / stiffness),
@@ -97,9 +83,8 @@ def equivalent_oscillator(
 ) -> tuple[Step, ...]:
     """Return the rounds of D = S_d(T_eq, zeta_eq at the ductility of D) on the motion's own oscillators; the last is the solution.
 
-    They begin with the displacement of the system that does not yield, which is the answer where it stays below yielding. Where the rounds go to and fro
-    without settling, the interval in which they do is halved instead, and only the solution is returned. Periods end at 100 s, and dampings at 0.99.
-    `rule` gives the equivalent over the initial period and the equivalent damping ratio at a ductility [-].
+    They begin with the displacement of the system that does not yield. Where they go to and fro without settling, the interval in which they do is halved
+    instead, and only the solution is returned. `rule` gives the equivalent over the initial period and the equivalent damping ratio at a ductility [-].
 
     Raises
     ------
@@ -111,7 +96,8 @@ def equivalent_oscillator(
         lengthening, zeta = rule(at / system.yield_displacement)
         period = min(max(system.initial_period * lengthening, SHORTEST), LONGEST)
         zeta = min(zeta, MOST_DAMPING)
-        found, usual = _displacement(motion, period, zeta), _displacement(motion, period, DAMPING)
+        at_period = partial(response_spectrum, motion, np.array([period]))
+        found, usual = (float(at_period(damping).displacement[0]) for damping in (zeta, DAMPING))
         return Step(at, period, zeta, found / usual if usual > 0.0 else 1.0), found
 
     steps, is_settled = rounds(round_from, round_from(0.0)[1], _SAME)
@@ -122,10 +108,6 @@ def equivalent_oscillator(
         msg = f"{motion.name}: no equivalent oscillator moves as far as the ductility it stands for."
         raise AnalysisError(msg)
     return (round_from(halved(lambda at: round_from(at)[1] > at, low, high, _SAME))[0],)
-
-
-def _displacement(motion: GroundMotion, period: float, damping: float) -> float:
-    return float(response_spectrum(motion, np.array([period]), damping).displacement[0])
 
 
 def equivalent_linear(
@@ -192,13 +174,9 @@ def equivalent_linear(
     )
 
 
-# Where equivalent linear systems fail: Hadjian (1982), A re-evaluation of equivalent linear models for simple yielding systems.
-#
-# Equivalent periods and dampings such as Iwan's are fitted to recorded earthquakes, in which a yielding system is near its largest displacement for a moment
-# only. Under a strongly harmonic motion it stays there cycle after cycle: its period is then that of the secant at this very displacement, it may or may not
-# fall on that of the motion, and the response differs from the estimate by a factor that the estimate cannot know. The paper could not be read; the measure of
-# how harmonic a motion is, and its limit, are ours.
-
+# Where equivalent linear systems fail: Hadjian (1982), A re-evaluation of equivalent linear models for simple yielding systems. Equivalent periods and
+# dampings are fitted to recorded earthquakes, in which a yielding system is near its largest displacement for a moment only; under a strongly harmonic motion
+# it stays there cycle after cycle. The paper could not be read; the measure of how harmonic a motion is, and its limit, are ours.
 
 #: Half width of the band over its middle frequency [-]: ours.
 HALF_WIDTH = 0.1
@@ -214,7 +192,7 @@ def harmonic_share(motion: GroundMotion) -> tuple[float, float]:
 
     .. math:: \max_f \int_{0.9 f}^{1.1 f} |A|^2\,df \Big/ \int_0^\infty |A|^2\,df
 
-    with the Fourier transform A of the ground acceleration: the band of 20 % of its middle frequency that holds most. A measure of ours.
+    with the Fourier transform A of the ground acceleration: the band of 20 % of its middle frequency that holds most.
 
     Raises
     ------
@@ -237,13 +215,7 @@ def harmonic_share(motion: GroundMotion) -> tuple[float, float]:
 
 
 def harmonic_condition(motion: GroundMotion) -> Check:
-    """Return whether a motion is far enough from harmonic for an equivalent system that was fitted to earthquakes.
-
-    Raises
-    ------
-    AnalysisError
-        If the ground does not move.
-    """
+    """Return whether a motion is far enough from harmonic for an equivalent system that was fitted to earthquakes; errors as for `harmonic_share`."""
     share, period = harmonic_share(motion)
     return Check(
         "share of the motion's energy within 10 % of its dominant frequency",
@@ -253,9 +225,6 @@ def harmonic_condition(motion: GroundMotion) -> Check:
         HADJIAN,
         confirmed=False,
     )
-
-
-# As a method among those of the codes.
 
 
 def _calculate(inputs: CodeInputs) -> CodeResult:
@@ -287,14 +256,12 @@ def _formulas(result: CodeResult, inputs: CodeInputs) -> tuple[Formula, ...]:
     )  # fmt: skip
 
 
-IWAN_1980 = register(
-    CodeMethod(
-        key="iwan",
-        name=NAME,
-        citations=("iwan_1980", "hadjian_1982"),
-        look=Look("*", "blue", 1.2, order=1),
-        calculate=_calculate,
-        formulas=_formulas,
-        needs_record=True,
-    )
+IWAN_1980 = CodeMethod(
+    key="iwan",
+    name=NAME,
+    citations=("iwan_1980", "hadjian_1982"),
+    look=Look("*", "blue", 1.2, order=1),
+    calculate=_calculate,
+    formulas=_formulas,
+    needs_record=True,
 )

@@ -1,11 +1,8 @@
-"""What every method is that says how far a bearing moves: its name, what it knows, how it is drawn; and the registry of them all.
-
-A method is one module that registers a `CodeMethod` or a `PredictionMethod`: tables, figures, reports, studies and comparisons loop over the registry.
-"""
+"""What every method is that says how far a bearing moves; and the registry of them all, over which tables, figures, reports, studies and comparisons loop."""
 
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
 from dcfp.schema.registry import Registry
 
@@ -26,15 +23,7 @@ class Information(StrEnum):
 
 
 class Variant(NamedTuple):
-    """A method with what it knows.
-
-    Attributes
-    ----------
-    method
-        Name of the method.
-    information
-        What it knows.
-    """
+    """The name of a method, with what it knows."""
 
     method: str
     information: Information
@@ -42,52 +31,27 @@ class Variant(NamedTuple):
 
 @dataclass(frozen=True)
 class Look:
-    """How the results of a method are drawn.
+    """How the results of a method are drawn; what is empty is the next one that is free."""
 
-    Attributes
-    ----------
-    marker
-        As Matplotlib names it; empty for the next one that is free.
-    colour
-        A colour of the figures (blue, ochre, red, grey, ink), or any that Matplotlib knows; empty for the next one that is free.
-    scale
-        Size of the marker over that of others [-].
-    order
-        What is drawn over what: the larger one on top.
-    """
-
-    marker: str = ""
-    colour: str = ""
-    scale: float = 1.0
-    order: int = 2
+    marker: str = ""  #: as Matplotlib names it
+    colour: str = ""  #: of the figures (blue, ochre, red, grey, ink), or any that Matplotlib knows
+    scale: float = 1.0  #: size of the marker over that of others [-]
+    order: int = 2  #: what is drawn over what: the larger one on top
 
 
 @dataclass(frozen=True, kw_only=True)
 class Method:
-    """What is common to all methods.
+    """What is common to all methods; one that is made, in a module of its own, is in the registry."""
 
-    Attributes
-    ----------
-    key
-        Name in studies.
-    name
-        Name in tables and results.
-    knows
-        What it can do its work with; several where it gives a result for each.
-    head
-        Name at the head of a narrow column; by default the name.
-    citations
-        Keys of its sources in the bibliography.
-    look
-        In figures.
-    """
+    key: str  #: name in studies
+    name: str  #: name in tables and results
+    knows: tuple[Information, ...]  #: what it can do its work with; several where it gives a result for each
+    head: str = ""  #: name at the head of a narrow column; by default the name
+    citations: tuple[str, ...] = ()  #: keys of its sources in the bibliography
+    look: Look = Look()  #: in figures
 
-    key: str
-    name: str
-    knows: tuple[Information, ...]
-    head: str = ""
-    citations: tuple[str, ...] = ()
-    look: Look = Look()
+    def __post_init__(self) -> None:
+        METHODS.add(self.key, self)
 
     @property
     def variants(self) -> tuple[Variant, ...]:
@@ -97,14 +61,6 @@ class Method:
 
 #: Every method by its key, in the order of tables.
 METHODS: Registry[Method] = Registry("method")
-
-M = TypeVar("M", bound=Method)
-
-
-def register(method: M) -> M:
-    """Add a method to the registry, and return it."""
-    METHODS.add(method.key, method)
-    return method
 
 
 def variants() -> tuple[Variant, ...]:

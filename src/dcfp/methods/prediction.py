@@ -9,12 +9,18 @@ from dcfp.analysis.rig import Program, RigTest, Sine, run_program
 from dcfp.errors import InputError
 from dcfp.methods.li_2020.constants import LI_2020, Constants
 from dcfp.methods.method import METHODS, Information, Method
-from dcfp.methods.pulses import MARCH_THRESHOLD, THRESHOLD, Prediction, PulsePrediction, Pulses, find_pulses
+from dcfp.methods.pulses import (
+    MARCH_THRESHOLD,
+    THRESHOLD,
+    TURN,
+    Prediction,
+    PulsePrediction,
+    Pulses,
+    find_pulses,
+)
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.declared import Declared, declared
 from dcfp.schema.formulas import Formula
-from dcfp.schema.parameters import Parameter
-from dcfp.schema.units import FRACTION
 from dcfp.system import LI_2020 as PAPER_BEARING
 from dcfp.system import ConstantFriction, Li2020, System
 from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
@@ -25,31 +31,14 @@ _ROUNDING = 1e-6
 
 @declared
 class Methods(Declared):
-    """What stands on the ground, and how the methods of prediction are set.
-
-    Parameters
-    ----------
-    system
-        Bearing, friction law and heating model.
-    constants
-        Of the methods of Li et al. (2020).
-    threshold, march_threshold
-        Of the pulses that those methods and the march through the pulses take [-]; see `find_pulses`.
-    """
+    """What stands on the ground, and how the methods of prediction are set; for the thresholds see `find_pulses`."""
 
     system: System = field(default_factory=System)
     constants: Constants = LI_2020
-    threshold: Annotated[
-        float,
-        Parameter(
-            "part of PGV by which the ground velocity must turn back for a peak to count",
-            FRACTION,
-            0.0,
-            1.0,
-            above=True,
-        ),
-    ] = THRESHOLD
-    march_threshold: Annotated[float, Parameter("the same for the march through the pulses", FRACTION, 0.0, 1.0, above=True, option=False)] = MARCH_THRESHOLD  # fmt: skip
+    threshold: Annotated[float, TURN] = THRESHOLD
+    march_threshold: Annotated[
+        float, replace(TURN, words="the same for the march through the pulses", option=False)
+    ] = MARCH_THRESHOLD
 
     @classmethod
     def of(cls, system: System, nominal: "Nominal | None" = None) -> "Methods":
@@ -73,20 +62,10 @@ class Methods(Declared):
 
 @dataclass(frozen=True, eq=False)
 class Ground:
-    """An earthquake as the methods of prediction know it.
+    """An earthquake as the methods of prediction know it, with its pulses by the threshold as far as they have been looked for."""
 
-    Attributes
-    ----------
-    pgv
-        [mm/s].
-    motion
-        The record; None where only the PGV is known.
-    found
-        Its pulses by the threshold, as far as they have been looked for.
-    """
-
-    pgv: float
-    motion: GroundMotion | None = None
+    pgv: float  #: [mm/s]
+    motion: GroundMotion | None = None  #: the record; None where only the PGV is known
     found: dict[float, Pulses] = field(default_factory=dict[float, Pulses], repr=False)
 
     @classmethod
@@ -95,13 +74,7 @@ class Ground:
         return cls(motion.peak_velocity, motion)
 
     def pulses(self, threshold: float) -> Pulses:
-        """Return the velocity pulses by a threshold [-], found once.
-
-        Raises
-        ------
-        InputError
-            If only the PGV is known.
-        """
+        """Return the velocity pulses by a threshold [-], found once; with an InputError where only the PGV is known."""
         if self.motion is None:
             msg = "Pulses are of a record; of this earthquake only the PGV is known."
             raise InputError(msg)
@@ -112,21 +85,11 @@ class Ground:
 
 @dataclass(frozen=True, eq=False)
 class Predicted:
-    """What a method says of an earthquake.
+    """What a method says of an earthquake."""
 
-    Attributes
-    ----------
-    prediction
-        Without the analysis.
-    by_pulse
-        Of every pulse, where the method takes one after the other.
-    remarks
-        Sentences that a reader must know.
-    """
-
-    prediction: Prediction
-    by_pulse: PulsePrediction | None = None
-    remarks: tuple[str, ...] = ()
+    prediction: Prediction  #: without the analysis
+    by_pulse: PulsePrediction | None = None  #: of every pulse, where the method takes one after the other
+    remarks: tuple[str, ...] = ()  #: sentences that a reader must know
 
     def knowing(self, information: Information, pulse: int | None) -> Prediction:
         """Return the prediction with that information; `pulse` is the number of the one that the analysis found to govern, or None."""
@@ -136,29 +99,16 @@ class Predicted:
 
 @dataclass(frozen=True, kw_only=True)
 class PredictionMethod(Method):
-    """A method that predicts from a ground velocity.
-
-    Attributes
-    ----------
-    predict
-        Returns what it says of an earthquake; None where it cannot be used.
-    formulas
-        Returns the governing pulse with its numbers, for the report; None where the report has no section on it.
-    without
-        Why there may be no formulas, in words.
-    """
+    """A method that predicts from a ground velocity, where it can be used; formulas are the governing pulse with its numbers, for the report."""
 
     predict: Callable[[Ground, Methods], Predicted | None]
     formulas: Callable[[Ground, Methods], tuple[Formula, ...]] | None = None
-    without: str = "the method cannot be used"
+    without: str = "the method cannot be used"  #: why there may be no formulas, in words
 
 
 def prediction_methods() -> Mapping[str, PredictionMethod]:
     """Return every method of prediction by its name, in the order of tables."""
     return {one.name: one for one in METHODS.values() if isinstance(one, PredictionMethod)}
-
-
-# The nominal coefficient of friction of any bearing: Li et al. (2020), section 4.4.
 
 
 #: Dependency test T01 of Li et al. (2020), Table 1 [mm, mm/s], as far as the second cycle, in which mu_n is measured.
@@ -169,26 +119,17 @@ _LARGEST_AMPLITUDE = 0.4
 
 @dataclass(frozen=True)
 class Nominal:
-    """A nominal coefficient.
-
-    Attributes
-    ----------
-    value
-        mu_n [-].
-    source
-        Where it comes from, in words.
-    """
+    """A nominal coefficient mu_n."""
 
     value: float
-    source: str
+    source: str  #: where it comes from, in words
 
 
 def nominal_coefficient(system: System) -> Nominal:
     """Return the constant coefficient that stands for a law in the methods of Li et al. (2020).
 
-    A constant law is its own. Any other is put through dependency test T01, which gave the paper's 0.043, on the virtual machine at the
-    bearing's pressure. Of the paper's law that result is taken relative to the one of the paper's own bearing, heating and ambient temperature, for which
-    mu_n then is the 0.043 of the tests; of another law it is taken as it is.
+    A constant law is its own. Any other is put through dependency test T01, which gave the paper's 0.043, on the virtual machine; of the paper's law that
+    result is taken relative to the one of the paper's own bearing, heating and ambient temperature.
     """
     law = system.friction
     if isinstance(law, ConstantFriction):

@@ -1,9 +1,7 @@
 """A prediction of our own: the structure is marched through the pulses, with friction that heats.
 
-It knows the times and velocities of the peaks, as the pulse method does, and nothing else of the record. Four things are different. The ground velocity
-between two peaks is half a cosine, as between the peaks of a wave, whose largest acceleration is pi/2 times the mean: the bearing slides up to a ku/kg of
-pi/2, where the straight lines of the pulse method stop at 1 and need their factor of 1.5 before. The structure keeps the velocity and the place in which one
-pulse leaves it for the next. Spring (a) pulls it back. And the coefficient of friction follows speed and temperature by the law of the bearing.
+It knows the times and velocities of the peaks, as the pulse method does. But the ground velocity between two peaks is half a cosine, the structure keeps the
+velocity and the place in which one pulse leaves it, spring (a) pulls it back, and the coefficient of friction follows the law of the bearing.
 ``docs/prediction.md`` has the derivation and the evidence.
 """
 
@@ -14,7 +12,7 @@ import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.kernels import pulses as k
-from dcfp.methods.method import Information, Look, register
+from dcfp.methods.method import Information, Look
 from dcfp.methods.prediction import Ground, Methods, Predicted, PredictionMethod
 from dcfp.methods.pulses import MARCH_THRESHOLD, Prediction, Pulses, find_pulses
 from dcfp.motion.load import Motion
@@ -29,30 +27,17 @@ PARTS, LONGEST_STEP = 12, 0.05
 
 @dataclass(frozen=True, eq=False)
 class PulseMarch:
-    """How the structure moves through the pulses.
+    """How the structure moves through the pulses, with its path over time [s, mm], shape (n,).
 
-    Attributes
-    ----------
-    prediction
-        Peaks and energies.
-    pulse
-        Number of the pulse, counted from zero, on whose rise the largest change of displacement began; None where nothing slides, or where it began
-        after the last peak that has a pulse.
-    rests
-        Whether it has come to rest within two minutes after the last peak; if not, the slide still going on is not in the changes of displacement.
-    peak_temperature
-        Highest temperature of the contact [degC].
-    residual_displacement
-        Displacement in which it rests at the end [mm].
-    time, displacement
-        Path [s, mm], shape (n,).
+    The largest change of displacement began on the rise of the pulse of a number counted from zero; None where nothing slides, or where it began after the
+    last peak that has a pulse. Where it has not come to rest within two minutes after the last peak, that slide is not in the changes of displacement.
     """
 
-    prediction: Prediction
+    prediction: Prediction  #: peaks and energies
     pulse: int | None
     rests: bool
-    peak_temperature: float
-    residual_displacement: float
+    peak_temperature: float  #: highest temperature of the contact [degC]
+    residual_displacement: float  #: displacement in which it rests at the end [mm]
     time: FloatArray
     displacement: FloatArray
 
@@ -141,13 +126,11 @@ def _predict(ground: Ground, methods: Methods) -> Predicted:
     return Predicted(marched.prediction, remarks=() if marched.rests else (still,))
 
 
-PULSE_MARCH = register(
-    PredictionMethod(
-        key="march",
-        name=NAME,
-        head="march",
-        knows=(Information.BLIND,),
-        look=Look("D", "red", 0.9, order=5),
-        predict=_predict,
-    )
+PULSE_MARCH = PredictionMethod(
+    key="march",
+    name=NAME,
+    head="march",
+    knows=(Information.BLIND,),
+    look=Look("D", "red", 0.9, order=5),
+    predict=_predict,
 )

@@ -12,10 +12,18 @@ from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import Motion, motion_of
 from dcfp.schema.nomenclature import Quantities
 from dcfp.schema.notebook import card, fields_card
+from dcfp.schema.parameters import Parameter
 from dcfp.schema.quantities import Quantity
-from dcfp.schema.units import MM_PER_S, SECOND
+from dcfp.schema.units import FRACTION, MM_PER_S, SECOND
 
-#: How far the ground velocity must turn back, relative to PGV, for a peak to count [-]; see ``docs/prediction.md`` for the evidence.
+#: How far the ground velocity must turn back for a peak to count, and what is usual; see ``docs/prediction.md`` for the evidence.
+TURN = Parameter(
+    "part of PGV by which the ground velocity must turn back for a peak to count",
+    FRACTION,
+    0.0,
+    1.0,
+    above=True,
+)
 THRESHOLD = 0.2
 #: The same for the march, finer, for a ripple does not cut a pulse in two there.
 MARCH_THRESHOLD = 0.05
@@ -27,20 +35,11 @@ class Pulses:
 
     Pulse i goes from the peak before, vg_(i-1), over its own, vg_i, to the next one, vg_(i+1), so that there are two
     pulses fewer than peaks. The arrays below have an entry for each pulse.
-
-    Parameters
-    ----------
-    times
-        Of the peaks [s], shape (n,), increasing.
-    velocities
-        Ground velocity at the peaks [mm/s], shape (n,).
-    threshold
-        Part of PGV by which the velocity had to turn back [-].
     """
 
-    times: FloatArray = field(metadata={"unit": SECOND})
-    velocities: FloatArray = field(metadata={"unit": MM_PER_S})
-    threshold: float = THRESHOLD
+    times: FloatArray = field(metadata={"unit": SECOND})  #: of the peaks [s], shape (n,), increasing
+    velocities: FloatArray = field(metadata={"unit": MM_PER_S})  #: of the ground there [mm/s], shape (n,)
+    threshold: float = THRESHOLD  #: part of PGV by which the velocity had to turn back [-]
 
     def __post_init__(self) -> None:
         times = np.asarray(self.times, dtype=np.float64)
@@ -94,16 +93,7 @@ class Pulses:
         return np.diff(self.velocities)[1 : 1 + self.count] / (self.ends - self.peaks)
 
     def scaled(self, factor: float) -> "Pulses":
-        """Return the pulses of the same motion multiplied by `factor` [-].
-
-        Raises
-        ------
-        InputError
-            If the factor is zero or not a finite number.
-        """
-        if not (math.isfinite(factor) and factor != 0.0):
-            msg = f"Pulses can be scaled by a finite number other than zero, not by {factor!r}."
-            raise InputError(msg)
+        """Return the pulses of the same motion multiplied by `factor` [-], which is not zero."""
         return replace(self, velocities=self.velocities * factor)
 
     def _repr_html_(self) -> str:
@@ -115,12 +105,7 @@ class Pulses:
 
 
 def find_pulses(motion: Motion, threshold: float = THRESHOLD) -> Pulses:
-    """Return the velocity pulses of a ground motion.
-
-    A local extreme of the ground velocity is a peak once the velocity has turned back from it by `threshold` times the PGV.
-    Between the samples the velocity is quadratic, and its extremes are taken where the acceleration passes zero, so that the pulses do not
-    depend on where the motion was sampled. Silence before and after the motion changes nothing. The first peak is where the
-    velocity left for the first one that counts, the last is the furthest point after the last one that counts.
+    """Return the velocity pulses of a ground motion, which do not depend on where it was sampled: by the rule of ``docs/prediction.md``.
 
     Parameters
     ----------
@@ -134,9 +119,7 @@ def find_pulses(motion: Motion, threshold: float = THRESHOLD) -> Pulses:
     InputError
         If the threshold is out of range.
     """
-    if not (math.isfinite(threshold) and 0.0 < threshold <= 1.0):
-        msg = f"The threshold of a pulse must be above 0 and at most 1 of the PGV, not {threshold!r}."
-        raise InputError(msg)
+    threshold = TURN.checked(threshold, "The threshold of a pulse")
     times, velocities = _extremes(motion_of(motion))
     least = threshold * float(np.abs(velocities).max())
     if least == 0.0:
@@ -161,31 +144,15 @@ def _extremes(motion: GroundMotion) -> tuple[FloatArray, FloatArray]:
     return times[order], velocities[order]
 
 
-# What a method predicts.
-
-
 @dataclass(frozen=True)
 class Prediction:
-    """Largest change of displacement between two of its peaks, and the energies that go with it.
+    """Largest change of displacement between two of its peaks, and the energies that go with it, as far as a method says."""
 
-    Attributes
-    ----------
-    displacement_change
-        dy [mm].
-    input_velocity
-        Equivalent velocity V_dE of the energy put in on the way [mm/s].
-    hysteretic_velocity
-        Equivalent velocity V_dEhr of the energy dissipated on the way [mm/s].
-    displacement
-        Largest displacement y_max [mm], or None where the method has none of its own: dy then stands for it.
-    total_velocity
-        Equivalent velocity V_E of all the energy put in [mm/s], or None where the method does not say.
-    """
-
-    displacement_change: float
-    input_velocity: float
-    hysteretic_velocity: float
-    displacement: float | None = None
+    displacement_change: float  #: dy [mm]
+    input_velocity: float  #: equivalent velocity V_dE of the energy put in on the way [mm/s]
+    hysteretic_velocity: float  #: equivalent velocity V_dEhr of the energy dissipated on the way [mm/s]
+    displacement: float | None = None  #: largest, y_max [mm]; dy stands for it where there is none
+    #: equivalent velocity V_E of all the energy put in [mm/s]
     total_velocity: float | None = field(default=None, metadata={"unit": MM_PER_S})
 
     @property
@@ -232,15 +199,7 @@ def value_of(prediction: Prediction, quantity: Quantity) -> float:
 
 @dataclass(frozen=True, eq=False)
 class PulsePrediction:
-    """What a method predicts of every pulse of a record.
-
-    Attributes
-    ----------
-    pulses
-        The pulses.
-    displacement_change, input_velocity, hysteretic_velocity
-        As in `Prediction` [mm, mm/s, mm/s], shape (count,).
-    """
+    """What a method predicts of every pulse of a record: arrays of shape (count,) of what `Prediction` has."""
 
     pulses: Pulses
     displacement_change: FloatArray
@@ -256,7 +215,7 @@ class PulsePrediction:
 
     @property
     def largest(self) -> Prediction:
-        """Largest displacement and energies of all pulses, each by itself; zero where there is no pulse. This is blind: it knows the record only."""
+        """Largest of each over all pulses, zero where there is none: blind, from the record only."""
         return Prediction(*(float(values.max(initial=0.0)) for values in self._values))
 
     @property
@@ -264,10 +223,7 @@ class PulsePrediction:
         return self.displacement_change, self.input_velocity, self.hysteretic_velocity
 
     def of(self, pulse: int | None) -> Prediction:
-        """Return what one pulse does, counted from zero; not a number where it is None.
-
-        With the pulse that the analysis shows to have caused the largest displacement, this is informed.
-        """
+        """Return what one pulse does, counted from zero; not a number where it is None."""
         return NOTHING if pulse is None else Prediction(*(float(values[pulse]) for values in self._values))
 
     def _repr_html_(self) -> str:

@@ -34,32 +34,16 @@ UNCONFIRMED = (
 
 @dataclass(frozen=True)
 class LargestInput:
-    """The largest input energies of a ground motion over the periods, per unit mass.
-
-    Attributes
-    ----------
-    motion
-        The ground motion.
-    relative, absolute
-        The largest of its elastic spectra, each at its own period [mm2/s2].
-    relative_period, absolute_period
-        Periods at which they are reached [s].
-    damping
-        Ratio of critical damping [-].
-    duration
-        Significant duration t_D of the motion, from 5 to 95 % of its Arias intensity [s].
-    unconfirmed
-        What could not be confirmed, and what stands in its place.
-    """
+    """The largest input energies of a ground motion over the periods of its elastic spectra, per unit mass."""
 
     motion: GroundMotion
-    relative: float
-    absolute: float
-    relative_period: float
-    absolute_period: float
-    damping: float
-    duration: float
-    unconfirmed: tuple[str, ...] = UNCONFIRMED
+    relative: float  #: [mm2/s2]
+    absolute: float  #: [mm2/s2]
+    relative_period: float  #: at which it is reached [s]
+    absolute_period: float  #: at which it is reached [s]
+    damping: float  #: ratio of critical damping [-]
+    duration: float  #: significant duration t_D of the motion, from 5 to 95 % of its Arias intensity [s]
+    unconfirmed: tuple[str, ...] = UNCONFIRMED  #: what could not be confirmed, and what stands in its place
 
     @property
     def formula(self) -> float:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dcfp.arrays import FloatArray, freeze
+from dcfp.arrays import FloatArray, freeze, integral
 from dcfp.errors import InputError
 from dcfp.schema.nomenclature import quantity
 from dcfp.schema.notebook import card, fields_card
@@ -22,29 +22,15 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Origin:
-    """Where a ground motion came from, as far as its source says.
-
-    Attributes
-    ----------
-    event, station, component
-        As written in the source; empty when the source does not say.
-    source
-        File name, or the package and set that the record came from.
-    file_format
-        Format that the values were read from, for example ``"PEER AT2"``.
-    processing
-        What baseline correction or filter is already in the values, in words.
-    citation
-        How the data ask to be cited; empty when nothing is asked.
-    """
+    """Where a ground motion came from; empty where its source does not say."""
 
     event: str = ""
     station: str = ""
     component: str = ""
-    source: str = ""
-    file_format: str = ""
-    processing: str = ""
-    citation: str = ""
+    source: str = ""  #: file name, or the package and set that the record came from
+    file_format: str = ""  #: format that the values were read from, for example ``"PEER AT2"``
+    processing: str = ""  #: what baseline correction or filter is already in the values, in words
+    citation: str = ""  #: how the data ask to be cited; empty when nothing is asked
 
     def _repr_html_(self) -> str:
         return fields_card(self, "Origin of a ground motion")
@@ -108,9 +94,7 @@ class GroundMotion:
     @cached_property
     def velocity(self) -> FloatArray:
         """Ground velocity [mm/s], shape (n,): the exact integral of the acceleration, from rest."""
-        a = self.acceleration
-        steps = 0.5 * self.time_step * (a[1:] + a[:-1])
-        return freeze(np.concatenate(([0.0], np.cumsum(steps))))
+        return freeze(integral(self.acceleration, self.time_step))
 
     @cached_property
     def displacement(self) -> FloatArray:
@@ -201,9 +185,6 @@ class GroundMotion:
             "SHA-256": self.digest,
         }
         return card(f"Ground motion {self.name}", facts, remarks=self.treatment)
-
-
-# A ground motion as an analysis steps through it: followed by rest, and in finer steps.
 
 
 #: Longest free motion after the record that is waited for [s].

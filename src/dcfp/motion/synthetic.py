@@ -7,7 +7,7 @@ import numpy as np
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion, Origin
-from dcfp.schema.parameters import Parameter
+from dcfp.schema.parameters import POSITIVE, Parameter
 from dcfp.schema.units import NONE
 
 #: Steps in a period where no time step is given; PGV is then within 0.03 % of the formula's.
@@ -16,7 +16,6 @@ STEPS_PER_PERIOD = 200
 #: Largest number of values that is made.
 MAXIMUM_POINTS = 10_000_000
 
-_POSITIVE = Parameter("positive", NONE, 0.0, above=True)
 _FINITE = Parameter("any", NONE)
 _OSCILLATION = Parameter("oscillation", NONE, 1.0, 1000.0, above=True)
 
@@ -58,7 +57,7 @@ def harmonic(
     :math:`AT/2\pi\,(1-\cos 2\pi t/T)`, of one sign and with a peak of :math:`AT/\pi`; with phase
     :math:`\pi/2` the mean velocity is zero.
     """
-    _check("harmonic", _POSITIVE, amplitude=amplitude, period=period, cycles=cycles)
+    _check("harmonic", POSITIVE, amplitude=amplitude, period=period, cycles=cycles)
     _check("harmonic", _FINITE, phase=phase, ramp=ramp)
     if not 0.0 <= ramp <= 0.5 * cycles:
         msg = f"harmonic: the ramp must last 0 to {0.5 * cycles:g} periods, half of the motion, not {ramp!r}."
@@ -108,7 +107,7 @@ def ricker(
 
     Reference: Ricker, N. (1953), The form and laws of propagation of seismic wavelets, Geophysics 18, 10-40.
     """
-    _check("Ricker wavelet", _POSITIVE, peak=peak, frequency=frequency)
+    _check("Ricker wavelet", POSITIVE, peak=peak, frequency=frequency)
     if quantity not in {"velocity", "acceleration"}:
         msg = f"Ricker wavelet: the quantity must be 'velocity' or 'acceleration', not {quantity!r}."
         raise InputError(msg)
@@ -174,7 +173,7 @@ def mavroeidis_papageorgiou(
     ground motions, Bulletin of the Seismological Society of America 93, 1099-1131.
     """
     name = "Mavroeidis-Papageorgiou pulse"
-    _check(name, _POSITIVE, amplitude=amplitude, frequency=frequency)
+    _check(name, POSITIVE, amplitude=amplitude, frequency=frequency)
     _check(name, _FINITE, phase=phase)
     _check(name, _OSCILLATION, oscillation=oscillation)
     half = 0.5 * oscillation / frequency
@@ -201,7 +200,7 @@ def _pulse_acceleration(
 
 def _times(name: str, length: float, period: float, time_step: float | None) -> tuple[FloatArray, float]:
     step = period / STEPS_PER_PERIOD if time_step is None else time_step
-    _check(name, _POSITIVE, time_step=step, duration=length)
+    _check(name, POSITIVE, time_step=step, duration=length)
     intervals = length / step
     if not intervals < MAXIMUM_POINTS:
         msg = f"{name}: {length:g} s at a time step of {step:g} s are too many values; take a longer step."

@@ -1,7 +1,4 @@
-"""Optional treatment of a ground motion; each step is written into its `treatment`.
-
-Nothing is done silently: readers return the values of the file, and a motion that was treated says so.
-"""
+"""Optional treatment of a ground motion; nothing is done silently: each step is written into its `treatment`."""
 
 from dataclasses import replace
 from importlib import import_module
@@ -18,13 +15,7 @@ MAXIMUM_POINTS = 50_000_000
 
 
 def treated(motion: GroundMotion, *, baseline: bool = False, corner: float | None = None) -> GroundMotion:
-    """Return a motion without a linear baseline in velocity where `baseline` is wanted, and filtered where a `corner` [Hz] is given.
-
-    Raises
-    ------
-    InputError
-        If the corner cannot be; see `high_pass`.
-    """
+    """Return a motion without a linear baseline in velocity where `baseline` is wanted, and filtered where a `corner` [Hz] is given; errors as for `high_pass`."""
     if baseline:
         motion = remove_linear_velocity(motion)
     if corner is not None:
@@ -48,7 +39,7 @@ def remove_leading_mean(motion: GroundMotion, duration: float) -> GroundMotion:
     Raises
     ------
     InputError
-        If the duration is not positive, or longer than the motion.
+        If the motion has no such part.
     """
     if not 0.0 < duration <= motion.duration:
         msg = f"{motion.name}: the mean can be taken of up to {motion.duration:g} s, not of {duration!r} s."

@@ -11,7 +11,7 @@ from typing import (
 )
 
 from dcfp.errors import InputError
-from dcfp.schema.units import HERTZ, M_PER_S, SECOND, WORDS, Unit, convert, split_number
+from dcfp.schema.units import HERTZ, M_PER_S, NONE, SECOND, WORDS, Unit, convert, split_number
 
 T = TypeVar("T")
 
@@ -352,6 +352,8 @@ def unknown(given: object, known: Iterable[str], what: str) -> str:
     return f"there is no {what} {given!r}; {meant}"
 
 
+#: What has no other limit.
+POSITIVE = Parameter("positive number", NONE, 0.0, above=True)
 #: What a ground motion can be scaled to, at every door.
 PGV = Parameter("peak ground velocity", M_PER_S, 0.005, 20.0, symbol=r"\mathrm{PGV}", key="pgv")
 #: How a record file is read, and how what it holds may be treated.

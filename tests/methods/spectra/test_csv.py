@@ -68,7 +68,7 @@ BAD = {
         "line 3: the acceleration is 0,",
     ),
     "period zero": ("period [s],acceleration [g]\n0,1.0\n1.0,0.5\n", "leave out the row"),
-    "not text": (b"\xff\xfe\x00\x01", "not a file of text"),
+    "not text": (b"\xff\xfe\x00\x01", "a binary file"),
 }
 
 

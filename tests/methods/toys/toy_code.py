@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from dcfp.methods.code import CodeInputs, CodeMethod, CodeResult
-from dcfp.methods.method import Look, register
+from dcfp.methods.method import Look
 from dcfp.methods.spectra.elastic import displacement
 from dcfp.schema.check import Check, at_most
 from dcfp.schema.formulas import Formula, number
@@ -31,14 +31,12 @@ def formulas(result: CodeResult, inputs: CodeInputs) -> tuple[Formula, ...]:
     return (Formula("Toy displacement of the code", "D = S_d / 10", f"{whole} / 10", result.displacement, 1, "mm", "toy, 1.1"),)  # fmt: skip
 
 
-TOY_CODE = register(
-    CodeMethod(
-        key="toy-code",
-        name=NAME,
-        citations=("li_2020",),
-        look=Look("8", "#117733", 1.3),
-        calculate=calculate,
-        remarks=remarks,
-        formulas=formulas,
-    )
+TOY_CODE = CodeMethod(
+    key="toy-code",
+    name=NAME,
+    citations=("li_2020",),
+    look=Look("8", "#117733", 1.3),
+    calculate=calculate,
+    remarks=remarks,
+    formulas=formulas,
 )

@@ -1,7 +1,7 @@
 """A method of prediction from outside of the package: y_max is a fifth of a second times the PGV."""
 
 from dcfp.methods import Prediction
-from dcfp.methods.method import Information, Look, register
+from dcfp.methods.method import Information, Look
 from dcfp.methods.prediction import Ground, Methods, Predicted, PredictionMethod
 from dcfp.schema.formulas import Formula, number
 
@@ -20,15 +20,13 @@ def formulas(ground: Ground, methods: Methods) -> tuple[Formula, ...]:
     return (Formula("Toy displacement of the prediction", 'y_"max" = 0.2 "PGV"', numbers, found, 1, "mm", "toy, 2.1"),)  # fmt: skip
 
 
-TOY_PREDICTION = register(
-    PredictionMethod(
-        key="toy-prediction",
-        name=NAME,
-        head="toy",
-        knows=(Information.BLIND,),
-        citations=("li_2020",),
-        look=Look("d", "#882255"),
-        predict=predict,
-        formulas=formulas,
-    )
+TOY_PREDICTION = PredictionMethod(
+    key="toy-prediction",
+    name=NAME,
+    head="toy",
+    knows=(Information.BLIND,),
+    citations=("li_2020",),
+    look=Look("d", "#882255"),
+    predict=predict,
+    formulas=formulas,
 )

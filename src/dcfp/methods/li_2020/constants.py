@@ -13,26 +13,10 @@ from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
 
 @declared
 class Constants(Declared):
-    """What the three methods of Li et al. (2020) take as given.
+    """What the three methods of Li et al. (2020) take as given: mu_n is from section 4.4, the amplification from Figure 17.
 
-    Parameters
-    ----------
-    nominal_friction
-        mu_n [-], section 4.4.
-    gravity
-        g [mm/s2]; the paper's figures are those of 9810.
-    amplification
-        Factor on velocities and slopes of a pulse with ku/kg from `amplified_from` to 1 [-]; Figure 17.
-    amplified_from
-        Ratio ku/kg from which on a pulse is amplified [-].
-    fall_ratio
-        eps, Eq. (26) [-]: slope after a peak over that before it.
-    average_slope
-        kg_ave, Eq. (28) [mm/s2]: mean slope of the pulse of the largest displacement, at `reference_pgv`.
-    reference_pgv
-        PGV to which `average_slope` belongs, Eq. (30) [mm/s].
-    change_ratio
-        zeta, Eq. (29) [-]: velocity change of the largest pulse over PGV.
+    Eps is the slope after a peak over that before it, kg_ave the mean slope of the pulse of the largest displacement at the reference PGV of Eq. (30), and
+    zeta the velocity change of the largest pulse over the PGV.
     """
 
     noun = "the methods of Li et al. (2020)"
@@ -122,10 +106,6 @@ LI_2020 = Constants()
 #: The paper, as it is cited beside a formula; and the names of its methods.
 PAPER = "Li et al. (2020)"
 PULSE, SIMPLIFIED, DESIGN = "pulse", "simplified", "design"
-
-
-# What section 6 prints of the methods.
-
 
 #: Ranges of prediction over analysis [-], and where they are printed. The pulse method: sections 6.1.2 and 6.1.3, Figure 18; the simplified
 #: method: section 6.2.3, Figures 22 to 24.

@@ -8,7 +8,7 @@ import numpy as np
 
 from dcfp.arrays import FloatArray
 from dcfp.methods.li_2020.constants import LI_2020, PAPER, PULSE, Constants
-from dcfp.methods.method import Information, Look, register
+from dcfp.methods.method import Information, Look
 from dcfp.methods.prediction import Ground, Methods, Predicted, PredictionMethod
 from dcfp.methods.pulses import PulsePrediction, Pulses
 from dcfp.schema.formulas import Formula, number
@@ -52,8 +52,7 @@ def amplification(ratio: FloatArray, constants: Constants = LI_2020) -> FloatArr
 def predict_from_pulses(pulses: Pulses, constants: Constants = LI_2020) -> PulsePrediction:
     """Return what every pulse of a record does by itself: Li et al. (2020), section 6.1.
 
-    A pulse with ku/kg above 1, in which the ground is slower to gather speed than friction would let the structure be,
-    moves nothing: displacement and energies are zero. The paper says nothing of that case; with straight lines the structure keeps up with the ground.
+    A pulse with ku/kg above 1 moves nothing: the paper says nothing of that case; with straight lines the structure keeps up with the ground.
     """
     sign = np.sign(pulses.mean_accelerations)
     k_g = sign * pulses.mean_accelerations
@@ -126,15 +125,13 @@ def _formulas(ground: Ground, methods: Methods) -> tuple[Formula, ...]:
     )  # fmt: skip
 
 
-PULSE_METHOD = register(
-    PredictionMethod(
-        key="pulse",
-        name=PULSE,
-        knows=(Information.BLIND, Information.INFORMED),
-        citations=("li_2020",),
-        look=Look("o", "blue", order=4),
-        predict=_predict,
-        formulas=_formulas,
-        without="every pulse has a ratio above 1, so nothing is predicted to move",
-    )
+PULSE_METHOD = PredictionMethod(
+    key="pulse",
+    name=PULSE,
+    knows=(Information.BLIND, Information.INFORMED),
+    citations=("li_2020",),
+    look=Look("o", "blue", order=4),
+    predict=_predict,
+    formulas=_formulas,
+    without="every pulse has a ratio above 1, so nothing is predicted to move",
 )

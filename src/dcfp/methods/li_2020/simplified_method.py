@@ -8,11 +8,11 @@ from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.methods.li_2020.constants import DESIGN, LI_2020, PAPER, SIMPLIFIED, Constants
 from dcfp.methods.li_2020.pulse_method import printed_velocities
-from dcfp.methods.method import Information, Look, register
+from dcfp.methods.method import Information, Look
 from dcfp.methods.prediction import Ground, Methods, Predicted, PredictionMethod
 from dcfp.methods.pulses import Prediction, PulsePrediction, Pulses
-from dcfp.schema.checks import positive
 from dcfp.schema.formulas import Formula, number
+from dcfp.schema.parameters import POSITIVE
 
 
 def absorbed_velocity_ratio(ratio: FloatArray, fall_ratio: float) -> FloatArray:
@@ -53,13 +53,7 @@ def hysteretic_velocity(
 
 
 def _check_slope(constants: Constants) -> None:
-    """Check that Eq. (28) has a meaning.
-
-    Raises
-    ------
-    InputError
-        If mu_n g is not below kg_ave.
-    """
+    """Check that Eq. (28) has a meaning."""
     if not constants.slides_on_average:
         msg = (
             f"The simplified and the design method need mu_n g, {constants.friction_deceleration:.0f} mm/s2, to be below"
@@ -93,9 +87,7 @@ def predict_from_pgv(pgv: float, constants: Constants = LI_2020) -> Prediction:
     InputError
         If the PGV is not positive, or mu_n g is not below kg_ave.
     """
-    if not (math.isfinite(pgv) and pgv > 0.0):
-        msg = f"The PGV must be positive, not {pgv / 1000.0:g} m/s."
-        raise InputError(msg)
+    pgv = POSITIVE.checked(pgv, "The PGV [mm/s]")
     _check_slope(constants)
     k_u, k_ave = constants.friction_deceleration, constants.average_slope
     put_in = float(input_velocity(np.array(constants.velocity_change(pgv)), k_u, k_ave))
@@ -114,8 +106,8 @@ def friction_that_holds(allowed: float, pgv: float, constants: Constants = LI_20
     InputError
         If `allowed` or the PGV is not positive.
     """
-    positive(allowed, "displacement to be held", "mm")
-    dv, eps = constants.velocity_change(positive(pgv, "PGV", "mm/s")), constants.fall_ratio
+    POSITIVE.checked(allowed, "The displacement to be held [mm]")
+    dv, eps = constants.velocity_change(POSITIVE.checked(pgv, "The PGV [mm/s]")), constants.fall_ratio
     k_ave, k_g = constants.average_slope, constants.slope(pgv)
     # Eqs (31)-(33) together: dy = dv^2 (1 - k_u / k_ave) (1 + eps) / (2 (k_u + eps k_g)), and eps = 0 where k_u > k_g
     k_u = (dv**2 * (1.0 + eps) - 2.0 * allowed * eps * k_g) / (2.0 * allowed + dv**2 * (1.0 + eps) / k_ave)
@@ -194,26 +186,22 @@ def _formulas_from_pgv(ground: Ground, methods: Methods) -> tuple[Formula, ...]:
     )  # fmt: skip
 
 
-SIMPLIFIED_METHOD = register(
-    PredictionMethod(
-        key="simplified",
-        name=SIMPLIFIED,
-        head="simpl.",
-        knows=(Information.BLIND, Information.INFORMED),
-        citations=("li_2020",),
-        look=Look("^", "ochre", 1.25, order=3),
-        predict=_predict_simplified,
-        formulas=_formulas_simplified,
-    )
+SIMPLIFIED_METHOD = PredictionMethod(
+    key="simplified",
+    name=SIMPLIFIED,
+    head="simpl.",
+    knows=(Information.BLIND, Information.INFORMED),
+    citations=("li_2020",),
+    look=Look("^", "ochre", 1.25, order=3),
+    predict=_predict_simplified,
+    formulas=_formulas_simplified,
 )
-DESIGN_METHOD = register(
-    PredictionMethod(
-        key="design",
-        name=DESIGN,
-        knows=(Information.PGV,),
-        citations=("li_2020",),
-        look=Look("s", "grey", 0.9, order=2),
-        predict=_predict_from_pgv,
-        formulas=_formulas_from_pgv,
-    )
+DESIGN_METHOD = PredictionMethod(
+    key="design",
+    name=DESIGN,
+    knows=(Information.PGV,),
+    citations=("li_2020",),
+    look=Look("s", "grey", 0.9, order=2),
+    predict=_predict_from_pgv,
+    formulas=_formulas_from_pgv,
 )

@@ -1,21 +1,20 @@
-"""What the methods of codes take of a spectrum: the pseudo-acceleration at a damping of 5 %; and a spectrum of the user's own from a file of columns."""
+"""What the methods of codes take of a spectrum, and a spectrum of the user's own from a file of columns."""
 
 import re
 from abc import abstractmethod
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import ClassVar, NoReturn, Protocol
+from typing import ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
-from dcfp.motion.formats.source import canonical_unit, to_number, unit_size
+from dcfp.motion.formats.source import SourceText, canonical_unit, read_source, to_number, unit_size
 from dcfp.schema.declared import Declared, parameters
 from dcfp.schema.notebook import fields_card
 from dcfp.schema.parameters import Parameter
-from dcfp.schema.reading import read_bytes
 from dcfp.schema.registry import Registry
 from dcfp.schema.units import MM_PER_S2, SECOND
 
@@ -55,22 +54,13 @@ DESIGN_SPECTRA: "Registry[type[DesignSpectrum]]" = Registry("design spectrum")
 class DesignSpectrum(Declared, ElasticSpectrum):
     """An elastic spectrum of a code; a class with an ``option`` of its own registers itself.
 
-    Attributes
-    ----------
-    option
-        Name of the option that chooses it; its first parameters stand behind it, the others have options of their own.
-    words
-        What stands behind the option, for its help.
-    behind
-        How many parameters stand behind it, at least and at most.
-    doubts
-        What in it could not be confirmed in its source.
+    Its first parameters stand behind that option, the others have options of their own.
     """
 
-    option: ClassVar[str]
-    words: ClassVar[str]
-    behind: ClassVar[tuple[int, int]] = (1, 1)
-    doubts: ClassVar[tuple[str, ...]] = ()
+    option: ClassVar[str]  #: name of the option that chooses it
+    words: ClassVar[str]  #: what stands behind the option, for its help
+    behind: ClassVar[tuple[int, int]] = (1, 1)  #: how many parameters stand behind it, at least and at most
+    doubts: ClassVar[tuple[str, ...]] = ()  #: what in it could not be confirmed in its source
 
     def __init_subclass__(cls) -> None:
         super().__init_subclass__()
@@ -95,24 +85,15 @@ class TabulatedSpectrum:
 
     Below the first period the acceleration is that of the first, beyond the last the displacement is that of the last.
 
-    Parameters
-    ----------
-    periods
-        [s], increasing, shape (n,).
-    accelerations
-        Pseudo-acceleration at a damping of 5 % [mm/s2], positive, shape (n,).
-    name
-        What to call it.
-
     Raises
     ------
     InputError
         If there are fewer than two periods, or a value is not positive, or the periods do not increase.
     """
 
-    periods: FloatArray = field(metadata={"unit": SECOND})
-    accelerations: FloatArray = field(metadata={"unit": MM_PER_S2})
-    name: str = "spectrum"
+    periods: FloatArray = field(metadata={"unit": SECOND})  #: [s], increasing, shape (n,)
+    accelerations: FloatArray = field(metadata={"unit": MM_PER_S2})  #: positive [mm/s2], shape (n,)
+    name: str = "spectrum"  #: what to call it
     unconfirmed: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
@@ -140,9 +121,6 @@ class TabulatedSpectrum:
         return fields_card(self, f"Spectrum {self.name}")
 
 
-# A spectrum of the user's own from a file of columns.
-
-
 _EXAMPLE = "'period [s], acceleration [g]'"
 _PERIOD, _ACCELERATION = "period", "acceleration"
 #: Spellings of the two columns, without blanks and underscores.
@@ -163,8 +141,7 @@ def read_spectrum(path: str | Path, name: str | None = None) -> TabulatedSpectru
 
     The first line names the columns with their units, ``period [s]`` and ``acceleration [g]`` (or m/s2, cm/s2, gal, mm/s2), in any
     order and beside any others. Columns are parted by commas, semicolons, tabs or blanks; where it is semicolons or tabs, a decimal
-    comma is understood. Blank lines, what follows a ``#``, and lines
-    that begin with ``%``, ``//`` or ``!`` do not count.
+    comma is understood. Blank lines, what follows a ``#``, and lines that begin with ``%``, ``//`` or ``!`` do not count.
 
     Parameters
     ----------
@@ -178,45 +155,38 @@ def read_spectrum(path: str | Path, name: str | None = None) -> TabulatedSpectru
     InputError
         If the file cannot be read, has no such header or fewer than two rows, or a value is not a positive number, or the periods do not increase.
     """
-    lines = _lines(path)
+    source = read_source(Path(path), what=f"a spectrum with a header such as {_EXAMPLE}")
+    bare = ((number, _COMMENT.sub("", line).rstrip()) for number, line in enumerate(source.lines, 1))
+    lines = [(number, line) for number, line in bare if line.strip(" \t,;")]
     if not lines:
-        _fail(path, f"the file is empty; it must begin with a header such as {_EXAMPLE}.")
+        source.fail(f"the file is empty; it must begin with a header such as {_EXAMPLE}.")
     number, header = lines[0]
     separator = next(
         (mark for mark in ("\t", ";", ",") if mark in header), None
     )  # blanks, where there is none
     heads = _split(header, separator, is_header=True)
-    (first, time), (second, unit) = (_column(path, number, heads, what) for what in _NAMES)
+    (first, time), (second, unit) = (_column(source, number, heads, what) for what in _NAMES)
     if time.lower() not in _SECONDS:
-        _fail(path, f"the periods are in {time!r}, and must be in s.", number)
+        source.fail(f"the periods are in {time!r}, and must be in s.", line=number)
     if canonical_unit(unit) is None:
-        _fail(path, f"the accelerations are in {unit!r}; use one of g, m/s2, cm/s2, gal, mm/s2.", number)
+        source.fail(f"the accelerations are in {unit!r}; use one of g, m/s2, cm/s2, gal, mm/s2.", line=number)
     periods: list[float] = []
     values: list[float] = []
     for number, line in lines[1:]:
         words = _split(line, separator)
         if len(words) != len(heads):
-            _fail(path, f"{len(words)} values stand where the header names {len(heads)} columns.", number)
-        period = _value(path, number, words[first], _PERIOD, separator)
+            source.fail(
+                f"{len(words)} values stand where the header names {len(heads)} columns.", line=number
+            )
+        period = _value(source, number, words[first], _PERIOD, separator)
         if periods and period <= periods[-1]:
             what = f"the period of {period:g} s follows that of {periods[-1]:g} s; they must increase."
-            _fail(path, what, number)
+            source.fail(what, line=number)
         periods.append(period)
-        values.append(_value(path, number, words[second], _ACCELERATION, separator) * unit_size(unit))
+        values.append(_value(source, number, words[second], _ACCELERATION, separator) * unit_size(unit))
     if len(periods) < 2:
-        _fail(path, f"a spectrum needs at least two rows below its header, and this one has {len(periods)}.")
+        source.fail(f"a spectrum needs at least two rows below its header, and this one has {len(periods)}.")
     return TabulatedSpectrum(np.array(periods), np.array(values), Path(path).stem if name is None else name)
-
-
-def _lines(path: str | Path) -> list[tuple[int, str]]:
-    """Return the lines that count, with their numbers."""
-    content = read_bytes(path, f"a spectrum is a file with a header such as {_EXAMPLE}")
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        _fail(path, f"this is not a file of text; a spectrum begins with a header such as {_EXAMPLE}.")
-    bare = ((number, _COMMENT.sub("", line).rstrip()) for number, line in enumerate(text.splitlines(), 1))
-    return [(number, line) for number, line in bare if line.strip(" \t,;")]
 
 
 def _split(line: str, separator: str | None, *, is_header: bool = False) -> list[str]:
@@ -231,7 +201,7 @@ def _split(line: str, separator: str | None, *, is_header: bool = False) -> list
     return words
 
 
-def _column(path: str | Path, number: int, heads: list[str], what: str) -> tuple[int, str]:
+def _column(source: SourceText, number: int, heads: list[str], what: str) -> tuple[int, str]:
     """Return the place of a column and its unit."""
     found = [
         (place, parts[2].strip() if parts else "", word.strip())
@@ -240,31 +210,24 @@ def _column(path: str | Path, number: int, heads: list[str], what: str) -> tuple
         if _EXTRAS.sub("", parts[1] if parts else word).lower() in _NAMES[what]
     ]
     if not found:
-        _fail(path, f"the header names no column of {what}; it must be such as {_EXAMPLE}.", number)
+        source.fail(f"the header names no column of {what}; it must be such as {_EXAMPLE}.", line=number)
     if len(found) > 1:
-        _fail(path, f"the header names two columns of {what}, and only one can count.", number)
+        source.fail(f"the header names two columns of {what}, and only one can count.", line=number)
     place, unit, word = found[0]
     if not unit:
-        _fail(path, f"the column {word!r} has no unit; write it in brackets, as in {_EXAMPLE}.", number)
+        source.fail(f"the column {word!r} has no unit; write it in brackets, as in {_EXAMPLE}.", line=number)
     return place, unit
 
 
-def _value(path: str | Path, number: int, word: str, what: str, separator: str | None) -> float:
+def _value(source: SourceText, number: int, word: str, what: str, separator: str | None) -> float:
     plain = word.strip().strip("\"'")
     if separator in {";", "\t"}:
         plain = plain.replace(",", ".")
     value = to_number(plain)
     if value is None:
-        _fail(path, f"the {what} is {word.strip()[:30]!r}, not a number.", number)
+        source.fail(f"the {what} is {word.strip()[:30]!r}, not a number.", line=number)
     if value <= 0.0:
-        hint = (
-            "; leave out the row of the ground's own acceleration" if what == _PERIOD and value == 0.0 else ""
-        )
-        _fail(path, f"the {what} is {value:g}, and must be positive{hint}.", number)
+        is_ground = what == _PERIOD and value == 0.0
+        hint = "; leave out the row of the ground's own acceleration" if is_ground else ""
+        source.fail(f"the {what} is {value:g}, and must be positive{hint}.", line=number)
     return value
-
-
-def _fail(path: str | Path, sentence: str, line: int | None = None) -> NoReturn:
-    place = f"{path}" if line is None else f"{path}, line {line}"
-    msg = f"{place}: {sentence}"
-    raise InputError(msg)

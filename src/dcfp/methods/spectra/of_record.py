@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dcfp.arrays import FloatArray, freeze
+from dcfp.arrays import FloatArray, freeze, integral
 from dcfp.errors import InputError
 from dcfp.kernels import oscillator as k
 from dcfp.methods.spectra.elastic import TabulatedSpectrum
@@ -18,9 +18,6 @@ from dcfp.motion.ground_motion import GroundMotion, refined
 from dcfp.schema.notebook import fields_card
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import M_PER_S, M_PER_S2, MM, MM2_PER_S2, MM_PER_S, MM_PER_S2, SECOND
-
-# From periods and damping to what the kernel of the oscillators takes.
-
 
 #: Periods of a spectrum unless others are asked for [s].
 PERIODS = freeze(np.geomspace(0.05, 10.0, 200))
@@ -100,11 +97,9 @@ def _series(angle: FloatArray, damping: float) -> tuple[FloatArray, FloatArray]:
 
 
 def _pieces(motion: GroundMotion, periods: FloatArray) -> list[tuple[slice, int]]:
-    """Return groups of periods, and into how many parts the record's step is divided for each.
+    """Return groups of periods, and into how many parts the record's step is divided for each; none where the samples themselves suffice.
 
-    The step must be short beside the period for the largest displacement to be seen, and need not be shorter for the others. A group
-    ends where the processor's registers are full, so that some periods get a finer step than they need. A group of zero parts is of periods so
-    long that its largest displacement is seen at the samples themselves.
+    A group ends where the processor's registers are full, so that some periods get a finer step than they need.
     """
     least = np.ceil(_STEPS_IN_PERIOD * motion.time_step / periods * (1.0 - 1e-12))
     parts = (2 ** np.ceil(np.log2(np.maximum(least, 1.0)))).astype(np.int64)
@@ -123,8 +118,7 @@ def _marched(motion: GroundMotion, periods: FloatArray, damping: float, *, with_
         rows = _coefficients(periods[part].tobytes(), damping, step)
         state = np.zeros((k.ROWS, periods[part].size))
         if with_energy:
-            ground = np.concatenate(([0.0], np.cumsum(0.5 * step * (acceleration[1:] + acceleration[:-1]))))
-            k.respond_with_energy(rows, step, acceleration, ground, state)
+            k.respond_with_energy(rows, step, acceleration, integral(acceleration, step), state)
         else:
             k.respond_all(rows, step if parts else None, acceleration, state)
         found[:, part] = state
@@ -137,24 +131,12 @@ _LEAST = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class ResponseSpectrum:
-    """The largest response of elastic oscillators to a ground motion.
+    """The largest response of elastic oscillators to a ground motion."""
 
-    Attributes
-    ----------
-    periods
-        [s], shape (n,).
-    damping
-        Ratio of critical damping [-].
-    displacement
-        Spectral displacement S_d [mm], shape (n,).
-    name
-        What to call it.
-    """
-
-    periods: FloatArray = field(metadata={"unit": SECOND})
-    damping: float
-    displacement: FloatArray
-    name: str = "record"
+    periods: FloatArray = field(metadata={"unit": SECOND})  #: [s], shape (n,)
+    damping: float  #: ratio of critical damping [-]
+    displacement: FloatArray  #: spectral displacement S_d [mm], shape (n,)
+    name: str = "record"  #: what to call it
     unconfirmed: tuple[str, ...] = ()
 
     @property
@@ -224,37 +206,18 @@ def spectrum_of_set(spectra: Sequence[ResponseSpectrum], part: float | None = No
     return ResponseSpectrum(first.periods, first.damping, freeze(middle), f"{words} of {len(spectra)}")
 
 
-# Input energy spectra: Akiyama (1985), Uang and Bertero (1988).
-
-
 @dataclass(frozen=True, eq=False)
 class EnergySpectrum:
-    """Energies that a ground motion puts into elastic oscillators, per unit mass.
+    """Energies that a ground motion puts into elastic oscillators, per unit mass; all arrays have the shape (n,)."""
 
-    Attributes
-    ----------
-    periods
-        [s], shape (n,).
-    damping
-        Ratio of critical damping [-].
-    final
-        Relative input energy at the end of the motion [mm2/s2], shape (n,).
-    relative, absolute
-        Largest relative and absolute input energy at any time [mm2/s2], shape (n,).
-    displacement, velocity, total_acceleration
-        Largest relative displacement [mm] and velocity [mm/s], and absolute acceleration [mm/s2], shape (n,).
-    name
-        What to call it.
-    """
-
-    periods: FloatArray = field(metadata={"unit": SECOND})
-    damping: float
-    final: FloatArray = field(metadata={"unit": MM2_PER_S2})
-    relative: FloatArray = field(metadata={"unit": MM2_PER_S2})
-    absolute: FloatArray = field(metadata={"unit": MM2_PER_S2})
-    displacement: FloatArray
-    velocity: FloatArray
-    total_acceleration: FloatArray = field(metadata={"unit": MM_PER_S2})
+    periods: FloatArray = field(metadata={"unit": SECOND})  #: [s]
+    damping: float  #: ratio of critical damping [-]
+    final: FloatArray = field(metadata={"unit": MM2_PER_S2})  #: relative, at the end of the motion [mm2/s2]
+    relative: FloatArray = field(metadata={"unit": MM2_PER_S2})  #: largest at any time [mm2/s2]
+    absolute: FloatArray = field(metadata={"unit": MM2_PER_S2})  #: largest at any time [mm2/s2]
+    displacement: FloatArray  #: largest, relative [mm]
+    velocity: FloatArray  #: largest, relative [mm/s]
+    total_acceleration: FloatArray = field(metadata={"unit": MM_PER_S2})  #: largest [mm/s2]
     name: str = "record"
 
     @property
@@ -287,9 +250,6 @@ def input_energy_spectrum(
         total_acceleration=freeze(found[k.PEAK_A]),
         name=motion.name,
     )
-
-
-# What is told of the spectra of a motion, period by period.
 
 
 class Ordinates(NamedTuple):

@@ -133,9 +133,6 @@ def _time_step(source: SourceText, real: FloatArray, found: re.Match[str], line:
     return step
 
 
-# What the lines of text at the head of a COSMOS channel say, in words.
-
-
 _CHANNEL = re.compile(r"^Sta Chan?\s*:?\s*(\d+|\?)\s*:\s*(.*?)\s*\(Rcrdr", re.IGNORECASE)
 _CODES = re.compile(r"<SCNL>\s*([^\s.]*)\.([^\s.]+)\.")
 _STATION = re.compile(r"^Statn No:.*?Code:\s*(\S*)\s*(.*?)\s*$", re.IGNORECASE)

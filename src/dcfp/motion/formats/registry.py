@@ -23,36 +23,18 @@ LARGEST_ACCELERATION = 1e9
 
 @dataclass(frozen=True, eq=False)
 class Series:
-    """One component of a record, as its file has it.
+    """One component of a record, as its file has it, and what the file says for the `Origin` of its motion."""
 
-    Attributes
-    ----------
-    values
-        Acceleration in the file's unit.
-    unit
-        That unit, as `canonical_unit` spells it.
-    time_step
-        Interval between two values [s].
-    component
-        Its name in the file; empty where it has none.
-    names
-        Further names by which it can be asked for.
-    event, station, processing, citation
-        Of the `Origin` of its motion, as far as the file says.
-    scale
-        How many units one value stands for [-].
-    """
-
-    values: FloatArray
-    unit: str
-    time_step: float
-    component: str = ""
-    names: tuple[str, ...] = ()
+    values: FloatArray  #: acceleration in the file's unit
+    unit: str  #: that unit, as `canonical_unit` spells it
+    time_step: float  #: interval between two values [s]
+    component: str = ""  #: its name in the file; empty where it has none
+    names: tuple[str, ...] = ()  #: further names by which it can be asked for
     event: str = ""
     station: str = ""
     processing: str = ""
     citation: str = ""
-    scale: float = 1.0
+    scale: float = 1.0  #: how many units one value stands for [-]
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,13 +48,7 @@ class Component:
 def component_of(
     source: SourceText, series: Series, file_format: str, citation: str, *, several: bool
 ) -> Component:
-    """Return a component of a file; `several` says that the name of its motion must tell it from others.
-
-    Raises
-    ------
-    InputError
-        If the time step or a value cannot be true of a ground motion, or there is only one value.
-    """
+    """Return a component of a file, if it can be one of a ground motion; `several` says that the name of its motion must tell it from others."""
     if not SHORTEST_STEP <= series.time_step <= LONGEST_STEP:
         source.fail(
             f"the time step is {series.time_step:g} s; a record has one between {SHORTEST_STEP:g} and "
@@ -100,9 +76,6 @@ def component_of(
     return Component(motion, (series.component, *series.names))
 
 
-# Times in a column: whether they are equally spaced, as far as the printed digits can tell.
-
-
 def printed_resolution(word: str) -> float:
     """Return the last digit's place in a printed number: 0.01 for ``"1.25"`` and for ``"1.25e0"``."""
     mantissa, _, exponent = word.strip().upper().replace("D", "E").partition("E")
@@ -112,13 +85,7 @@ def printed_resolution(word: str) -> float:
 
 
 def check_times(source: SourceText, time: FloatArray, time_step: float, resolution: float) -> None:
-    """Check that `time` [s] goes up by `time_step` [s], within the rounding of its printed digits.
-
-    Raises
-    ------
-    InputError
-        If a time is off by more than `resolution` [s].
-    """
+    """Refuse times [s] that do not go up by `time_step` [s], within the rounding of their printed digits, `resolution` [s]."""
     with np.errstate(over="ignore", invalid="ignore"):
         expected = time[0] + np.arange(time.size) * time_step
         off = ~(np.abs(time - expected) <= 1.001 * resolution + 1e-9 * np.abs(expected))
@@ -167,9 +134,6 @@ def _fitting_steps(time: FloatArray, mean_step: float, resolution: float) -> Ite
                 off = np.abs(time - time[0] - place * step).max()
                 if off <= tolerance + 1e-3 * resolution:
                     yield step, tolerance
-
-
-# Choose one component of a file by its name, its channel number or its direction.
 
 
 _DIRECTIONS = {
@@ -223,33 +187,15 @@ def _choices(components: Sequence[Component]) -> str:
     return ", ".join(repr(label) for label in labels)
 
 
-# The formats themselves, each registered by its module.
-
-
 @dataclass(frozen=True)
 class RecordFormat:
-    """A format of record files.
+    """A format of record files; it reads every component of one, and fails where the header is incomplete or does not agree with the values."""
 
-    Attributes
-    ----------
-    words
-        Whose files are in it, and what is in them.
-    recognises
-        Whether a file is in it, from its content.
-    read
-        Returns every component of such a file. It raises an `InputError` where the file is damaged: where its header is incomplete, or
-        does not agree with the values.
-    citation
-        How its data ask to be cited; empty when nothing is asked.
-    one_of_several
-        Whether the components of a record may be in files of the same stem, so that the name of a motion says which it is.
-    """
-
-    words: str
-    recognises: Callable[[SourceText], bool]
+    words: str  #: whose files are in it, and what is in them
+    recognises: Callable[[SourceText], bool]  #: whether a file is in it, from its content
     read: Callable[[SourceText], list[Series]]
-    citation: str = ""
-    one_of_several: bool = False
+    citation: str = ""  #: how its data ask to be cited; empty when nothing is asked
+    one_of_several: bool = False  #: whether the components of a record may be in files of the same stem
 
 
 #: The formats by their names.

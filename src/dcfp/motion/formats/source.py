@@ -17,26 +17,17 @@ from dcfp.schema.reading import read_bytes
 
 #: Largest file that is read [bytes]; the longest public records stay far below it.
 MAXIMUM_SIZE = 200_000_000
+_RECORD = "a record of ground acceleration"
 
 
 @dataclass(frozen=True)
 class SourceText:
-    """A record file as lines of text.
+    """A file as lines of text, with what the user says of the unit and the time step of a record where that is not left to the file."""
 
-    Attributes
-    ----------
-    path
-        Where the file is, as the user wrote it.
-    lines
-        Its lines, without the ends of line.
-    units, time_step
-        What the user says of its unit and its time step [s]; None where it is left to the file.
-    """
-
-    path: Path
-    lines: tuple[str, ...]
+    path: Path  #: as the user wrote it
+    lines: tuple[str, ...]  #: without the ends of line
     units: str | None = None
-    time_step: float | None = None
+    time_step: float | None = None  #: [s]
 
     def fail(self, reason: str, *, line: int | None = None) -> NoReturn:
         """Raise an `InputError` that names the file and, counted from 1, the line."""
@@ -45,8 +36,10 @@ class SourceText:
         raise InputError(msg)
 
 
-def read_source(path: Path, *, units: str | None = None, time_step: float | None = None) -> SourceText:
-    """Return a file as text.
+def read_source(
+    path: Path, *, units: str | None = None, time_step: float | None = None, what: str = _RECORD
+) -> SourceText:
+    """Return a file as text; `what` it should hold is for sentences.
 
     Raises
     ------
@@ -55,26 +48,25 @@ def read_source(path: Path, *, units: str | None = None, time_step: float | None
     """
     content = read_bytes(path, "check the path", most=MAXIMUM_SIZE + 1)
     if len(content) > MAXIMUM_SIZE:
-        msg = f"{path}: the file is larger than {MAXIMUM_SIZE / 1e6:.0f} MB, so it is not one record."
+        msg = f"{path}: the file is larger than {MAXIMUM_SIZE / 1e6:.0f} MB, so it is not {what}."
         raise InputError(msg)
-    return source_of(content, path, units=units, time_step=time_step)
+    return source_of(content, path, units=units, time_step=time_step, what=what)
 
 
 def source_of(
-    content: bytes, path: Path, *, units: str | None = None, time_step: float | None = None
+    content: bytes,
+    path: Path,
+    *,
+    units: str | None = None,
+    time_step: float | None = None,
+    what: str = _RECORD,
 ) -> SourceText:
-    """Return the content of a file as text; `path` is only its name, nothing is read from there.
-
-    Raises
-    ------
-    InputError
-        If it is empty or not text.
-    """
+    """Return the content of a file as text; `path` is only its name. Errors are those of `read_source`."""
     if not content.strip():
-        msg = f"{path}: the file is empty; a record of ground acceleration was expected."
+        msg = f"{path}: the file is empty; {what} was expected."
         raise InputError(msg)
     if b"\x00" in content:
-        msg = f"{path}: this is a binary file; a text file in one of the known record formats was expected."
+        msg = f"{path}: this is a binary file; {what} as text was expected."
         raise InputError(msg)
     text = _decode(content).replace("\r\n", "\n").replace("\r", "\n")
     return SourceText(path, tuple(text.rstrip(" \t\n\x1a").split("\n")), units, time_step)
@@ -83,14 +75,9 @@ def source_of(
 def _decode(content: bytes) -> str:
     """Decode by trying: UTF-8, then the Shift-JIS of Japanese files, then one byte a character."""
     for encoding in ("utf-8-sig", "cp932"):
-        try:
+        with suppress(UnicodeDecodeError):
             return content.decode(encoding)
-        except UnicodeDecodeError:
-            continue
     return content.decode("latin-1")
-
-
-# Numbers in lines.
 
 
 #: One number as Fortran and C write it; no ``nan``, ``inf`` or ``1_000``, which Python would accept.
@@ -207,9 +194,6 @@ def _row(source: SourceText, words: Sequence[str], line: int) -> list[float]:
             source.fail(f"value {place} is {shown}, not a finite number.", line=line)
         values.append(value)
     return values
-
-
-# What the headers of record files have in common: lines of a name and its text, units, and how long the record is.
 
 
 class Header(dict[str, str]):
