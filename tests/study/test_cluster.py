@@ -23,9 +23,9 @@ pytestmark = pytest.mark.filterwarnings("default")  # what Dask warns of is its 
 
 @pytest.fixture(scope="module")
 def large() -> Study:
-    """Some seconds of work in 64 blocks."""
+    """Work in 64 blocks."""
     motions = [dcfp.load_motion(name) for name in ("NCC", "KNA")]
-    factors = {"pgv": np.linspace(100.0, 2000.0, 32), "mu": np.linspace(0.02, 0.12, 50)}
+    factors = {"pgv": np.linspace(100.0, 2000.0, 16), "mu": np.linspace(0.02, 0.12, 16)}
     return Study(motions=motions, factors=factors)
 
 

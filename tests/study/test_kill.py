@@ -16,10 +16,10 @@ import pytest
 from dcfp.study import read_study, run_study
 from dcfp.study.results import open_store, share_done
 
-KILLS = int(os.environ.get("DCFP_KILLS", "3"))
+KILLS = int(os.environ.get("DCFP_KILLS", "2"))
 TEXT = """
 [factors]
-record = ["NCC", "KNA", "LPG"]
+record = ["NCC", "KNA"]
 pgv = { from = 0.1, to = 2.0, count = 32, unit = "m/s" }
 mu = { from = 0.02, to = 0.12, count = 16 }
 """

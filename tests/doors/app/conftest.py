@@ -105,21 +105,27 @@ def browser() -> Generator[Any]:
             pytest.fail("there is no chromium, and DCFP_REQUIRE_BROWSER=1")
         pytest.skip("there is no chromium")
     with sync_api.sync_playwright() as playwright:
-        found = playwright.chromium.launch(executable_path=path, args=["--no-sandbox"])
+        found = playwright.chromium.launch(executable_path=path, args=["--no-sandbox", "--disable-gpu"])
         yield found
         found.close()
 
 
-@pytest.fixture
-def open_page(server: str, browser: Any) -> Generator[Callable[..., Any]]:
-    """Open pages, each of a visitor of its own; whatever goes wrong in a browser makes the test fail."""
-    contexts: list[Any] = []
-    wrong: list[str] = []
+class Visitors:
+    """Pages, each of a visitor of its own, and whatever goes wrong in their browser."""
 
-    def open_one(width: int = 1280, height: int = 900, expected: tuple[str, ...] = (), **options: Any) -> Any:
-        context = browser.new_context(viewport={"width": width, "height": height}, **options)
-        contexts.append(context)
+    def __init__(self, server: str, browser: Any) -> None:
+        self.server, self.browser = server, browser
+        self.contexts: list[Any] = []
+        self.wrong: list[str] = []
+
+    def open(
+        self, width: int = 1280, height: int = 900, expected: tuple[str, ...] = (), **options: Any
+    ) -> Any:
+        """Open a page and wait for its first number."""
+        context = self.browser.new_context(viewport={"width": width, "height": height}, **options)
+        self.contexts.append(context)
         page = context.new_page()
+        wrong = self.wrong
 
         def heard(message: Any) -> None:
             if message.type == "error" and not any(words in message.text for words in expected):
@@ -128,17 +134,45 @@ def open_page(server: str, browser: Any) -> Generator[Callable[..., Any]]:
         page.on("console", heard)
         page.on("pageerror", lambda error: wrong.append(f"error: {error}"))
         page.on("dialog", lambda dialog: (wrong.append(f"dialog: {dialog.message}"), dialog.dismiss()))
-        page.on("request", lambda request: wrong.extend(_elsewhere(request.url, server)))
-        page.goto(server)
+        page.on("request", lambda request: wrong.extend(_elsewhere(request.url, self.server)))
+        page.goto(self.server)
         page.wait_for_function(
             "document.querySelector('[data-tile=\"peak_displacement\"]')?.textContent.match(/\\d/)"
         )
         return page
 
-    yield open_one
-    for context in contexts:
-        context.close()
-    assert not wrong, wrong
+    def leave(self) -> None:
+        """Close every page."""
+        for context in self.contexts:
+            context.close()
+
+
+@pytest.fixture
+def open_page(server: str, browser: Any) -> Generator[Callable[..., Any]]:
+    """Open pages; whatever goes wrong in a browser makes the test fail."""
+    visitors = Visitors(server, browser)
+    yield visitors.open
+    visitors.leave()
+    assert not visitors.wrong, visitors.wrong
+
+
+@pytest.fixture(scope="module")
+def visitor(server: str, browser: Any) -> Generator[tuple[Any, list[str]]]:
+    """One page for the tests of a file that need no new one, since to draw a page is what takes longest."""
+    visitors = Visitors(server, browser)
+    yield visitors.open(), visitors.wrong
+    visitors.leave()
+
+
+@pytest.fixture
+def shared_page(visitor: tuple[Any, list[str]]) -> Generator[Any]:
+    """The page of the visitor who stays, at the response; whatever goes wrong makes the test fail."""
+    page, wrong = visitor
+    page.get_by_role("button", name="Response", exact=True).click()
+    yield page
+    seen = wrong.copy()
+    wrong.clear()
+    assert not seen, seen
 
 
 def _elsewhere(address: str, server: str) -> list[str]:

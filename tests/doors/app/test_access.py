@@ -8,12 +8,26 @@ PAGES = ("Response", "Test machine", "Design chart")
 
 
 @pytest.mark.parametrize("width", [375, 860, 1280])
-def test_nothing_sticks_out_at_the_side(open_page, width):
-    page = open_page(width, 760)
+def test_nothing_sticks_out_at_the_side(shared_page, width):
+    page = shared_page
+    page.set_viewport_size({"width": width, "height": 760})
     for name in PAGES:
         show(page, name)
         page.wait_for_timeout(400)
         assert page.evaluate("document.documentElement.scrollWidth") <= width
+
+
+def test_a_slider_says_what_it_is_and_where_it_stands(shared_page):
+    page = shared_page
+    slider = page.get_by_role("slider", name="PGV of every record")
+    assert (slider.get_attribute("min"), slider.get_attribute("max")) == ("0.05", "1.5")
+    before = tile(page, DISPLACEMENT)
+    slide(page, "PGV of every record", "ArrowRight")
+    page.wait_for_function(
+        "before => document.querySelector('[data-tile=\"peak_displacement\"]').textContent !== before",
+        arg=before,
+    )
+    assert slider.get_attribute("aria-valuetext") == "0.51 m/s"
 
 
 def focused_names(page, count: int) -> list[str]:
@@ -32,7 +46,7 @@ def focused_names(page, count: int) -> list[str]:
     return names
 
 
-def test_every_control_can_be_reached_in_order(open_page):
+def test_every_control_can_be_reached_in_order_and_seen_there(open_page):
     page = open_page()
     names = focused_names(page, 60)
     expected = [
@@ -59,33 +73,13 @@ def test_every_control_can_be_reached_in_order(open_page):
     missing = [one for one, place in zip(expected, places, strict=True) if place < 0]
     assert not missing, "; ".join(names)
     assert places == sorted(places), list(zip(expected, places, strict=True))
-
-
-def test_the_focus_can_be_seen(open_page):
-    page = open_page()
-    for _ in range(6):
+    page.get_by_text(names[0]).focus()
+    for _ in range(5):
         page.keyboard.press("Tab")
     assert page.evaluate("getComputedStyle(document.activeElement).outlineStyle") == "solid"
-
-
-def test_the_first_link_skips_to_the_page(open_page):
-    page = open_page()
-    page.keyboard.press("Tab")
+    page.get_by_text(names[0]).focus()
     page.keyboard.press("Enter")
     assert page.evaluate("document.activeElement.tagName") == "MAIN"
-
-
-def test_a_slider_says_what_it_is_and_where_it_stands(open_page):
-    page = open_page()
-    slider = page.get_by_role("slider", name="PGV of every record")
-    assert (slider.get_attribute("min"), slider.get_attribute("max")) == ("0.05", "1.5")
-    before = tile(page, DISPLACEMENT)
-    slide(page, "PGV of every record", "ArrowRight")
-    page.wait_for_function(
-        "before => document.querySelector('[data-tile=\"peak_displacement\"]').textContent !== before",
-        arg=before,
-    )
-    assert slider.get_attribute("aria-valuetext") == "0.51 m/s"
 
 
 def background(page) -> int:
@@ -95,17 +89,20 @@ def background(page) -> int:
     )
 
 
-def test_the_theme_follows_the_system_and_can_be_turned(open_page):
-    dark = open_page(color_scheme="dark")
-    assert background(dark) < 200
-    light = open_page(color_scheme="light")
-    assert background(light) > 600
-    button = light.get_by_role("button", name="Theme:")
+def test_the_theme_follows_the_system_and_can_be_turned(shared_page):
+    page = shared_page
+    page.emulate_media(color_scheme="dark")
+    page.wait_for_function("document.body.classList.contains('body--dark')")
+    assert background(page) < 200
+    page.emulate_media(color_scheme="light")
+    page.wait_for_function("document.body.classList.contains('body--light')")
+    assert background(page) > 600
+    button = page.get_by_role("button", name="Theme:")
     button.click()
-    light.get_by_role("button", name="Theme: light").click()
-    light.get_by_role("button", name="Theme: dark").wait_for()
-    light.wait_for_function("document.body.classList.contains('body--dark')")
-    assert background(light) < 200
+    page.get_by_role("button", name="Theme: light").click()
+    page.get_by_role("button", name="Theme: dark").wait_for()
+    page.wait_for_function("document.body.classList.contains('body--dark')")
+    assert background(page) < 200
 
 
 #: Inputs that can be seen and have no name.
@@ -116,8 +113,8 @@ NAMELESS = """() => [...document.querySelectorAll('input, select, textarea, butt
     .map((one) => one.outerHTML.slice(0, 120))"""
 
 
-def test_every_input_has_a_name(open_page):
-    page = open_page()
+def test_every_input_has_a_name(shared_page):
+    page = shared_page
     for name in PAGES:
         show(page, name)
         page.wait_for_timeout(400)

@@ -27,8 +27,8 @@ def displacement(response: dcfp.Response) -> str:
     return f"{response.peak_displacement:.1f}"
 
 
-def test_the_first_numbers_are_those_of_the_paper_s_bearing(open_page):
-    page = open_page()
+def test_the_first_numbers_are_those_of_the_paper_s_bearing(shared_page):
+    page = shared_page
     response = dcfp.respond(dcfp.load_motion("NCC").scaled_to_pgv(500.0))
     assert tile(page, DISPLACEMENT) == displacement(response)
     assert tile(page, FORCE) == f"{response.peak_force / 1e3:.0f}"
@@ -36,18 +36,87 @@ def test_the_first_numbers_are_those_of_the_paper_s_bearing(open_page):
     assert page.locator(".status").inner_text() == response.status.value
 
 
-def test_a_file_of_peer_and_one_of_k_net(open_page, record_file):
-    page = open_page()
-    path = record_file("pulse.AT2", at2_text(pulse_motion()))
-    send(page, path)
-    motion = dcfp.load_motion(path).scaled_to_pgv(500.0)
-    wait_for_tile(page, DISPLACEMENT, displacement(dcfp.respond(motion)))
-    assert page.locator("h2", has_text="pulse, PGV").is_visible()
-    path = record_file("AOM003.NS", knet_text(pulse_motion(size=1500.0)))
-    send(page, path)
-    motion = dcfp.load_motion(path)
-    page.get_by_role("switch", name="As recorded, not scaled").click()
-    wait_for_tile(page, DISPLACEMENT, displacement(dcfp.respond(motion)))
+def test_predictions_and_codes_stand_beside_the_analysis(shared_page):
+    page = shared_page
+    table = page.get_by_role("region", name="Predictions beside the analysis")
+    table.get_by_text("Eurocode 8 simplified").wait_for()
+    case = dcfp.compare(dcfp.load_motion("NCC").scaled_to_pgv(500.0), codes=True)
+    for answer in case.codes.values():
+        row = table.locator("tr", has_text=answer.method)
+        assert f"{answer.displacement:.1f}" in row.inner_text()
+        assert answer.verdict in row.inner_text()
+
+
+def test_the_animation_follows_the_record(shared_page):
+    page = shared_page
+    words = page.locator(".section-words")
+    response = dcfp.respond(dcfp.load_motion("NCC").scaled_to_pgv(500.0))
+    assert f"{response.peak_displacement:.0f}" in words.inner_text().replace("-", "")
+    page.get_by_label("Time in the record").fill("0")
+    assert words.inner_text().startswith("0.00 s: displacement 0.0 mm, contact 20 °C")
+    page.get_by_role("button", name="Play").click()
+    page.wait_for_function("Number.parseFloat(document.querySelector('.section-words').textContent) > 0.3")
+    page.get_by_role("button", name="Pause").click()
+    still = words.inner_text()
+    page.wait_for_timeout(200)
+    assert words.inner_text() == still
+
+
+def test_units_are_for_showing_only(shared_page):
+    page = shared_page
+    page.get_by_label("Unit of lengths").click()
+    page.get_by_role("option", name="in", exact=True).click()
+    response = dcfp.respond(dcfp.load_motion("NCC").scaled_to_pgv(500.0))
+    wait_for_tile(page, DISPLACEMENT, f"{response.peak_displacement / 25.4:.2f}")
+    page.get_by_label("Unit of temperatures").click()
+    page.get_by_role("option", name="°F").click()
+    wait_for_tile(page, TEMPERATURE, f"{response.peak_temperature * 1.8 + 32.0:.0f}")
+    assert page.get_by_label("Effective radius of the lower plate [mm]").first.input_value() == "4500"
+    page.get_by_label("Unit of lengths").click()
+    page.get_by_role("option", name="mm", exact=True).click()
+    page.get_by_label("Unit of temperatures").click()
+    page.get_by_role("option", name="°C").click()
+    wait_for_tile(page, DISPLACEMENT, displacement(response))
+
+
+def test_the_test_machine(shared_page):
+    page = shared_page
+    show(page, "Test machine")
+    table = page.get_by_role("region", name="Measures of each cycle")
+    tests = dcfp.run_program(dcfp.load_program("dependency"))
+    table.locator("tbody tr").nth(15).wait_for()
+    second = table.locator("tbody tr").nth(1).inner_text()
+    assert f"{tests[0].cycles[1].friction:.4f}" in second
+    assert f"{tests[0].cycles[1].effective_stiffness / 1e3:.3f}" in second
+    page.get_by_label("Program", exact=True).click()
+    page.get_by_role("option", name="a sine of your own").click()
+    fill(page, "Amplitude [mm]", "500")
+    page.get_by_role("alert").filter(has_text="goes beyond the plate").wait_for()
+    fill(page, "Amplitude [mm]", "100")
+    wave = dcfp.analysis.rig.Sine(100.0, 400.0, 4)
+    (own,) = dcfp.run_program(dcfp.Program("sine", (dcfp.analysis.rig.RigTest("sine", wave),)))
+    expected = f"{own.cycles[3].friction:.4f}"
+    table.locator("tbody tr").nth(3).filter(has_text=expected).wait_for()
+
+
+def test_the_design_chart(shared_page):
+    from dcfp.inference.design_space import survey
+    from dcfp.motion.named import record_set
+    from dcfp.system import System
+
+    page = shared_page
+    show(page, "Design chart")
+    table = page.get_by_role("region", name=re.compile("Least coefficient"))
+    table.locator("tbody tr").nth(4).wait_for(timeout=60_000)
+    motions = record_set("P695-FF")
+    assert motions is not None
+    space = survey(motions, 500.0, System())
+    least, force = space.holding(300.0, 0.95)
+    for row, (mu, ratio) in enumerate(zip(least.tolist(), force.tolist(), strict=True)):
+        assert table.locator("tbody tr").nth(row).inner_text().split()[-2:] == [f"{mu:.3f}", f"{ratio:.3f}"]
+    slide(page, "Allowed displacement", "ArrowRight", 10)
+    least, _ = space.holding(400.0, 0.95)
+    table.locator("tbody tr").first.filter(has_text=f"{least[0]:.3f}").wait_for(timeout=5_000)
 
 
 def test_another_bearing_gives_other_numbers(open_page):
@@ -87,39 +156,6 @@ def test_precise_heating_shows_the_plate(open_page):
     )
 
 
-def test_units_are_for_showing_only(open_page):
-    page = open_page()
-    page.get_by_label("Unit of lengths").click()
-    page.get_by_role("option", name="in", exact=True).click()
-    response = dcfp.respond(dcfp.load_motion("NCC").scaled_to_pgv(500.0))
-    wait_for_tile(page, DISPLACEMENT, f"{response.peak_displacement / 25.4:.2f}")
-    page.get_by_label("Unit of temperatures").click()
-    page.get_by_role("option", name="°F").click()
-    wait_for_tile(page, TEMPERATURE, f"{response.peak_temperature * 1.8 + 32.0:.0f}")
-    assert page.get_by_label("Effective radius of the lower plate [mm]").first.input_value() == "4500"
-
-
-def test_predictions_and_codes_stand_beside_the_analysis(open_page):
-    page = open_page()
-    table = page.get_by_role("region", name="Predictions beside the analysis")
-    table.get_by_text("Eurocode 8 simplified").wait_for()
-    case = dcfp.compare(dcfp.load_motion("NCC").scaled_to_pgv(500.0), codes=True)
-    for answer in case.codes.values():
-        row = table.locator("tr", has_text=answer.method)
-        assert f"{answer.displacement:.1f}" in row.inner_text()
-        assert answer.verdict in row.inner_text()
-
-
-def test_several_records_in_one_table(open_page, record_file):
-    page = open_page()
-    page.get_by_role("combobox", name="Records").fill("KNA")
-    page.get_by_role("option", name=re.compile(r"^KNA ·")).click()
-    table = page.get_by_role("region", name="Peaks of every record")
-    table.get_by_role("button", name="KNA").click()
-    response = dcfp.respond(dcfp.load_motion("KNA").scaled_to_pgv(500.0))
-    wait_for_tile(page, DISPLACEMENT, displacement(response))
-
-
 def test_what_can_be_taken_away(open_page, tmp_path):
     page = open_page()
     slide(page, "PGV of every record", "ArrowRight", 5)
@@ -147,21 +183,6 @@ def test_what_can_be_taken_away(open_page, tmp_path):
     assert take("Workbook (Excel)")[:2] == b"PK"
 
 
-def test_the_animation_follows_the_record(open_page):
-    page = open_page()
-    words = page.locator(".section-words")
-    response = dcfp.respond(dcfp.load_motion("NCC").scaled_to_pgv(500.0))
-    assert f"{response.peak_displacement:.0f}" in words.inner_text().replace("-", "")
-    page.get_by_label("Time in the record").fill("0")
-    assert words.inner_text().startswith("0.00 s: displacement 0.0 mm, contact 20 °C")
-    page.get_by_role("button", name="Play").click()
-    page.wait_for_function("Number.parseFloat(document.querySelector('.section-words').textContent) > 0.3")
-    page.get_by_role("button", name="Pause").click()
-    still = words.inner_text()
-    page.wait_for_timeout(200)
-    assert words.inner_text() == still
-
-
 def test_little_motion_for_who_wants_little(open_page):
     page = open_page(reduced_motion="reduce")
     page.get_by_label("Time in the record").fill("0")
@@ -177,51 +198,36 @@ def test_little_motion_for_who_wants_little(open_page):
     assert 1 <= page.evaluate("window.seen.size") <= 3
 
 
-def test_the_test_machine(open_page):
-    page = open_page()
-    show(page, "Test machine")
-    table = page.get_by_role("region", name="Measures of each cycle")
-    tests = dcfp.run_program(dcfp.load_program("dependency"))
-    table.locator("tbody tr").nth(15).wait_for()
-    second = table.locator("tbody tr").nth(1).inner_text()
-    assert f"{tests[0].cycles[1].friction:.4f}" in second
-    assert f"{tests[0].cycles[1].effective_stiffness / 1e3:.3f}" in second
-    page.get_by_label("Program", exact=True).click()
-    page.get_by_role("option", name="a sine of your own").click()
-    fill(page, "Amplitude [mm]", "500")
-    page.get_by_role("alert").filter(has_text="goes beyond the plate").wait_for()
-    fill(page, "Amplitude [mm]", "100")
-    wave = dcfp.analysis.rig.Sine(100.0, 400.0, 4)
-    (own,) = dcfp.run_program(dcfp.Program("sine", (dcfp.analysis.rig.RigTest("sine", wave),)))
-    expected = f"{own.cycles[3].friction:.4f}"
-    table.locator("tbody tr").nth(3).filter(has_text=expected).wait_for()
+def test_several_records_in_one_table(shared_page, record_file):
+    page = shared_page
+    page.get_by_role("combobox", name="Records").fill("KNA")
+    page.get_by_role("option", name=re.compile(r"^KNA ·")).click()
+    table = page.get_by_role("region", name="Peaks of every record")
+    table.get_by_role("button", name="KNA").click()
+    response = dcfp.respond(dcfp.load_motion("KNA").scaled_to_pgv(500.0))
+    wait_for_tile(page, DISPLACEMENT, displacement(response))
 
 
-def test_the_design_chart(open_page):
-    from dcfp.inference.design_space import survey
-    from dcfp.motion.named import record_set
-    from dcfp.system import System
-
-    page = open_page()
-    show(page, "Design chart")
-    table = page.get_by_role("region", name=re.compile("Least coefficient"))
-    table.locator("tbody tr").nth(4).wait_for(timeout=60_000)
-    motions = record_set("P695-FF")
-    assert motions is not None
-    space = survey(motions, 500.0, System())
-    least, force = space.holding(300.0, 0.95)
-    for row, (mu, ratio) in enumerate(zip(least.tolist(), force.tolist(), strict=True)):
-        assert table.locator("tbody tr").nth(row).inner_text().split()[-2:] == [f"{mu:.3f}", f"{ratio:.3f}"]
-    slide(page, "Allowed displacement", "ArrowRight", 10)
-    least, _ = space.holding(400.0, 0.95)
-    table.locator("tbody tr").first.filter(has_text=f"{least[0]:.3f}").wait_for(timeout=5_000)
+def test_a_file_of_peer_and_one_of_k_net(shared_page, record_file):
+    page = shared_page
+    path = record_file("pulse.AT2", at2_text(pulse_motion()))
+    send(page, path)
+    motion = dcfp.load_motion(path).scaled_to_pgv(500.0)
+    wait_for_tile(page, DISPLACEMENT, displacement(dcfp.respond(motion)))
+    assert page.locator("h2", has_text="pulse, PGV").is_visible()
+    path = record_file("AOM003.NS", knet_text(pulse_motion(size=1500.0)))
+    send(page, path)
+    motion = dcfp.load_motion(path)
+    page.get_by_role("switch", name="As recorded, not scaled").click()
+    wait_for_tile(page, DISPLACEMENT, displacement(dcfp.respond(motion)))
+    page.get_by_role("switch", name="As recorded, not scaled").click()
 
 
 # ----- what may go wrong -----
 
 
-def test_a_wrong_file_gets_its_sentence(open_page, record_file):
-    page = open_page()
+def test_a_wrong_file_gets_its_sentence(shared_page, record_file):
+    page = shared_page
     before = tile(page, DISPLACEMENT)
     path = record_file("notes.txt", "these are words\nand no numbers\n")
     with pytest.raises(dcfp.InputError) as raised:
@@ -232,8 +238,8 @@ def test_a_wrong_file_gets_its_sentence(open_page, record_file):
     assert tile(page, DISPLACEMENT) == before
 
 
-def test_a_name_that_is_markup_is_shown_as_it_is(open_page, tmp_path):
-    page = open_page()
+def test_a_name_that_is_markup_is_shown_as_it_is(shared_page, tmp_path):
+    page = shared_page
     content = at2_text(pulse_motion()).encode()
     page.locator("input[type=file]").set_input_files(
         [{"name": HTML_NAME, "mimeType": "text/plain", "buffer": content}]
@@ -248,8 +254,8 @@ def test_a_name_that_is_markup_is_shown_as_it_is(open_page, tmp_path):
     page.wait_for_timeout(300)  # a script would have run by now; the fixture looks for dialogs
 
 
-def test_a_path_is_not_followed(open_page):
-    page = open_page()
+def test_a_path_is_not_followed(shared_page):
+    page = shared_page
     content = at2_text(pulse_motion()).encode()
     page.locator("input[type=file]").set_input_files(
         [{"name": "../../etc/passwd.AT2", "mimeType": "text/plain", "buffer": content}]
@@ -257,8 +263,8 @@ def test_a_path_is_not_followed(open_page):
     page.locator("h2", has_text=re.compile("^passwd, PGV")).wait_for()
 
 
-def test_too_many_files(open_page):
-    page = open_page()
+def test_too_many_files(shared_page):
+    page = shared_page
     content = at2_text(pulse_motion(points=400)).encode()
     files = [{"name": f"r{i}.AT2", "mimeType": "text/plain", "buffer": content} for i in range(13)]
     page.locator("input[type=file]").set_input_files(files)
