@@ -101,6 +101,29 @@ def test_a_law_by_address_sees_its_constants_and_the_cycling_parameter() -> None
     assert response.friction.max() > 0.06
 
 
+def of_pressure(pressure: float, speed: float, temperature: float) -> float:
+    if pressure > 100.0:
+        msg = "too much"
+        raise ValueError(msg)
+    return (0.05 + 1e-5 * speed - 1e-5 * temperature) * (pressure / 60.0) ** -0.19 / math.log(pressure)
+
+
+@pytest.mark.parametrize("usual", [40.0, 60.0, 73.1, 120.0])
+def test_a_law_made_for_one_pressure_holds_at_any(usual: float) -> None:
+    anywhere, there = compile_law(of_pressure, None), compile_law(of_pressure, None, usual)
+    for pressure in (40.0, 60.0, 73.1, 120.0):
+        for speed, temperature in ((0.0, 20.0), (123.4, 56.7), (800.0, 300.0)):
+            values = (law(pressure, speed, temperature) for law in (anywhere, there))
+            np.testing.assert_array_equal(*values)
+
+
+def test_the_pressure_that_is_asked_for_first_counts() -> None:
+    law = UserFriction(slow_rise)
+    assert law.at_pressure(60.0) == law.at_pressure(40.0) == UserFriction(slow_rise).at_pressure(30.0)
+    first = coefficient(law.at_pressure(60.0), 40.0, 100.0, 20.0, 0.0)
+    assert first == float(law.coefficient(40.0, 100.0, 20.0))
+
+
 SCRIPT = """
 import dcfp
 from {module} import mu

@@ -6,6 +6,7 @@ A law must answer with a number: one that raises, or returns nan or infinity, an
 import ctypes
 import inspect
 import math
+import struct
 import types
 from collections.abc import Callable
 from typing import Any
@@ -38,7 +39,9 @@ class CompiledLaw:
         return self._function((ctypes.c_double * 6)(), pressure, speed, temperature, cycling)
 
 
-def compile_law(function: Callable[..., float], identity: str | None) -> CompiledLaw:
+def compile_law(
+    function: Callable[..., float], identity: str | None, pressure: float = math.nan
+) -> CompiledLaw:
     """Compile a law, or take it from the disk.
 
     Parameters
@@ -48,21 +51,27 @@ def compile_law(function: Callable[..., float], identity: str | None) -> Compile
         plain function or one under ``numba.njit``.
     identity
         A digest of all that the function does; None where it cannot be told, so that the code must not be kept on the disk.
+    pressure
+        At which the code is quickest [N/mm2], for what depends on the pressure alone is a number in it; it holds at any other too. Of several that
+        are asked for in a process the first counts.
 
     Raises
     ------
     numba.core.errors.NumbaError
         If it cannot be compiled.
     """
-    law = _compiled.get(identity or "")
+    key = identity and f"{identity}{'' if math.isnan(pressure) else ' at a pressure'}"
+    law = _compiled.get(key or "")
     if law is None:
-        law = _made(function, identity)
-        _compiled[identity or f"{id(law)}"] = law
+        name = identity and f"{identity}{struct.pack('>d', pressure).hex()}"
+        law = _made(function, name, pressure)
+        _compiled[key or f"{id(law)}"] = law
     return law
 
 
-def _made(function: Callable[..., float], identity: str | None) -> CompiledLaw:
-    wrapper = _wrapper(_own_copy(function, identity), has_constants=_arguments(function) == len(_ARGUMENTS))
+def _made(function: Callable[..., float], identity: str | None, pressure: float) -> CompiledLaw:
+    has_constants = _arguments(function) == len(_ARGUMENTS)
+    wrapper = _wrapper(_own_copy(function, identity), pressure, has_constants=has_constants)
     if numba_config.DISABLE_JIT:
         callback: Any = ctypes.CFUNCTYPE(ctypes.c_double, *LAW_ARGUMENTS)(wrapper)
         return CompiledLaw(callback, ctypes.cast(callback, ctypes.c_void_p).value or 0)
@@ -96,13 +105,17 @@ def _own_copy(function: Any, identity: str | None) -> Any:
     return numba.jit(**options)(copy)
 
 
-def _wrapper(law: Any, *, has_constants: bool) -> Any:
+def _wrapper(law: Any, usual: float, *, has_constants: bool) -> Any:
     """Return the function with a C signature that answers nan instead of an exception or an infinity."""
 
     def answer(constants: Any, pressure: float, speed: float, temperature: float, cycling: float) -> float:
         value = math.nan
         try:
-            value = float(law(pressure, speed, temperature))
+            # the same call twice: in the first the compiler knows the pressure, and calculates what follows from it
+            if pressure == usual:
+                value = float(law(usual, speed, temperature))
+            else:
+                value = float(law(pressure, speed, temperature))
         except Exception:
             value = math.nan
         return value if math.isfinite(value) else math.nan

@@ -28,7 +28,7 @@ class UserFriction(FrictionLaw):
         Of pressure [N/mm2], relative speed of the plates, zero or more [mm/s], and temperature of the
         contact [degC]; returns the coefficient of friction [-]. Either a plain function or one that
         is already under ``numba.njit``. It should be continuous: where it jumps, the yield force jumps under spring (b), and the
-        hysteretic energy can fall there. It is compiled once (half a second) and kept on the disk where all that it uses can be told: numbers,
+        hysteretic energy can fall there. It is compiled (half a second, and as long for its pressure) and kept on the disk where all that it uses can be told: numbers,
         functions of its own module, `math` and `numpy`.
     label
         What to call it in results.
@@ -37,6 +37,7 @@ class UserFriction(FrictionLaw):
     function: Callable[[float, float, float], float]
     label: str = "user"
     _compiled: Any = field(init=False, repr=False, compare=False)
+    _at_first_pressure: list[Any] = field(default_factory=list[Any], init=False, repr=False, compare=False)
     name: ClassVar[str] = "user"
 
     def __post_init__(self) -> None:
@@ -80,9 +81,12 @@ class UserFriction(FrictionLaw):
         )
 
     def at_pressure(self, pressure: float) -> Law:
-        """Return the address of the compiled function."""
-        del pressure
-        return law_by_address(self._compiled.address)
+        """Return the address of the function, compiled once more for the pressure [N/mm2] that is asked for first; it holds at any."""
+        from dcfp.kernels.user_law import compile_law
+
+        if not self._at_first_pressure:
+            self._at_first_pressure.append(compile_law(self.function, _digest(self.function), pressure))
+        return law_by_address(self._at_first_pressure[0].address)
 
 
 def _digest(function: Any) -> str | None:
