@@ -28,6 +28,8 @@ import numpy as np
 from dcfp.analysis import respond
 from dcfp.analysis.rig import Loops, Sine
 from dcfp.arrays import FloatArray
+from dcfp.exchange.opensees import model_script
+from dcfp.exchange.opensees.element import Element, Kind
 from dcfp.system import ConstantFriction, NoHeating, SimplifiedHeating
 from dcfp.system.friction.kumar_2015 import VELOCITY_RATE
 from dcfp.verify import explicit, rig_explicit
@@ -45,6 +47,7 @@ _STEPS, _STEPS_IN_CYCLE = (0.004, 0.002, 0.001), (2000, 4000)
 #: Steps of the brute-force integration in a cycle.
 _FINE = 8000
 _STEEL = SimplifiedHeating()
+_HEATED = Element(Kind.HEATED, KUMAR.mu_reference, rate=VELOCITY_RATE)
 #: By how much the rise is low for 22/7, and what part of an extrapolation is allowed [-].
 _PI, _EXTRAPOLATED = 6e-4, 0.2
 
@@ -61,7 +64,7 @@ def analyse(**job: Any) -> dict[str, Any]:
     Parameters
     ----------
     **job
-        What the driver takes besides the bearing; a record is given by its name and its PGV [mm/s].
+        What the driver takes; a record by its name and its PGV [mm/s]; a coefficient of friction for a bearing that does not heat.
 
     Raises
     ------
@@ -77,12 +80,14 @@ def analyse(**job: Any) -> dict[str, Any]:
 def run_job(given: tuple[tuple[str, Any], ...]) -> dict[str, Any]:
     """Run a job; errors as of `analyse`."""
     job_of = dict(given)
+    element = Element(Kind.COULOMB, job_of.pop("friction")) if "friction" in job_of else _HEATED
     if "record" in job_of:
         motion = scaled_record(job_of.pop("record"), job_of.pop("velocity"))
         job_of |= {"acceleration": motion.acceleration.tolist(), "interval": motion.time_step}
     with tempfile.TemporaryDirectory() as folder:
         job, result = Path(folder, "job.json"), Path(folder, "result.json")
-        job.write_text(json.dumps({**_bearing(), **job_of}), encoding="utf-8")
+        job.write_text(json.dumps(job_of), encoding="utf-8")
+        Path(folder, "model.py").write_text(model_script(element, SINGLE_CONCAVE, _STEEL), encoding="utf-8")
         command = [sys.executable, str(_PROGRAM), str(job), str(result)]
         try:
             done = subprocess.run(command, capture_output=True, text=True, timeout=_PATIENCE, check=False)
@@ -94,30 +99,9 @@ def run_job(given: tuple[tuple[str, Any], ...]) -> dict[str, Any]:
         return dict(json.loads(result.read_text(encoding="utf-8")))
 
 
-def _bearing() -> dict[str, Any]:
-    """Return the bearing and its law as the driver takes them."""
-    bearing = SINGLE_CONCAVE
-    return {
-        "model": "heated",
-        "mass": bearing.mass,
-        "vertical_force": bearing.vertical_force,
-        "pressure": bearing.pressure,
-        "radius": bearing.effective_radius,
-        "contact_radius": 0.5 * bearing.slider_diameter,
-        # what OpenSees calls the initial stiffness is that of both springs
-        "initial_stiffness": bearing.elastic_stiffness + bearing.restoring_stiffness,
-        "friction": KUMAR.mu_reference,
-        "velocity_rate": VELOCITY_RATE,
-        "diffusivity": _STEEL.diffusivity,
-        "conductivity": _STEEL.conductivity,
-    }
-
-
 def coulomb(record: str) -> Found:
     """Return the peak displacement under constant friction, and that of OpenSees [mm]."""
-    theirs = analyse(
-        model="coulomb", record=record, velocity=500.0, step=0.001, friction=ConstantFriction().mu
-    )
+    theirs = analyse(record=record, velocity=500.0, step=0.001, friction=ConstantFriction().mu)
     ours = respond(
         scaled_record(record, 500.0), SINGLE_CONCAVE, ConstantFriction(), NoHeating(), tail=0.0
     ).peak_displacement

@@ -51,20 +51,14 @@ class Element:
 
     Attributes
     ----------
-    kind
-        Which element.
-    friction
-        Coefficient at high speed, and where it heats at about 20 degC [-].
-    slow
-        Coefficient at zero speed [-].
+    friction, slow
+        Coefficients at high speed, and where it heats at about 20 degC; at zero speed [-].
     rate
         Of the velocity factor, for the relative speed of the plates [s/mm]; zero for none.
     rise_factor
         By which the rise of the temperature is multiplied to come nearest to another law [-].
-    stand_in
-        The model of this package that the element is; None where that is the model itself.
-    reasons
-        Why it is not, in words.
+    stand_in, reasons
+        The model of this package that the element is, None where that is the model itself; in words, why it is not.
     """
 
     kind: Kind

@@ -16,7 +16,7 @@ from dcfp.exchange.opensees.element import Element, Kind, element_for
 from dcfp.motion.ground_motion import GroundMotion, parts_in
 from dcfp.motion.load import Motion, motion_of
 from dcfp.schema.citations import citations_of
-from dcfp.system import FrictionLaw, Heating, System, SystemLike
+from dcfp.system import Bearing, FrictionLaw, Heating, System, SystemLike
 from dcfp.version import version
 
 #: Longest step of the script [s].
@@ -81,7 +81,7 @@ def _body(response: Response, element: Element, other: Response | None, step: fl
     form = "heated" if heated else "cold"
     return _template("script_body").substitute(
         constants="\n".join(_constants(response, element, step)),
-        element=_template(f"element_{form}").substitute(model=_COLD.get(element.kind, "")).rstrip("\n"),
+        model=_model(element),
         advance=_template(f"advance_{form}").template.rstrip("\n"),
         state_words=" and temperature" if heated else "",
         state_value=", temperature()" if heated else "",
@@ -91,6 +91,21 @@ def _body(response: Response, element: Element, other: Response | None, step: fl
         interval=repr(response.motion.time_step),
         values=_values(response.motion),
     )
+
+
+def model_script(element: Element, bearing: Bearing, heating: Heating) -> str:
+    """Return a module with a function `build`, which builds a rigid structure on a bearing and presses it down, in what it imports as `ops`."""
+    constants = [f"{name} = {value!r}" for name, value, _ in _of_model(element, bearing, heating)]
+    return "\n".join(
+        ["import sys", "", "import openseespy.opensees as ops", "", *constants, "", _model(element)]
+    )
+
+
+def _model(element: Element) -> str:
+    """Return the functions that build the model and choose its solver."""
+    form = "heated" if element.kind is Kind.HEATED else "cold"
+    added = _template(f"element_{form}").substitute(model=_COLD.get(element.kind, "")).rstrip("\n")
+    return _template("model").substitute(element=added).rstrip("\n")
 
 
 def _template(name: str) -> Template:
@@ -129,7 +144,7 @@ def _values(motion: GroundMotion) -> str:
 def _constants(response: Response, element: Element, step: float) -> list[str]:
     """Return the constants of a script, a line for each."""
     heated = element.kind is Kind.HEATED
-    named = [*_of_bearing(response), *_of_friction(element), *(_of_heat(response, element) if heated else [])]
+    named = _of_model(element, response.bearing, response.heating)
     duration = math.ceil(float(response.time[-1]) / step - 1e-6) * step
     temperature = [f"DCFP_PEAK_TEMPERATURE = {response.peak_temperature!r}  # degC"] if heated else []
     return [
@@ -149,14 +164,17 @@ def _constants(response: Response, element: Element, step: float) -> list[str]:
     ]
 
 
-def _of_bearing(response: Response) -> list[tuple[str, float, str]]:
-    bearing = response.bearing
+def _of_model(element: Element, bearing: Bearing, heating: Heating) -> list[tuple[str, float, str]]:
+    """Return name, value and words of what the element and the mass on it are made with."""
+    heat = _of_heat(element, bearing, heating) if element.kind is Kind.HEATED else []
     both = bearing.elastic_stiffness + bearing.restoring_stiffness
     return [
         ("RADIUS", bearing.effective_radius, "mm, sum of the effective radii of the plates"),
         ("INITIAL_STIFFNESS", both, "N/mm, before sliding; for OpenSees with that of the pendulum"),
         ("VERTICAL_FORCE", bearing.vertical_force, "N"),
         ("MASS", bearing.mass, f"t, the vertical force over {STANDARD_GRAVITY:g} mm/s2"),
+        *_of_friction(element),
+        *heat,
     ]
 
 
@@ -177,8 +195,8 @@ def _of_friction(element: Element) -> list[tuple[str, float, str]]:
     ]
 
 
-def _of_heat(response: Response, element: Element) -> list[tuple[str, float, str]]:
-    bearing, steel, plates = response.bearing, response.heating, len(response.bearing.radii)
+def _of_heat(element: Element, bearing: Bearing, steel: Heating) -> list[tuple[str, float, str]]:
+    plates = len(bearing.radii)
     conductivity = steel.conductivity / plates / element.rise_factor
     of_steel = (
         f"N/(s degC); that of the plates is {steel.conductivity:g}, the head says why this is not the same"
