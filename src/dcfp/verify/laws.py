@@ -83,8 +83,7 @@ def restart(heating: str) -> float:
 def padding() -> float:
     """Return the largest difference of displacement with silence before and after the motion over the peak [-]."""
     motion = scaled_record("IVD", 500.0)
-    silence = np.zeros(250)
-    padded = GroundMotion(np.concatenate((silence, motion.acceleration, silence)), motion.time_step, "padded")
+    padded = GroundMotion(np.pad(motion.acceleration, 250), motion.time_step, "padded")
     after = respond(padded, tail=0.0).displacement[250:-250]
     # the first value of a record is seldom zero: between the silence and it the padded motion rises in one step
     first = np.concatenate(([0.0], motion.acceleration))
@@ -95,26 +94,20 @@ def padding() -> float:
 # ----- the default settings against converged ones -----
 
 
-def _peaks(motions: str, heating: str, quantity: str) -> dict[str, tuple[float, float]]:
-    """Return a peak with the default settings, and with settings at which nothing changes any more, by names of motions."""
+def default_error(motions: str, heating: str, quantity: str) -> dict[str, float]:
+    """Return the errors of a peak with the default settings against settings at which nothing changes any more: of the displacement relative [-], else [degC]."""
     fine = PreciseHeating(cells=200) if heating == "precise" else heating
-    found: dict[str, tuple[float, float]] = {}
+    found: dict[str, float] = {}
     for name, motion in sixteen_analyses() if motions == "16 analyses" else hundred_components(500.0):
-        best = respond(motion, heating=fine, step=motion.time_step / 16.0, tolerance=1e-6)
-        found[name] = (getattr(respond(motion, heating=heating), quantity), getattr(best, quantity))
+        best, default = (
+            float(getattr(response, f"peak_{quantity}"))
+            for response in (
+                respond(motion, heating=fine, step=motion.time_step / 16.0, tolerance=1e-6),
+                respond(motion, heating=heating),
+            )
+        )
+        found[name] = default / best - 1.0 if quantity == "displacement" else default - best
     return found
-
-
-def displacement_error(motions: str, heating: str) -> dict[str, float]:
-    """Return the relative errors of the peak displacement with the default settings [-]."""
-    peaks = _peaks(motions, heating, "peak_displacement")
-    return {name: default / best - 1.0 for name, (default, best) in peaks.items()}
-
-
-def temperature_error(motions: str, heating: str) -> dict[str, float]:
-    """Return the errors of the peak temperature with the default settings [degC]."""
-    peaks = _peaks(motions, heating, "peak_temperature")
-    return {name: default - best for name, (default, best) in peaks.items()}
 
 
 def order(quantity: str) -> Found:

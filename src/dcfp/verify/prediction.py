@@ -53,38 +53,26 @@ def _largest(motion: GroundMotion) -> float:
     return predict_from_pulses(find_pulses(motion)).largest.displacement_change
 
 
-def _invariance(change: Callable[[GroundMotion], GroundMotion]) -> dict[str, float]:
-    """Return by how much dy of the pulse method differs where a record is written down otherwise, by records."""
+def _thinned(motion: GroundMotion) -> GroundMotion:
+    """Return a motion with every second value after it was made finer by the same straight lines."""
+    finer = treatment.resample(motion, 3)
+    return replace(finer, acceleration=finer.acceleration[::2], time_step=2.0 * finer.time_step)
+
+
+#: Other ways to write a motion down.
+_OTHERWISE: dict[str, Callable[[GroundMotion], GroundMotion]] = {
+    "mirrored": lambda motion: motion.scaled(-1.0),
+    "padded": lambda motion: replace(motion, acceleration=np.pad(motion.acceleration, 500)),
+    "resampled": lambda motion: treatment.resample(motion, 3),
+    "thinned": _thinned,
+}
+
+
+def invariance(change: str) -> dict[str, float]:
+    """Return by how much dy of the pulse method differs where a record is written down otherwise, by records [-]."""
     motions = {name: scaled_record(name, 500.0) for name in reversed(RECORDS)}
-    return {name: abs(_largest(change(one)) / _largest(one) - 1.0) for name, one in motions.items()}
-
-
-def mirrored() -> dict[str, float]:
-    """Return the relative differences of dy under mirrored records [-]."""
-    return _invariance(lambda motion: motion.scaled(-1.0))
-
-
-def padded() -> dict[str, float]:
-    """Return the relative differences of dy with zeros before and after the records [-]."""
-    silence = np.zeros(500)
-    return _invariance(
-        lambda motion: replace(motion, acceleration=np.concatenate((silence, motion.acceleration, silence)))
-    )
-
-
-def resampled() -> dict[str, float]:
-    """Return the relative differences of dy at a third of the step [-]."""
-    return _invariance(lambda motion: treatment.resample(motion, 3))
-
-
-def thinned() -> dict[str, float]:
-    """Return the relative differences of dy with every second value of records made finer before by the same straight lines [-]."""
-
-    def change(motion: GroundMotion) -> GroundMotion:
-        finer = treatment.resample(motion, 3)
-        return replace(finer, acceleration=finer.acceleration[::2], time_step=2.0 * finer.time_step)
-
-    return _invariance(change)
+    other = _OTHERWISE[change]
+    return {name: abs(_largest(other(one)) / _largest(one) - 1.0) for name, one in motions.items()}
 
 
 def half_cosines(pulses: Pulses, step: float) -> GroundMotion:

@@ -23,16 +23,9 @@ from dcfp.verify.rig import SINES, of_each_cycle, run_named, run_one, worst_of
 
 @dataclass(frozen=True)
 class Path:
-    """A displacement at uniform steps.
+    """A displacement [mm] and its velocity [mm/s] at uniform steps [s].
 
-    Attributes
-    ----------
-    step
-        [s].
-    displacement, velocity
-        [mm] and [mm/s], shape (n + 1,).
-    relieved
-        Step at which spring (b) is without force again, because another test begins.
+    Where another test begins, at the step `relieved`, spring (b) is without force again.
     """
 
     step: float
@@ -43,17 +36,7 @@ class Path:
 
 @dataclass(frozen=True)
 class Story:
-    """What a path brings, at each of its points.
-
-    Attributes
-    ----------
-    temperature
-        Of the contact [degC]; during a rest only at its end.
-    force
-        Horizontal [N].
-    work
-        Of the machine [N mm].
-    """
+    """What a path brings at each of its points: temperature of the contact [degC] (during a rest only at its end), horizontal force [N], work of the machine [N mm]."""
 
     temperature: FloatArray
     force: FloatArray
