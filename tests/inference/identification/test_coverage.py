@@ -7,8 +7,7 @@ from scipy.signal import lfilter
 from dcfp.analysis.rig import Measurement
 from dcfp.arrays import freeze
 from dcfp.inference.identification import DEFAULT, friction_history
-from dcfp.inference.identification.fit import fit_law
-from dcfp.inference.identification.samples import Samples, value_of
+from dcfp.inference.identification.fit import Samples, fit_law, value_of
 from dcfp.system import LI_2020, FittedFriction, SimplifiedHeating, System
 
 TRIALS = 100

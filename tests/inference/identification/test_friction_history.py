@@ -18,8 +18,7 @@ from dcfp.analysis.rig import (
 from dcfp.arrays import freeze
 from dcfp.errors import InputError
 from dcfp.inference.identification import friction_history
-from dcfp.inference.identification.friction_history import contact_temperature
-from dcfp.inference.identification.smoothing import Smoothed
+from dcfp.inference.identification.friction_history import Smoothed, contact_temperature
 from dcfp.system import (
     LI_2020,
     Bearing,

@@ -8,8 +8,7 @@ import pytest
 from dcfp.analysis.rig import read_measurement
 from dcfp.arrays import freeze
 from dcfp.inference.identification import DEFAULT, friction_history, identify
-from dcfp.inference.identification.fit import fit_law, jackknife
-from dcfp.inference.identification.samples import LawAtSamples, Samples, value_of
+from dcfp.inference.identification.fit import LawAtSamples, Samples, fit_law, jackknife, value_of
 from dcfp.system import LI_2020, FittedFriction, PreciseHeating, SimplifiedHeating, System
 
 OTHER = FittedFriction(

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.signal import savgol_filter
 
-from dcfp.inference.identification.smoothing import find_strokes, smooth
+from dcfp.inference.identification.friction_history import find_strokes, smooth
 
 
 @pytest.mark.parametrize("order", [2, 4])

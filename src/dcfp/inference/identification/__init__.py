@@ -1,5 +1,6 @@
 """Friction laws from measured tests."""
 
+from dcfp.inference.identification.fit import PARAMETERS as PARAMETERS
 from dcfp.inference.identification.friction_history import FrictionHistory as FrictionHistory
 from dcfp.inference.identification.friction_history import friction_history as friction_history
 from dcfp.inference.identification.identify import DEFAULT as DEFAULT
@@ -10,4 +11,3 @@ from dcfp.inference.identification.result import Identification as Identificatio
 from dcfp.inference.identification.result import Prediction as Prediction
 from dcfp.inference.identification.result import bearing_file as bearing_file
 from dcfp.inference.identification.result import predict as predict
-from dcfp.inference.identification.samples import PARAMETERS as PARAMETERS

@@ -1,6 +1,7 @@
-"""Least squares fit of the law to the samples of sliding, how sure its estimates are, and what it leaves unexplained."""
+"""The law at the samples of several tests, its fit, how sure the estimates are, and what it leaves unexplained."""
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,11 +11,13 @@ from numpy.typing import NDArray
 from scipy.stats import t as student
 
 from dcfp.arrays import FloatArray
-from dcfp.errors import AnalysisError
+from dcfp.errors import AnalysisError, InputError
 from dcfp.inference.identification.friction_history import FrictionHistory
-from dcfp.inference.identification.result import CONFIDENCE, ResidualStatistics
-from dcfp.inference.identification.samples import PARAMETERS, LawAtSamples, Samples, value_of
-from dcfp.system import System
+from dcfp.schema.declared import parameters
+from dcfp.schema.parameters import Parameter, unknown
+from dcfp.system import Heating, System
+from dcfp.system.friction import FittedFriction
+from dcfp.system.system import OF_LAW
 
 #: Times that the scatter of each test is taken from the residuals and the fit repeated.
 _ROUNDS = 2
@@ -28,20 +31,178 @@ _LEAST_BLOCK = 4.0
 _MISSES, _LEAST_MISS = 5.0, 0.01
 
 
+#: Probability that an interval contains the truth.
+CONFIDENCE = 0.95
+_DECLARED = {**parameters(FittedFriction), **parameters(Heating)}
+
+
+@dataclass(frozen=True)
+class FitParameter(Parameter):
+    """A declared constant of the law, or of the plates, that can be fitted.
+
+    A scale is positive by its nature, so that its interval is symmetric in its logarithm. The `worth` is half
+    of the longest 95 % interval at which the data are said to determine it, in its unit, of a scale over the
+    estimate.
+    """
+
+    worth: float = math.inf
+    is_scale: bool = False
+
+
+def _fitted(name: str, worth: float, *, is_scale: bool = False, **limits: float) -> FitParameter:
+    known: dict[str, Any] = vars(_DECLARED[name]) | limits
+    return FitParameter(**known, worth=worth, is_scale=is_scale)
+
+
+#: What can be fitted, by name, in the order in which it is told; of the limits some are closer than those of the law.
+PARAMETERS = {
+    one.name: one
+    for one in (
+        _fitted("mu_0", 0.25, is_scale=True, least=1e-4, most=0.99),
+        _fitted("pressure_exponent", 0.15),
+        _fitted("pressure_floor", 0.5, most=0.999),
+        _fitted("speed_drop", 0.25),
+        _fitted("speed_rate", 0.5, is_scale=True, least=1e-5),
+        _fitted("temperature_rate", 0.007),
+        _fitted("conductivity", 0.5, is_scale=True),
+    )
+}
+#: What can only be fixed.
+REFERENCES = ("reference_pressure", "reference_temperature", "diffusivity")
+
+
+def parameter(name: str) -> FitParameter:
+    """Return a parameter by its name; an InputError says that there is none, or that it can only be fixed."""
+    if name in PARAMETERS:
+        return PARAMETERS[name]
+    if name == "diffusivity":
+        msg = (
+            "The diffusivity cannot be fitted: in a half-space only sqrt(diffusivity) / conductivity acts on the temperature of the contact;"
+            " fit the conductivity, or fix both."
+        )
+    elif name in REFERENCES:
+        msg = f"The {name} cannot be fitted, it is where mu_0 stands; choose it (fix {name}=VALUE)."
+    else:
+        msg = f"Identification: {unknown(name, PARAMETERS, 'parameter')}"
+    raise InputError(msg)
+
+
+def unit_of(name: str) -> str:
+    """Return the unit of a constant as it is typed; empty for a number."""
+    unit = _DECLARED[name].unit
+    return unit.name.replace("°", "deg").replace("²", "2") if unit.has_dimension else ""
+
+
+def value_of(system: System, name: str) -> float:
+    """Return a constant of the law or of the plates by its name."""
+    return float(getattr(system.friction if hasattr(system.friction, name) else system.heating, name))
+
+
+def with_values(system: System, values: Mapping[str, float]) -> System:
+    """Return a system with some of the constants of its law and of its plates changed."""
+    known = [name if name in REFERENCES else parameter(name).name for name in values]
+    of_law = parameters(FittedFriction)
+    return system.changed({f"{OF_LAW}{name}" if name in of_law else name: values[name] for name in known})
+
+
+def in_order(names: Iterable[str]) -> tuple[str, ...]:
+    """Return the names of parameters in the order in which they are told, each once."""
+    wanted = set(names)
+    return tuple(name for name in PARAMETERS if name in wanted)
+
+
+#: Blocks that the samples are cut into, at least; a stroke is one where there are enough of them.
+_FEWEST_BLOCKS = 30
+
+
+@dataclass(frozen=True, eq=False)
+class Samples:
+    """Samples of sliding; every array has the shape (n,).
+
+    The rise is that of the temperature above the start, with the conductivity that it was calculated with
+    [degC]; within a block errors may depend on each other.
+    """
+
+    coefficient: FloatArray
+    pressure: FloatArray
+    speed: FloatArray
+    rise: FloatArray
+    test: NDArray[np.int64]
+    block: NDArray[np.int64]
+
+    @classmethod
+    def of(cls, histories: Sequence[FrictionHistory], ambient: float) -> "Samples":
+        """Put the histories together, whose plates started at a temperature [degC]."""
+        tests = np.concatenate([np.full(np.count_nonzero(h.used), i) for i, h in enumerate(histories)])
+        return cls(
+            coefficient=np.concatenate([h.coefficient[h.used] for h in histories]),
+            pressure=np.concatenate([h.pressure[h.used] for h in histories]),
+            speed=np.concatenate([h.speed[h.used] for h in histories]),
+            rise=np.concatenate([h.temperature[h.used] - ambient for h in histories]),
+            test=tests,
+            block=_blocks([h.stroke[h.used] for h in histories]),
+        )
+
+
+def _blocks(strokes: Sequence[NDArray[np.int64]]) -> NDArray[np.int64]:
+    """Return the number of the stroke of each sample of all tests; where strokes are few, each is cut in equal parts."""
+    found = sum(np.unique(own).size for own in strokes)
+    parts = -(-_FEWEST_BLOCKS // found)
+    numbers: list[NDArray[np.int64]] = []
+    count = 0
+    for own in strokes:
+        number = np.empty(own.size, dtype=np.int64)
+        for stroke in np.unique(own):
+            place = np.flatnonzero(own == stroke)
+            number[place] = count + np.arange(place.size) * parts // place.size
+            count += parts
+        numbers.append(number)
+    return np.unique(np.concatenate(numbers), return_inverse=True)[1]
+
+
+class LawAtSamples:
+    """The law at the samples, whose rises are those with the conductivity and the ambient temperature of a system."""
+
+    def __init__(self, samples: Samples, system: System) -> None:
+        self.speed = samples.speed
+        self.rise = samples.rise
+        self.pressure = np.log(samples.pressure / value_of(system, "reference_pressure"))
+        self.start = system.heating.ambient - value_of(system, "reference_temperature")
+        self.conductivity = system.heating.conductivity
+
+    def __call__(self, values: Mapping[str, float]) -> FloatArray:
+        """Return the coefficient [-]."""
+        return self.derivatives(values, ())[0]
+
+    def derivatives(self, values: Mapping[str, float], names: Sequence[str]) -> tuple[FloatArray, FloatArray]:
+        """Return the coefficient [-], and its derivatives by the parameters, shape (n, parameters)."""
+        floor, rate = values["pressure_floor"], values["temperature_rate"]
+        power = np.exp(-values["pressure_exponent"] * self.pressure)
+        gamma = (1.0 - floor) * power + floor
+        faded = np.exp(-values["speed_rate"] * self.speed)
+        alpha = 1.0 - values["speed_drop"] * faded
+        rise = self.rise * (self.conductivity / values["conductivity"])
+        beta = np.exp(-rate * (self.start + rise))
+        scaled = values["mu_0"] * beta
+        coefficient = scaled * gamma * alpha
+        columns: dict[str, Callable[[], FloatArray]] = {
+            "mu_0": lambda: beta * gamma * alpha,
+            "pressure_exponent": lambda: scaled * alpha * ((floor - 1.0) * power * self.pressure),
+            "pressure_floor": lambda: scaled * alpha * (1.0 - power),
+            "speed_drop": lambda: -scaled * gamma * faded,
+            "speed_rate": lambda: scaled * gamma * (values["speed_drop"] * self.speed * faded),
+            "temperature_rate": lambda: -coefficient * (self.start + rise),
+            "conductivity": lambda: coefficient * rise * (rate / values["conductivity"]),
+        }
+        slopes = [columns[name]() for name in names]
+        return coefficient, np.stack(slopes, axis=1) if slopes else np.empty((coefficient.size, 0))
+
+
 @dataclass(frozen=True, eq=False)
 class Jackknife:
-    """Spread of least squares estimates.
+    """Covariance of least squares estimates, infinite where a block alone determines one, and its degrees of freedom.
 
-    Attributes
-    ----------
-    covariance
-        Of the estimates, shape (parameters, parameters); infinite where a block alone determines one.
-    freedom
-        Degrees of freedom of each variance, shape (parameters,).
-    blocks
-        Number of blocks.
-    lost
-        Number of the parameter that cannot be told from the others, where there is one.
+    The parameter `lost` cannot be told from the others, where there is one.
     """
 
     covariance: FloatArray
@@ -69,20 +230,9 @@ class Jackknife:
 
 @dataclass(frozen=True, eq=False)
 class Fit:
-    """A least squares fit.
+    """A least squares fit: the names of the free parameters, the values of all, and how sure the free ones are.
 
-    Attributes
-    ----------
-    names
-        Of the parameters that were free.
-    values
-        Of every parameter.
-    jackknife
-        How sure the free ones are.
-    residual
-        Measured less fitted [-].
-    scatter
-        Root mean square of the residuals of each test [-].
+    The residual is measured less fitted [-], the scatter its root mean square of each test [-].
     """
 
     names: tuple[str, ...]
@@ -95,13 +245,8 @@ class Fit:
 def fit_law(samples: Samples, system: System, names: Sequence[str]) -> Fit:
     """Fit the parameters `names` to the samples; the others are those of the system's law and heating model.
 
-    The squares of the residuals are weighted by the scatter of each test, which two rounds of the fit find; the solver is that of
-    lmfit, a trust region within the limits of the parameters, with exact derivatives.
-
-    Raises
-    ------
-    AnalysisError
-        If the solver does not end.
+    The squares of the residuals are weighted by the scatter of each test, which two rounds of the fit find;
+    the solver is that of lmfit, a trust region within the limits of the parameters, with exact derivatives.
     """
     law, measured = LawAtSamples(samples, system), samples.coefficient
     values = {name: value_of(system, name) for name in PARAMETERS}
@@ -125,7 +270,6 @@ def fit_law(samples: Samples, system: System, names: Sequence[str]) -> Fit:
 
 
 def _scatter(samples: Samples, residual: FloatArray) -> FloatArray:
-    """Return the root mean square of the residuals of each test [-]."""
     least = _LEAST_SCATTER * float(np.median(samples.coefficient))
     return np.maximum(np.sqrt(np.bincount(samples.test, residual**2) / np.bincount(samples.test)), least)
 
@@ -137,7 +281,6 @@ def _solve(
     start: Mapping[str, float],
     names: Sequence[str],
 ) -> dict[str, float]:
-    """Return the values of the parameters at the least sum of weighted squares."""
     free: Any = lmfit.Parameters()
     for name, value in start.items():
         one = PARAMETERS[name]
@@ -165,19 +308,12 @@ def jackknife(slopes: FloatArray, residual: FloatArray, block: NDArray[np.int64]
 
     .. math:: \mathrm{Cov} = \frac{G - 1}{G} \sum_g d_g d_g^T, \quad d_g = (J^T J - J_g^T J_g)^{-1} J_g^T r_g
 
-    Parameters
-    ----------
-    slopes, residual
-        J and r at the solution, weighted, shapes (n, parameters) and (n,).
-    block
-        Number of the block of each sample, from zero without gaps, shape (n,).
-
-    Notes
-    -----
-    :math:`d_g` is the change of the estimates when block g is left out, to first order. Within a block errors may depend on each
-    other and differ in size as they like; from block to block they must not. This is the estimator CR3 for clustered errors (Bell and McCaffrey 2002), which
-    is not too small in the mean where blocks weigh unequally. The degrees of freedom for Student's t follow from the part :math:`\tau_g^2` that each block has in the variance if
-    all errors are alike, :math:`\nu = (\sum \tau_g^2)^2 / \sum \tau_g^4` (Satterthwaite).
+    J and r are the weighted slopes, shape (n, parameters), and residuals, shape (n,), at the solution, and
+    :math:`d_g` is the change of the estimates when block g is left out, to first order. Within a block errors
+    may depend on each other, from block to block they must not. This is the estimator CR3 for clustered
+    errors (Bell and McCaffrey 2002), not too small in the mean where blocks weigh unequally. The degrees of
+    freedom for Student's t follow from the part :math:`\tau_g^2` that each block has in the variance if all
+    errors are alike, :math:`\nu = (\sum \tau_g^2)^2 / \sum \tau_g^4` (Satterthwaite).
     """
     blocks, count = int(block.max()) + 1, int(slopes.shape[1])
     size = np.sqrt((slopes**2).sum(axis=0))
@@ -204,7 +340,22 @@ def jackknife(slopes: FloatArray, residual: FloatArray, block: NDArray[np.int64]
     return Jackknife(covariance / np.outer(size, size), freedom, blocks)
 
 
-# What the law leaves unexplained, and what must be known of it.
+@dataclass(frozen=True)
+class ResidualStatistics:
+    """What the law leaves unexplained of one test, as `dcfp.inference.identification.result.RESIDUALS` says of each."""
+
+    name: str
+    samples: int
+    left_out: int
+    scatter: float
+    bias: float
+    relative_scatter: float
+    correlation: float
+    pressure: float
+    peak_speed: float
+    peak_temperature: float
+    speed_window: int
+    load_window: int
 
 
 def residuals_of(

@@ -1,15 +1,18 @@
 """From a measured loop to the history of the coefficient of friction, and of what it may depend on."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
+from numpy.polynomial.legendre import legder, legval, legvander
 from numpy.typing import NDArray
+from scipy.interpolate import PchipInterpolator
 
 from dcfp.analysis.rig import Measurement
 from dcfp.analysis.rig.program import check_load
 from dcfp.arrays import FloatArray, equally_spaced, freeze
 from dcfp.errors import AnalysisError, InputError
-from dcfp.inference.identification.smoothing import Smoothed, find_strokes, smooth
 from dcfp.kernels.heat_state import ODD_LENGTH, STEP_ENTRIES, STEP_ENTRY
 from dcfp.kernels.heating import prepare, surface_temperature
 from dcfp.schema.notebook import card
@@ -38,26 +41,30 @@ _FEWEST_SAMPLES = 20
 _COEFFICIENTS = (1e-3, 1.0)
 
 
+@dataclass(frozen=True)
+class Smoothed:
+    """A history without its noise, its derivative by time, and the length of the filter [samples]; zero for none."""
+
+    values: FloatArray
+    slope: FloatArray
+    window: int
+
+
 @dataclass(frozen=True, eq=False)
 class FrictionHistory:
     """What one test tells of friction; arrays have the shape (n,) of the measured ones.
 
     Attributes
     ----------
-    measurement
-        Where it comes from.
     coefficient
         (F - N y / R) / N, positive against the sliding [-].
-    displacement, speed
-        Without noise [mm, mm/s]; the speed is that of the plates against each other, and positive.
-    load, pressure
-        Vertical force, without noise [N], and over the slider's area [N/mm2].
+    displacement, speed, load, pressure
+        Without noise [mm, mm/s, N, N/mm2]; the speed is that of the plates against each other, and positive.
     temperature
         Of the contact, from the measured heat [degC].
-    stroke
-        Number of the stroke of each sample, -1 in none.
-    used
-        Whether a sample tells of sliding: not near a reversal, where spring (b) sticks, and not slower than 5 % of the peak speed.
+    stroke, used
+        Number of the stroke of each sample, -1 in none; and whether it tells of sliding: not near a reversal,
+        where spring (b) sticks, and not slower than 5 % of the peak speed.
     speed_window, load_window
         Length of the filter that speed and load come from [samples].
     """
@@ -103,8 +110,8 @@ def friction_history(
     bearing
         That was tested; its pressure is not used.
     heating
-        Gives the temperature from the flux of heat that was measured, (F - N y / R) v over the slider's area, and not from a law of friction.
-        The plates start at its ambient temperature.
+        Gives the temperature from the flux of heat that was measured, (F - N y / R) v over the slider's area,
+        and not from a law of friction. The plates start at its ambient temperature.
 
     Raises
     ------
@@ -113,12 +120,11 @@ def friction_history(
 
     Notes
     -----
-    Speed and displacement come from polynomials of the fourth order in a moving window, whose length follows the noise and the sampling (`smooth`);
-    each stroke is smoothed by itself, so that a corner of the motion stays one. The load is a parabola over each stroke where that is within 3 %
-    of the mean load, else smoothed in the same way. It has to be: the reciprocal of a load with 2 % of noise is 0.04 % too large in the
-    mean. The force enters once, in the numerator, and stays as it is.
-
-    On two plates that differ, both are taken to have the coefficient of the whole bearing, and the temperature is the mean by their share of the travel.
+    Displacement and speed come from polynomials of the fourth order in a moving window, stroke by stroke, so that a
+    corner of the motion stays one. The load is a parabola over each stroke where that is within 3 % of the mean load,
+    else smoothed in the same way: the reciprocal of a load with 2 % of noise is 0.04 % too large in the mean. Two
+    plates that differ are taken to have the coefficient of the whole bearing, and the temperature is the mean by their
+    share of the travel.
     """
     system = System.of(bearing, None, heating)
     bearing = system.bearing
@@ -195,9 +201,6 @@ def _sliding(
     return inside & (speed > _LEAST_SPEED * peak) & (moved > _CLEAR * swing)
 
 
-# Temperature of the contact in a test, from the heat that was measured and not from a law of friction.
-
-
 #: Samples from the first that is used on, whose middle tells the force at which sliding begins.
 _AT_YIELD = 9
 #: Weights of the second and the first neighbours on either side, which give a cubic at the sample between them [-].
@@ -213,22 +216,9 @@ def contact_temperature(
 ) -> FloatArray:
     """Return the temperature of the contact [degC] under the measured flux, the friction force times the velocity over the slider's area.
 
-    Parameters
-    ----------
-    time, motion
-        The motion, without its noise [s, mm, mm/s].
-    friction_force
-        F - N y / R, as it was measured [N].
-    used
-        Samples of steady sliding.
-    system
-        The bearing that was tested, and how it heats up; it starts at the ambient temperature.
-
-    Notes
-    -----
-    The noise of a sample's force would heat that sample: its coefficient and its temperature would rise together, and the fall with temperature
-    would seem less steep than it is, by 0.7 % instead of 0.3 % where two cycles of 440 mm at up to 400 mm/s have 2 % of noise. In what a sample heats at itself its own force
-    is therefore replaced by what its neighbours say of it.
+    The noise of a sample's force would heat that sample, and the fall with temperature would seem less steep
+    than it is, by 0.7 % instead of 0.3 % where two cycles of 440 mm at up to 400 mm/s have 2 % of noise. In
+    what a sample heats at itself its own force is therefore replaced by what its neighbours say of it.
     """
     bearing, displacement = system.bearing, motion.values
     flux = friction_force * motion.slope / bearing.slider_area
@@ -256,10 +246,10 @@ def contact_temperature(
 def _leave_out_loading(
     flux: FloatArray, displacement: FloatArray, elongation: FloatArray, first: int
 ) -> None:
-    """Take out of the flux what only loads spring (b) at the start, where the force rises from nothing, before the `first` sample that is used.
+    """Take out of the flux what only loads spring (b), to the `elongation` of sliding, before the `first` sample used.
 
-    The travel until the spring has the `elongation` [mm] of sliding gives no heat. In the step in which the slider yields, the rest of the travel is
-    sliding under the force at its end; the flux at its beginning becomes what makes the heat of the steps on either side right.
+    In the step in which the slider yields, the rest of the travel is sliding under the force at its end; the
+    flux at its beginning becomes what makes the heat of the steps on either side right.
     """
     if first == 0:
         return
@@ -276,7 +266,7 @@ def _leave_out_loading(
 
 
 def _noise(values: FloatArray, used: NDArray[np.bool_]) -> FloatArray:
-    """Return how far each value is from the cubic through two neighbours on either side; zero where one of them is not used."""
+    """Return how far each value is from the cubic through two neighbours on either side, zero where one is not used."""
     noise = np.zeros(values.size)
     among = used[:-4] & used[1:-3] & used[2:-2] & used[3:-1] & used[4:]
     expected = _SECOND * (values[:-4] + values[4:]) + _FIRST * (values[1:-3] + values[3:-1])
@@ -306,3 +296,139 @@ def _rise_by_own_flux(
             inside, share * share if len(set(bearing.shares)) > 1 else share / len(bearing.shares), 0.0
         )
     return rise * felt
+
+
+#: Windows of the filter that are tried [samples].
+_WINDOWS = (5, 7, 9, 13, 17, 23, 31, 41, 55, 73, 97, 129, 173, 231, 309, 411, 549, 731, 975, 1301, 1735)
+
+
+def find_strokes(displacement: FloatArray, least: float) -> list[slice]:
+    """Return the parts between reversals, from turn to turn, of motions of at least `least` [mm].
+
+    A turn belongs to the stroke that ends with it.
+    """
+    y = displacement.tolist()
+    turns = [0]
+    furthest, direction = 0, 0
+    for i, value in enumerate(y):
+        step = value - y[furthest]
+        if direction == 0:
+            if abs(value - y[0]) >= least:
+                direction, furthest = (1 if value > y[0] else -1), i
+        elif direction * step >= 0.0:
+            furthest = i
+        elif direction * step <= -least:
+            turns.append(furthest)
+            direction, furthest = -direction, i
+    # what comes after the last turn is a stroke if it goes far enough, up to its furthest point
+    last = [] if direction == 0 else [furthest]
+    bounds = [*turns, *last]
+    firsts = [0, *(turn + 1 for turn in bounds[1:-1])]
+    return [slice(first, end + 1) for first, end in zip(firsts, bounds[1:], strict=False)]
+
+
+def smooth(
+    values: FloatArray, time: FloatArray, parts: Sequence[slice], order: int, scatter: float = 0.0
+) -> Smoothed:
+    """Fit polynomials of an `order` to `values` in a window that moves through each part: Savitzky and Golay (1964).
+
+    Where one polynomial for each part leaves a root mean square of no more than `scatter`, the window is the
+    part. Else it is the one with the least generalised cross-validation (Craven and Wahba 1979). At the ends
+    of a part the polynomial of the last whole window goes on. What belongs to no part, or to one too short,
+    stays as it is.
+    """
+    long_parts = [part for part in parts if part.stop - part.start >= order + 3]
+    smoothed = values.copy()
+    slope = np.gradient(values, time)
+    if not long_parts:
+        return Smoothed(smoothed, slope, 0)
+    uniform = equally_spaced(time)
+    even = values.copy()
+    grids: dict[int, FloatArray] = {}
+    if not uniform:  # they are read off a curve through them at as many times that are evenly spaced
+        for part in long_parts:
+            first, last = float(time[part.start]), float(time[part.stop - 1])
+            grids[part.start] = np.linspace(first, last, part.stop - part.start)
+            even[part] = PchipInterpolator(time[part], values[part])(grids[part.start])
+    window = max(part.stop - part.start for part in long_parts)
+    if _residual(even, long_parts, order, window)[0] > scatter**2:
+        window = _best_window(even, long_parts, order)
+    for part in long_parts:
+        moving = _moving_polynomial(_fitting(window, part, order), order)
+        pace = float(time[part.stop - 1] - time[part.start]) / (part.stop - part.start - 1)
+        found = np.stack(
+            (
+                moving.at_samples(even[part], moving.basis),
+                moving.at_samples(even[part], moving.change) / pace,
+            ),
+            axis=1,
+        )
+        if grids:
+            found = PchipInterpolator(grids[part.start], found)(time[part])
+        smoothed[part], slope[part] = found[:, 0], found[:, 1]
+    return Smoothed(smoothed, slope, window)
+
+
+def _fitting(window: int, part: slice, order: int) -> int:
+    """Return the window, or the longest that a part has room for."""
+    room = part.stop - part.start
+    return max(min(window, room - 1 + room % 2), order + 1 + order % 2)
+
+
+def _best_window(values: FloatArray, parts: Sequence[slice], order: int) -> int:
+    longest = max(part.stop - part.start for part in parts)
+    tried = [window for window in _WINDOWS if order + 2 <= window <= longest] or [longest - 1 + longest % 2]
+
+    def cross_validation(window: int) -> float:
+        square, freedom = _residual(values, parts, order, window)
+        return square / (1.0 - freedom) ** 2
+
+    return min(tried, key=cross_validation)
+
+
+def _residual(values: FloatArray, parts: Sequence[slice], order: int, window: int) -> tuple[float, float]:
+    """Return the mean squared residual, and the part of the freedom of the samples that the polynomials take [-]."""
+    squares, freedom, count = 0.0, 0.0, 0
+    for part in parts:
+        moving = _moving_polynomial(_fitting(window, part, order), order)
+        piece = values[part]
+        residual = piece - moving.at_samples(piece, moving.basis)
+        squares += float(residual @ residual)
+        freedom += moving.freedom(piece.size)
+        count += piece.size
+    return squares / count, freedom / count
+
+
+@dataclass(frozen=True)
+class _MovingPolynomial:
+    """Orthonormal polynomials over a window, shape (window, order + 1), and their derivatives by the sample."""
+
+    basis: FloatArray
+    change: FloatArray
+
+    def at_samples(self, samples: FloatArray, kind: FloatArray) -> FloatArray:
+        """Return the polynomials at the samples; their derivatives where the `kind` is `change` and not `basis`."""
+        window = self.basis.shape[0]
+        half = window // 2
+        return np.concatenate(
+            (
+                kind[:half] @ (self.basis.T @ samples[:window]),
+                np.convolve(samples, (self.basis @ kind[half])[::-1], "valid"),
+                kind[half + 1 :] @ (self.basis.T @ samples[-window:]),
+            )
+        )
+
+    def freedom(self, count: int) -> float:
+        """Return the trace of the filter for so many samples."""
+        window, order = self.basis.shape
+        half = window // 2
+        return (count - window) * float(self.basis[half] @ self.basis[half]) + order
+
+
+@lru_cache(maxsize=128)
+def _moving_polynomial(window: int, order: int) -> _MovingPolynomial:
+    place = np.linspace(-1.0, 1.0, window)
+    raw = legvander(place, order)
+    basis, change = np.linalg.qr(raw)
+    slopes = np.stack([legval(place, legder(row)) for row in np.eye(order + 1)], axis=1)
+    return _MovingPolynomial(basis, slopes @ np.linalg.inv(change) * (2.0 / (window - 1)))

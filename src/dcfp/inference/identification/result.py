@@ -12,17 +12,14 @@ from dcfp.analysis.rig import Cycle, Program, Recorded, RigTest, VerticalLoad, r
 from dcfp.analysis.rig.measures import ForceHistory, cycles_of
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
+from dcfp.inference.identification.fit import CONFIDENCE, PARAMETERS, ResidualStatistics, unit_of
 from dcfp.inference.identification.friction_history import FrictionHistory
-from dcfp.inference.identification.samples import PARAMETERS, unit_of
 from dcfp.schema.notebook import card, told
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table, csv_text
 from dcfp.schema.units import DEGC, KN_M, KN_PER_MM, MM_PER_S, N_PER_MM2, NONE, PERCENT
 from dcfp.system import System, UserFriction
 from dcfp.system.friction import FittedFriction
-
-#: Probability that an interval contains the truth.
-CONFIDENCE = 0.95
 
 
 @dataclass(frozen=True)
@@ -40,15 +37,7 @@ class Constant:
 
 @dataclass(frozen=True)
 class Estimate(Constant):
-    """A constant that was fitted: the value is where the sum of weighted squares is least.
-
-    Attributes
-    ----------
-    standard_error
-        By leaving out strokes; see `jackknife`.
-    lower, upper
-        Ends of the 95 % interval.
-    """
+    """A constant that was fitted, with its standard error and its 95 % interval, by leaving out strokes."""
 
     standard_error: float
     lower: float
@@ -65,42 +54,6 @@ class Held(Constant):
     """A constant that was not fitted, and why."""
 
     reason: str
-
-
-@dataclass(frozen=True)
-class ResidualStatistics:
-    """What the law leaves unexplained of one test.
-
-    Attributes
-    ----------
-    name
-        Of the test.
-    samples, left_out
-        Number of samples that were used, and that were not.
-    scatter, bias
-        Root mean square and mean of measured less fitted [-].
-    relative_scatter
-        Root mean square over the mean coefficient [-].
-    correlation
-        Of each residual with the next [-].
-    pressure, peak_speed, peak_temperature
-        Mean, largest and largest of the samples used [N/mm2, mm/s, degC].
-    speed_window, load_window
-        Length of the filters [samples].
-    """
-
-    name: str
-    samples: int
-    left_out: int
-    scatter: float
-    bias: float
-    relative_scatter: float
-    correlation: float
-    pressure: float
-    peak_speed: float
-    peak_temperature: float
-    speed_window: int
-    load_window: int
 
 
 #: What is told of an estimate, of a constant that was held, and of what the law leaves unexplained of a test; each number in its own unit.
@@ -145,19 +98,7 @@ COMPARED = [
 
 @dataclass(frozen=True, eq=False)
 class Prediction:
-    """A test that was held out by the law that was found without it, beside what was measured.
-
-    Attributes
-    ----------
-    history
-        What was measured.
-    force
-        Horizontal force by the law [N].
-    friction, temperature
-        Coefficient [-] and temperature of the contact [degC] by the law.
-    measured, predicted
-        Measures of each cycle.
-    """
+    """A test that was held out, beside force [N], coefficient [-] and temperature [degC] by the law found without it."""
 
     history: FrictionHistory
     force: FloatArray
@@ -216,7 +157,7 @@ def predicted_table(predictions: Sequence[Prediction]) -> Table:
 def predict(history: FrictionHistory, system: System) -> Prediction:
     """Drive the bearing along the motion of a test, under its load, both without their noise.
 
-    The cycles of both are taken between the same times, those at which the measured displacement passes zero; the force that was measured is as it is.
+    The cycles of both are between the times at which the measured displacement passes zero.
     """
     measurement = history.measurement
     test = RigTest(
@@ -252,12 +193,9 @@ class Identification:
         Of the estimates, in their order, shape (parameters, parameters).
     blocks
         Number of blocks of samples that the intervals come from.
-    histories
-        Of the tests that were fitted.
-    temperatures
-        Of the contact in each of them, with the conductivity that was found [degC].
-    residuals
-        For each of them.
+    histories, temperatures, residuals
+        Of the tests that were fitted, the temperature of the contact with the conductivity that was found
+        [degC].
     predictions
         Of the tests that were held out.
     remarks
@@ -327,8 +265,6 @@ class Identification:
 
 def bearing_file(system: System, notes: tuple[str, ...] = ()) -> str:
     """Return the text of a bearing file that `read_bearing` reads back, with lines of comment at its head.
-
-    The numbers are the same, but for the elastic stiffness, whose last digit may change: the file has it in kN/mm.
 
     Raises
     ------
