@@ -2,17 +2,18 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from cases import PGVS
 from numpy.typing import NDArray
 
 from dcfp.inference.case import Case
-from dcfp.inference.refit import refit_as_paper, refit_design, refit_simplified
+from dcfp.inference.refit import refit_as_paper, refit_by_squares
 from dcfp.inference.statistics import Coverage, coverage, grouped_splits
 from dcfp.methods import Prediction
 from dcfp.methods.li_2020 import LI_2020, Constants, predict_from_pgv, predict_simplified
-from dcfp.methods.li_2020.constants import PULSE, SIMPLIFIED
+from dcfp.methods.li_2020.constants import DESIGN, PULSE, SIMPLIFIED
 from dcfp.methods.method import Information, Variant
 from dcfp.methods.pulse_march import NAME as MARCH
 from dcfp.methods.pulses import CHANGE, DISPLACEMENT, INPUT, TOTAL
@@ -51,9 +52,12 @@ Refit = Callable[[Sequence[Case]], Constants]
 METHODS: dict[str, tuple[Predict, Refit]] = {
     "simplified": (
         lambda case, constants: predict_simplified(case.pulses, constants).largest,
-        refit_simplified,
+        refit_by_squares,
     ),
-    "design": (lambda case, constants: predict_from_pgv(case.pgv, constants), refit_design),
+    "design": (
+        lambda case, constants: predict_from_pgv(case.pgv, constants),
+        partial(refit_by_squares, method=DESIGN),
+    ),
 }
 
 

@@ -21,16 +21,10 @@ from reports import Report, amplifications, energies, named, plateau
 import dcfp
 from dcfp.analysis import Response
 from dcfp.inference.case import Case
-from dcfp.inference.refit import (
-    average_slope,
-    change_ratio,
-    fall_ratio,
-    refit_as_paper,
-    refit_design,
-    refit_simplified,
-)
+from dcfp.inference.refit import average_slope, change_ratio, fall_ratio, refit_as_paper, refit_by_squares
 from dcfp.inference.statistics import displacement_over_change
 from dcfp.methods import find_pulses
+from dcfp.methods.li_2020.constants import DESIGN
 from dcfp.methods.pulse_march import PARTS
 from dcfp.methods.pulses import THRESHOLD
 
@@ -65,7 +59,7 @@ def constants(report: Report, group: Sequence[Case]) -> None:
     rows, places = [], []
     for words, some in (("all", group), *((f"{g[0].pgv / 1e3:.2f}", g) for g in held_out.by_pgv(group))):
         slope = f"{average_slope(some):.0f}" if words in ("all", "0.25") else ""
-        simplified, design = refit_simplified(some), refit_design(some)
+        simplified, design = refit_by_squares(some), refit_by_squares(some, method=DESIGN)
         texts = [slope, f"{change_ratio(some):.2f}", f"{fall_ratio(some):.2f}"]
         texts += [f"{simplified.average_slope:.0f}", f"{simplified.fall_ratio:.2f}"]
         rows.append([words, *texts, f"{design.change_ratio:.2f}", f"{design.fall_ratio:.2f}"])

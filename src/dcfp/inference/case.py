@@ -34,14 +34,12 @@ class Analysed:
 
     Attributes
     ----------
-    whole
-        Largest of all swings, each quantity by itself, as a blind prediction gives it.
-    governing
-        The swing of the largest change of displacement, as an informed prediction gives it.
-    swing
-        That swing; None where the response never turns.
-    pulse
-        Number of the pulse behind it, counted from zero, or None.
+    whole, governing
+        Largest of all swings, each quantity by itself; and of the governing one, as an informed prediction
+        has it.
+    swing, pulse
+        The swing of the largest change of displacement, and the number of the pulse behind it, from zero; or
+        None.
     """
 
     whole: Prediction
@@ -66,14 +64,11 @@ class Case:
         [mm/s].
     pulses
         Of the ground velocity, as the methods of Li et al. (2020) take them.
-    analysed
-        What the analysis gives.
     predicted
         What each method says, by what it knows; a method that cannot be used is not there.
     codes
-        What the methods of codes say under the record's own spectrum, with their verdicts, by name; empty where they were not asked.
-    remarks
-        Sentences that a reader of the analysis must know.
+        What the methods of codes say under the record's own spectrum, by name; empty where they were not
+        asked.
     response
         The analysis itself, where it was to be kept.
     """
@@ -110,18 +105,14 @@ def compare(
     keep_response: bool = False,
     response: Response | None = None,
 ) -> Case:
-    """Analyse a ground motion, and predict the same by every method that can be used.
+    """Analyse a ground motion, or a record by its name or file, and predict the same by every method that can be used.
 
     Parameters
     ----------
-    motion
-        The ground motion; or the name of a record, or a file.
     methods
         By default for the bearing of Li et al. (2020) with its law and the simplified heating model.
-    codes
-        Whether the methods of codes are asked too, under the record's own spectrum.
-    keep_response
-        Whether the case keeps the analysis.
+    codes, keep_response
+        Whether the methods of codes are asked too, and whether the case keeps the analysis.
     response
         The analysis, where it is at hand.
     """
@@ -186,16 +177,13 @@ def analysed_of(response: Response, pulses: Pulses) -> Analysed:
     return Analysed(whole, governing, swing, governing_pulse(swing, pulses))
 
 
-# Which pulse of the ground a swing of the structure belongs to.
-
-
 def governing_pulse(swing: Swing, pulses: Pulses) -> int | None:
-    """Return the number of the pulse that caused a swing, counted from zero; None where there is none.
+    """Return the number of the pulse that caused a swing, from zero; None where ripples or the pendulum alone did.
 
-    While the ground velocity rises to a peak the structure stays behind, so that y falls, and it goes on falling until it has caught up,
-    as a rule some time after the peak. The pulse of a swing therefore has the sign opposite to the swing's, and its peak within the swing; or, where the
-    structure catches up before the peak, at least half of the swing in its rise. Of several the one with the largest velocity change is meant. There is
-    none where ripples below the threshold, or the pendulum alone, have moved the structure.
+    While the ground velocity rises to a peak the structure stays behind, so that y falls until it has caught
+    up, as a rule after the peak. The pulse of a swing therefore has the opposite sign, and its peak within
+    the swing; or, where the structure catches up before, at least half of the swing in its rise. Of several
+    the one with the largest velocity change is meant.
     """
     if swing.change == 0.0:
         return None
@@ -206,9 +194,6 @@ def governing_pulse(swing: Swing, pulses: Pulses) -> int | None:
     if not fits.any():
         return None
     return int(np.argmax(np.where(fits, np.abs(pulses.changes), 0.0)))
-
-
-# Whether two records are of the same earthquake, as far as their sources say.
 
 
 def event_of(motion: GroundMotion) -> str:
@@ -233,10 +218,9 @@ def is_same_record(motion: GroundMotion, other: GroundMotion) -> bool:
 
 
 def same_earthquake(event: str, other: str) -> bool:
-    """Return whether two events may be the same earthquake: the same year, and a word of the name in common where both have one.
+    """Return whether two events may be the same earthquake: the same year, and where both have a name a word in common.
 
-    Two earthquakes of one year are taken as the same where a source gives no more than a date, since to leave out one too many is
-    the safer mistake.
+    To leave out one too many is the safer mistake.
     """
     if event == other:
         return True

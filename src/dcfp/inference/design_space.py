@@ -34,20 +34,15 @@ _DRAWS, _SEED = 100, 33
 
 @dataclass(frozen=True, eq=False)
 class DesignSpace:
-    """Displacement and force of every record over a grid of bearings, at one PGV.
+    """Displacement and force of every record over a grid of bearings, at one PGV [mm/s].
 
     Attributes
     ----------
-    pgv
-        [mm/s].
-    radii
-        Effective radius of each plate [mm], shape (r,).
-    coefficients
-        Reference coefficient of the friction law [-], shape (c,).
-    displacement
-        y_max of every record [mm], shape (r, c, records).
-    force
-        Largest force over the weight [-], shape (r, c, records).
+    radii, coefficients
+        Effective radius of each plate [mm], shape (r,), and reference coefficient of the friction law [-],
+        shape (c,).
+    displacement, force
+        y_max of every record [mm], and its largest force over the weight [-], shape (r, c, records).
     events
         The earthquake of each record.
     """
@@ -73,22 +68,22 @@ class DesignSpace:
         return _quantiles(self.force, part)
 
     def holding(self, allowed: float, part: float) -> tuple[FloatArray, FloatArray]:
-        """Return for each radius the least coefficient from which on `allowed` [mm] holds with a probability of `part` [-], and the force over the weight that goes with it, shape (r,).
+        """Return for each radius the least coefficient that holds `allowed` [mm] with a probability of `part` [-], and the force over the weight.
 
-        Between the bearings of the grid both are taken as straight lines. The coefficient is the first of the grid where that is enough, and
-        both are not a number where the last is not.
+        Between the bearings of the grid both are straight lines; where its last is not enough, both are not a
+        number.
         """
         least = self._least(self.displacement, allowed, part)
-        force = np.full(least.size, np.nan)
+        force = np.empty(least.size)
         for i, line in enumerate(self.force_at(part)):
-            if not np.isnan(least[i]):
-                force[i] = np.interp(least[i], self.coefficients, line)
+            force[i] = np.interp(least[i], self.coefficients, line)
         return least, force
 
     def spread(self, allowed: float, part: float) -> tuple[float, float]:
-        """Return 5 and 95 % of the least coefficient [-], mean of the radii, had other earthquakes of the same kind been in the set.
+        """Return 5 and 95 % of the least coefficient [-], mean of the radii, had other earthquakes been in the set.
 
-        Whole earthquakes are drawn with replacement. A draw in which no coefficient of the grid is enough counts as the largest of the grid.
+        Whole earthquakes are drawn with replacement; where no coefficient of the grid is enough, its largest
+        counts.
         """
         numbers = np.random.default_rng(_SEED)
         names = sorted(set(self.events))
@@ -108,13 +103,7 @@ class DesignSpace:
 
 
 def _quantiles(values: FloatArray, part: float) -> FloatArray:
-    """Return what the next value does not exceed with a probability of `part`, along the last axis; see `quantile`.
-
-    Raises
-    ------
-    InputError
-        If there are too few values for that probability.
-    """
+    """Return what the next value does not exceed with a probability of `part`, along the last axis; see `quantile`."""
     number = values.shape[-1]
     if part * (number + 1) > number:
         msg = f"What {100.0 * part:g} % of earthquakes do not exceed needs more than {number} records."
@@ -138,10 +127,6 @@ def survey(
 
     Parameters
     ----------
-    motions
-        The record set.
-    pgv
-        [mm/s].
     system
         The bearing whose radii are varied, equal on all plates, and the law whose reference coefficient is.
     radii, coefficients
@@ -193,9 +178,6 @@ def _crossing(coefficients: FloatArray, displacement: FloatArray, allowed: float
     return float(coefficients[last] + share * (coefficients[last + 1] - coefficients[last]))
 
 
-# What is told of the bearings that hold a displacement.
-
-
 def held_table(
     spaces: Sequence[DesignSpace],
     allowed: float,
@@ -204,8 +186,7 @@ def held_table(
 ) -> Table:
     """Return a line for each PGV and radius: which coefficients hold a displacement [mm] with the probabilities of `parts` [-].
 
-    With the constants of the design method its nominal coefficient stands beside them, and how sure they are. What no coefficient of
-    the grid holds is not a number.
+    With the constants of the design method its nominal coefficient stands beside them, and how sure they are.
     """
     of_design = constants is not None
     lines: list[dict[str, Any]] = []

@@ -7,7 +7,6 @@ from typing import TypeAlias
 
 import numpy as np
 
-from dcfp.errors import InputError
 from dcfp.inference.case import Case, compare, event_of, is_known, is_same_record, same_earthquake
 from dcfp.inference.statistics import Interval, errors, fewest, interval
 from dcfp.methods import Prediction, Pulses
@@ -32,24 +31,17 @@ Intervals: TypeAlias = dict[Quantity, Interval]
 
 @dataclass(frozen=True, eq=False)
 class Forecast:
-    """What the methods say of one record at one PGV, or of any earthquake with a PGV.
+    """What the methods say of one record at one PGV [mm/s], or of any earthquake with a PGV.
 
     Attributes
     ----------
-    pgv
-        [mm/s].
-    predicted
-        By method, with what it knows.
-    motion
-        The record; None where only the PGV is known.
-    pulses
-        Of the record, as the methods of Li et al. (2020) take them.
+    motion, pulses
+        The record, and its pulses as the methods of Li et al. (2020) take them; None where only the PGV is
+        known.
     governing
-        Number of the pulse that governs by a method, counted from zero in `pulses`; a method without one is not there.
+        Place in `pulses` of the one that governs by a method, from zero; a method without one is not there.
     intervals
         Of every blind method, where they were asked for; under None those from the PGV alone.
-    remarks
-        Sentences that a reader of the numbers must know.
     """
 
     pgv: float
@@ -61,36 +53,27 @@ class Forecast:
     remarks: tuple[str, ...] = ()
 
 
-def forecast(motion: GroundMotion, methods: Methods, calibration: Sequence[Case] | None = None) -> Forecast:
-    """Return what every blind method says of a record.
+def forecast(
+    ground: Ground | GroundMotion, methods: Methods, calibration: Sequence[Case] | None = None
+) -> Forecast:
+    """Return what every blind method says of a record, or of any earthquake with a PGV.
 
     Parameters
     ----------
-    motion
-        The record, at its PGV.
+    ground
+        The record at its PGV; or an earthquake of which only the PGV is known.
     methods
         The system, and how the methods are set.
     calibration
-        Other records at the same PGV, from which the intervals come; those of the same earthquake do not count. None for no intervals.
-    """
-    return _forecast(Ground.of(motion), methods, calibration)
-
-
-def forecast_from_pgv(pgv: float, methods: Methods, calibration: Sequence[Case] | None = None) -> Forecast:
-    """Return what can be said of an earthquake of which only the PGV [mm/s] is known; arguments as for `forecast`.
+        Other records at the same PGV, from which the intervals come; those of the same earthquake do not
+        count. None for no intervals.
 
     Raises
     ------
     InputError
-        If no method can be used.
+        If only the PGV is known, and no method can be used.
     """
-    found = _forecast(Ground(pgv), methods, calibration)
-    if not found.predicted:
-        predict_from_pgv(pgv, methods.constants)  # its complaint says what is wrong
-    return found
-
-
-def _forecast(ground: Ground, methods: Methods, calibration: Sequence[Case] | None) -> Forecast:
+    ground = Ground.of(ground) if isinstance(ground, GroundMotion) else ground
     motion, pgv, bearing = ground.motion, ground.pgv, methods.system.bearing
     name = f"PGV {pgv / 1e3:g} m/s" if motion is None else motion.name
     allowed = _BEFORE if motion is not None else (Information.PGV,)
@@ -100,6 +83,8 @@ def _forecast(ground: Ground, methods: Methods, calibration: Sequence[Case] | No
         for method in prediction_methods().values()
         if information in method.knows and (predicted := method.predict(ground, methods)) is not None
     }
+    if motion is None and not said:
+        predict_from_pgv(pgv, methods.constants)  # its complaint says what is wrong
     predicted = {variant: one.prediction for variant, one in said.items()}
     remarks = [
         *_beyond_capacity(name, predicted, bearing),
@@ -108,16 +93,18 @@ def _forecast(ground: Ground, methods: Methods, calibration: Sequence[Case] | No
     ]
     intervals: dict[Variant | None, Intervals] = {}
     if calibration is not None:
-        others = calibration if motion is None else others_than(motion, calibration)
-        try:
-            intervals[None] = intervals_from_pgv(others)
-        except InputError:
+        others = calibration if motion is None else _others_than(motion, calibration)
+        alone = _intervals(others, None, None)
+        if len(alone) < len(PREDICTION_QUANTITIES):
             remarks.append(f"At a PGV of {pgv / 1e3:g} m/s too few records move the bearing for an interval.")
         else:
-            intervals |= intervals_about(predicted, others)
+            about = {
+                one: _intervals(others, one, predicted[one]) for one in blind_variants() if one in predicted
+            }
+            intervals = {None: alone, **about}
             if motion is not None:
                 remarks.append(_left_out(motion, len(calibration) - len(others), len(calibration)))
-            remarks += set_remarks(pgv, others, bearing.displacement_capacity)
+            remarks += _set_remarks(pgv, others, bearing.displacement_capacity)
     return Forecast(
         pgv=pgv,
         predicted=predicted,
@@ -161,9 +148,6 @@ def _left_out(motion: GroundMotion, left_out: int, number: int) -> str:
     return f"{motion.name}: no component of the set is left out of its intervals; {why}."
 
 
-# The cases that an interval rests on, at the same PGV under the same bearing.
-
-
 def blind_variants() -> tuple[Variant, ...]:
     """Return what an interval is given for, besides the PGV alone."""
     return tuple(variant for variant in variants() if variant.information is Information.BLIND)
@@ -185,41 +169,18 @@ def cases_at(pgv: float, methods: Methods, report: Callable[[], None] | None = N
     return cases
 
 
-def others_than(motion: GroundMotion, cases: Sequence[Case]) -> list[Case]:
+def _others_than(motion: GroundMotion, cases: Sequence[Case]) -> list[Case]:
     """Return the cases of other earthquakes than that of a motion, as far as its source tells."""
     event = event_of(motion)
     same = {one.name for one in calibration_set() if is_same_record(motion, one)}
     return [case for case in cases if case.record not in same and not same_earthquake(event, case.event)]
 
 
-def intervals_from_pgv(cases: Sequence[Case]) -> Intervals:
-    """Return where the analyses of earthquakes with the PGV of `cases` lie, knowing nothing else.
-
-    Raises
-    ------
-    InputError
-        If nothing moves in most of the cases.
-    """
-    return {quantity: interval(errors(cases, None, quantity)) for quantity in PREDICTION_QUANTITIES.values()}
-
-
-def intervals_about(predicted: dict[Variant, Prediction], cases: Sequence[Case]) -> dict[Variant, Intervals]:
-    """Return where the analysis will lie, knowing what each blind method says of the record.
-
-    Parameters
-    ----------
-    predicted
-        What the methods say of the record.
-    cases
-        Records of other earthquakes at the same PGV.
-    """
-    return {one: _about(predicted[one], one, cases) for one in blind_variants() if one in predicted}
-
-
-def _about(prediction: Prediction, variant: Variant, cases: Sequence[Case]) -> Intervals:
+def _intervals(cases: Sequence[Case], variant: Variant | None, prediction: Prediction | None) -> Intervals:
+    """Return where the analysis will lie, from cases at the same PGV, knowing a blind prediction or nothing else."""
     intervals: Intervals = {}
     for quantity in PREDICTION_QUANTITIES.values():
-        value = value_of(prediction, quantity)
+        value = 1.0 if prediction is None else value_of(prediction, quantity)
         known = errors(cases, variant, quantity)
         # a method that sees nothing move says nothing of how far it will
         if value > 0.0 and np.isfinite(known).sum() >= fewest():
@@ -227,7 +188,7 @@ def _about(prediction: Prediction, variant: Variant, cases: Sequence[Case]) -> I
     return intervals
 
 
-def set_remarks(pgv: float, cases: Sequence[Case], capacity: float | None) -> list[str]:
+def _set_remarks(pgv: float, cases: Sequence[Case], capacity: float | None) -> list[str]:
     """Return what must be known of the set at a PGV [mm/s]: how far its records are scaled, and how many go beyond a capacity [mm]."""
     remarks: list[str] = []
     factors = [pgv / motion.peak_velocity for motion in calibration_set()]

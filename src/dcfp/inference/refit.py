@@ -3,7 +3,8 @@
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from functools import partial
+from typing import Any, TypeAlias
 
 import numpy as np
 from scipy import optimize
@@ -32,6 +33,7 @@ _AT_LIMIT = 0.01
 _SAME_PGV = 1e-3
 
 _optimize: Any = optimize
+_Fit: TypeAlias = Callable[[Sequence[Case], Constants], Constants]
 
 
 def governing(cases: Sequence[Case]) -> tuple[FloatArray, FloatArray]:
@@ -43,7 +45,6 @@ def governing(cases: Sequence[Case]) -> tuple[FloatArray, FloatArray]:
 
 
 def _known(cases: Sequence[Case], known: Callable[[Case], object], nothing: str) -> list[Case]:
-    """Return the cases of which something is known; `nothing` is said where there are none."""
     found = [case for case in cases if known(case)]
     if not found:
         msg = f"{nothing}, so there is nothing to fit the constants to."
@@ -52,16 +53,12 @@ def _known(cases: Sequence[Case], known: Callable[[Case], object], nothing: str)
 
 
 def _with_pulse(cases: Sequence[Case]) -> list[Case]:
-    """Return the cases with a governing pulse."""
-    return _known(
-        cases, lambda case: case.analysed.pulse is not None, "No pulse is behind any of the displacements"
-    )
+    nothing = "No pulse is behind any of the displacements"
+    return _known(cases, lambda case: case.analysed.pulse is not None, nothing)
 
 
 def average_slope(cases: Sequence[Case], reference_pgv: float = LI_2020.reference_pgv) -> float:
-    """Return kg_ave [mm/s2] as Li et al. (2020), section 6.2.2, found it: the mean slope of the governing pulses at one PGV.
-
-    `reference_pgv` is that PGV [mm/s]; cases at another one do not count.
+    """Return kg_ave [mm/s2] as Li et al. (2020), section 6.2.2, found it: the mean of the governing pulses at a PGV.
 
     Raises
     ------
@@ -111,64 +108,33 @@ def refit_as_paper(cases: Sequence[Case], constants: Constants = LI_2020) -> Con
     )
 
 
-def refit_simplified(cases: Sequence[Case], constants: Constants = LI_2020) -> Constants:
-    """Return the kg_ave and eps with which the simplified method is closest to V_dE and V_dEhr, by least squares of the logarithms."""
-    return _fitted(cases, constants, ("average_slope", "fall_ratio"), _simplified)
-
-
-def refit_design(cases: Sequence[Case], constants: Constants = LI_2020) -> Constants:
-    """Return the zeta and eps with which the design method is closest to V_dE and V_dEhr, by least squares of the logarithms.
-
-    kg_ave is kept: in Eq. (31) it does what zeta does, and in Eq. (32) what eps does.
-    """
-    return _fitted(cases, constants, ("change_ratio", "fall_ratio"), _design)
-
-
-def _simplified(case: Case, constants: Constants) -> Prediction:
-    return predict_simplified(case.pulses, constants).largest
-
-
-def _design(case: Case, constants: Constants) -> Prediction:
-    return predict_from_pgv(case.pgv, constants)
-
-
-def at_limit(fitted: Constants, given: Constants = LI_2020) -> bool:
-    """Return whether a fit from the constants `given` ended where the search ends, so that the data do not determine it."""
-    pairs = [
-        (getattr(fitted, name), part * getattr(given, name))
-        for name in ("average_slope", "fall_ratio", "change_ratio")
-        for part in (_LEAST, _MOST)
-    ]
-    pairs.append((fitted.average_slope, _ABOVE_FRICTION * given.friction_deceleration))
-    return any(math.isclose(one, limit, rel_tol=_AT_LIMIT) for one, limit in pairs)
-
-
-def _fitted(
-    cases: Sequence[Case],
-    given: Constants,
-    names: tuple[str, str],
-    predict: Callable[[Case, Constants], Prediction],
+def refit_by_squares(
+    cases: Sequence[Case], constants: Constants = LI_2020, method: str = SIMPLIFIED
 ) -> Constants:
-    """Return the constants with the least squares of ln (prediction / analysis) of V_dE and V_dEhr, of which those of `names` are free."""
+    """Return the constants with which a method is closest to V_dE and V_dEhr, by least squares of the logarithms.
+
+    Free are kg_ave and eps of the simplified method, zeta and eps of the design method; there kg_ave is kept:
+    it does what zeta does in Eq. (31), and what eps does in Eq. (32).
+    """
+    predict, names = _METHODS[method]
+    nothing = "Nothing moves in any of the cases"
     known = _known(
-        cases,
-        lambda case: case.analysed.whole.hysteretic_velocity > 0.0 and case.pulses.count,
-        "Nothing moves in any of the cases",
+        cases, lambda case: case.analysed.whole.hysteretic_velocity > 0.0 and case.pulses.count, nothing
     )
     analysed = _logarithms([case.analysed.whole for case in known])
 
     def made(logarithms: FloatArray) -> Constants:
         found = dict(zip(names, np.exp(logarithms).tolist(), strict=True))
         if "average_slope" in found:
-            least = _ABOVE_FRICTION * given.friction_deceleration
+            least = _ABOVE_FRICTION * constants.friction_deceleration
             found["average_slope"] = max(found["average_slope"], least)
-        return replace(given, **found)
+        return replace(constants, **found)
 
     def misfit(logarithms: FloatArray) -> FloatArray:
         trial = made(logarithms)
         return (_logarithms([predict(case, trial) for case in known]) - analysed).ravel()
 
-    first = np.log([getattr(given, name) for name in names])
+    first = np.log([getattr(constants, name) for name in names])
     limits = np.log([parameters(Constants)[name].limits for name in names]).T
     least, most = np.maximum(first + np.log(_LEAST), limits[0]), np.minimum(first + np.log(_MOST), limits[1])
     solution = _optimize.least_squares(misfit, first, bounds=(least, most), diff_step=1e-3, xtol=1e-6)
@@ -179,7 +145,30 @@ def _logarithms(predictions: Sequence[Prediction]) -> FloatArray:
     return np.log([[one.input_velocity, one.hysteretic_velocity] for one in predictions])
 
 
-# On the other half of the earthquakes.
+def _simplified(case: Case, constants: Constants) -> Prediction:
+    return predict_simplified(case.pulses, constants).largest
+
+
+def _design(case: Case, constants: Constants) -> Prediction:
+    return predict_from_pgv(case.pgv, constants)
+
+
+#: How each method predicts a case, and which of its constants are fitted by least squares.
+_METHODS = {
+    SIMPLIFIED: (_simplified, ("average_slope", "fall_ratio")),
+    DESIGN: (_design, ("change_ratio", "fall_ratio")),
+}
+
+
+def _at_limit(fitted: Constants, given: Constants) -> bool:
+    """Return whether a fit ended where the search ends, so that the data do not determine it."""
+    pairs = [
+        (getattr(fitted, name), part * getattr(given, name))
+        for name in ("average_slope", "fall_ratio", "change_ratio")
+        for part in (_LEAST, _MOST)
+    ]
+    pairs.append((fitted.average_slope, _ABOVE_FRICTION * given.friction_deceleration))
+    return any(math.isclose(one, limit, rel_tol=_AT_LIMIT) for one, limit in pairs)
 
 
 #: Splits by which a refit is judged; each takes a second or less.
@@ -190,19 +179,7 @@ FEWEST_EVENTS = 6
 
 @dataclass(frozen=True)
 class Refit:
-    """A method with given constants, or with constants fitted to a training half, on the other half.
-
-    Attributes
-    ----------
-    method
-        Simplified or design.
-    words
-        Where the constants come from.
-    constants
-        Fitted to all cases.
-    bias, dispersion
-        Of dy of held-out cases [-], mean of the splits: geometric mean of prediction over analysis, and standard deviation of its logarithm.
-    """
+    """A method with its constants; bias and dispersion are those of dy of held-out halves [-], mean of the splits."""
 
     method: str
     words: str
@@ -212,13 +189,7 @@ class Refit:
 
 
 def check_enough(groups: Sequence[Sequence[Case]]) -> None:
-    """Check that cases can be halved.
-
-    Raises
-    ------
-    InputError
-        If the earthquakes or the records of a PGV are too few.
-    """
+    """Refuse cases of too few earthquakes, or too few records of a PGV, to be halved, with an InputError."""
     events = {case.event for case in groups[0]}
     smallest = min(len(cases) for cases in groups)
     if len(events) < FEWEST_EVENTS or smallest < 2 * fewest():
@@ -248,28 +219,25 @@ def refits(cases: Sequence[Case], constants: Constants) -> list[Refit]:
     InputError
         If there is no case at the PGV that kg_ave belongs to.
     """
-    methods = ((SIMPLIFIED, _simplified, refit_simplified), (DESIGN, _design, refit_design))
     found: list[Refit] = []
-    for method, predict, by_squares in methods:
-        fits = {"as given": _as_given, "as the paper fits": refit_as_paper, "least squares": by_squares}
-        for words, fit in fits.items():
-            found.append(_judged(method, words, fit, predict, cases, constants))
+    for method in _METHODS:
+        fits: dict[str, _Fit] = {
+            "as given": lambda cases, given: given,
+            "as the paper fits": refit_as_paper,
+            "least squares": partial(refit_by_squares, method=method),
+        }
+        found += [_judged(method, words, fit, cases, constants) for words, fit in fits.items()]
     return found
-
-
-def _as_given(cases: Sequence[Case], constants: Constants) -> Constants:
-    del cases
-    return constants
 
 
 def _judged(
     method: str,
     words: str,
-    fit: Callable[[Sequence[Case], Constants], Constants],
-    predict: Callable[[Case, Constants], Prediction],
+    fit: _Fit,
     cases: Sequence[Case],
     given: Constants,
 ) -> Refit:
+    predict, _ = _METHODS[method]
     biases: list[float] = []
     dispersions: list[float] = []
     for training in grouped_splits([case.event for case in cases], REFIT_SPLITS):
@@ -283,6 +251,6 @@ def _judged(
         biases.append(np.log(held_out.bias))
         dispersions.append(held_out.dispersion)
     final = fit(cases, given)
-    if at_limit(final, given):
+    if _at_limit(final, given):
         words += ", at the limit of the search"
     return Refit(method, words, final, float(np.exp(np.mean(biases))), float(np.mean(dispersions)))

@@ -22,22 +22,10 @@ SPLITS, SEED = 200, 2020
 
 @dataclass(frozen=True)
 class Scatter:
-    """Ratios of prediction to analysis.
+    """Ratios of prediction to analysis [-], as `dcfp.inference.told.SCATTER` names their measures.
 
-    Attributes
-    ----------
-    number
-        Of cases that are measured.
-    without
-        Cases in which nothing was predicted: no pulse was found, or nothing moves by the method. They are in none of the measures but `below`.
-    below
-        Share of all cases in which the prediction is below the analysis, nothing predicted among them [-].
-    least, largest, median
-        Of the ratios [-].
-    bias
-        Geometric mean of the ratios [-].
-    dispersion
-        Standard deviation of their natural logarithms [-].
+    Cases `without` a prediction (no pulse, or nothing moves) are in none of them but `below`, the share of
+    all cases.
     """
 
     number: int
@@ -87,8 +75,7 @@ def scatter(values: FloatArray, among: NDArray[np.bool_] | None = None) -> Scatt
 def scatters(cases: Sequence[Case]) -> dict[tuple[Variant, Quantity], Scatter]:
     """Return the measures of every method, with what it knows, and every quantity that it predicts.
 
-    What does not know the analysis is measured on the cases in which each of the methods of prediction foresees a motion, so that none is spared the cases that
-    another must bear; what is informed, on its own.
+    What does not know the analysis is measured on the cases in which all methods foresee a motion.
     """
     measured: dict[tuple[Variant, Quantity], Scatter] = {}
     quantities = tuple(PREDICTION_QUANTITIES.values())
@@ -114,28 +101,14 @@ def displacement_over_change(cases: Iterable[Case]) -> FloatArray:
     return np.array([one.bound / one.displacement_change for one in whole if one.displacement_change > 0.0])
 
 
-# Intervals about a prediction.
-
-
 def fewest(covered: float = COVERED) -> int:
-    """Return how many cases an interval needs to rest on: as many that the outermost two can be its ends.
-
-    `covered` is the part of the cases that it is to cover [-].
-    """
+    """Return how many cases an interval needs to rest on: as many that the outermost two can be its ends."""
     return math.ceil(2.0 / (1.0 - covered) - 1e-9) - 1
 
 
 @dataclass(frozen=True)
 class Interval:
-    """Where the analysis will be found.
-
-    Attributes
-    ----------
-    low, median, high
-        In the unit of the quantity; `low` and `high` leave as many cases below as above, 5 % by default.
-    cases
-        How many cases it rests on.
-    """
+    """Where the analysis will be found, in the unit of the quantity, and how many cases that rests on."""
 
     low: float
     median: float
@@ -145,18 +118,10 @@ class Interval:
 
 @dataclass(frozen=True)
 class Coverage:
-    """How often intervals from one half of the earthquakes hold the cases of the other.
+    """How often intervals from one half of the earthquakes hold the cases of the other [-].
 
-    Attributes
-    ----------
-    mean
-        Part of the held-out cases inside, mean of all splits [-].
-    low, high
-        The same in the splits at 5 and 95 % of their order [-].
-    width
-        Upper over lower end of an interval, geometric mean [-].
-    splits
-        Number of splits.
+    `low` and `high` are the splits at 5 and 95 %; the width is the upper over the lower end, geometric mean
+    [-].
     """
 
     mean: float
@@ -167,19 +132,16 @@ class Coverage:
 
 
 def quantile(values: FloatArray, part: float) -> float:
-    """Return the quantile that the next value will be below with a probability of `part` [-].
-
-    That is the value of rank part (n + 1) among n, with straight lines in between; of fewer than the rank needs, the outermost.
-    """
+    """Return what the next value will be below with a probability of `part` [-]: the value of rank part (n + 1)."""
     ordered = np.sort(values)
     rank = min(max(part * (ordered.size + 1), 1.0), float(ordered.size))
     return float(np.interp(rank, np.arange(1, ordered.size + 1), ordered))
 
 
 def errors(cases: Sequence[Case], variant: Variant | None, quantity: Quantity) -> FloatArray:
-    """Return the logarithm of analysis over prediction [-], shape (cases,); not a number where nothing was predicted.
+    """Return the logarithm of analysis over prediction [-], shape (cases,), or without a `variant` of the analysis itself.
 
-    Without a `variant` the prediction is one: what is returned is the logarithm of the analysis itself, as for an interval from the PGV alone.
+    It is not a number where nothing was predicted.
     """
     if variant is None:
         found = np.array([value_of(case.analysed.whole, quantity) for case in cases])
@@ -220,17 +182,8 @@ def interval(errors: FloatArray, predicted: float = 1.0, covered: float = COVERE
 def coverage(groups: Iterable[Sequence[Case]], variant: Variant | None, quantity: Quantity) -> Coverage:
     """Return how well intervals from half of the earthquakes cover the other half.
 
-    Parameters
-    ----------
-    groups
-        The same records at one PGV after the other.
-    variant, quantity
-        As in `errors`.
-
-    Raises
-    ------
-    InputError
-        If there is no case, a half has too few, or nothing is left for the other half.
+    `groups` are the same records at one PGV after the other. An InputError says that there is no case, that a
+    half has too few, or that nothing is left for the other half.
     """
     known = [(errors(cases, variant, quantity), [case.event for case in cases]) for cases in groups]
     if not known:
@@ -261,19 +214,10 @@ def coverage(groups: Iterable[Sequence[Case]], variant: Variant | None, quantity
 def grouped_splits(
     events: Sequence[str], splits: int = SPLITS, seed: int = SEED
 ) -> Iterator[NDArray[np.bool_]]:
-    """Yield random halves of cases: True where a case is for training, False where it is held out.
+    """Yield random halves of cases by their earthquakes: True where a case is for training, False where it is held out.
 
-    Components and stations of one earthquake resemble each other, so that an earthquake goes into one half as a whole.
-    Earthquakes are taken in random order until half of the cases is reached.
-
-    Parameters
-    ----------
-    events
-        The earthquake of each case.
-    splits
-        How many.
-    seed
-        Of the random numbers; the same seed gives the same halves.
+    Components and stations of one earthquake resemble each other, so that an earthquake goes into one half as
+    a whole. Earthquakes are taken in random order until half of the cases is reached.
     """
     numbers = np.random.default_rng(seed)
     names, of_case, sizes = np.unique(np.asarray(events), return_inverse=True, return_counts=True)

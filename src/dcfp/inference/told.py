@@ -6,7 +6,7 @@ from dataclasses import asdict, replace
 from typing import Any, NamedTuple
 
 from dcfp.inference.case import Case
-from dcfp.inference.forecast import Forecast, Intervals
+from dcfp.inference.forecast import Forecast
 from dcfp.inference.statistics import Coverage, Scatter, ratios
 from dcfp.methods import Prediction, Pulses
 from dcfp.methods.code import code_objects
@@ -20,7 +20,6 @@ from dcfp.schema.units import M_PER_S, MM, MM_PER_S, MM_PER_S2, NONE, PERCENT, S
 #: Ends of an interval, and what they are called.
 _ENDS = {"low": "5 %", "median": "median", "high": "95 %"}
 
-# ----- a prediction, a pulse, a swing, an interval -----
 
 #: Of all pulses; one of them is told.
 PULSES = [
@@ -42,10 +41,7 @@ SWINGS = [
 
 
 class Told(NamedTuple):
-    """A forecast or a case, how it was predicted, and the method that a line is of.
-
-    A line of a forecast without a method is of where other analyses of that PGV lie, one of a case of its analysis.
-    """
+    """A forecast or a case, how it was predicted, and the method of a line, if it is of one."""
 
     of: Any
     methods: Methods | None = None
@@ -91,7 +87,8 @@ def _pulse(pulses: Pulses | None, place: int | None) -> dict[str, Any] | None:
     return {one.key: one.datum(pulses)[place] for one in PULSES}
 
 
-def _interval(intervals: Intervals | None) -> dict[str, Any] | None:
+def _interval(of: Forecast, variant: Variant | None) -> dict[str, Any] | None:
+    intervals = of.intervals.get(variant)
     return None if intervals is None else {one.key: asdict(found) for one, found in intervals.items()}
 
 
@@ -108,9 +105,6 @@ def _of_said(one: Quantity) -> Quantity:
         return None if line.said is None else one.of(line.said)
 
     return replace(one, get=get)
-
-
-# ----- forecasts -----
 
 
 def _record(*, printed: bool = True) -> tuple[Quantity, ...]:
@@ -191,25 +185,20 @@ FORECASTS = [
     Quantity("nominal_friction", "nominal coefficient", NONE, get="methods.constants.nominal_friction"),
     Quantity("pulses", "number of pulses", NONE, get=lambda one: None if one.of.pulses is None else one.of.pulses.count),
     Quantity("predictions", "what the methods say", get=lambda one: [_forecast_of(one.of, variant) for variant in one.of.predicted], flat=False),
-    Quantity("interval_from_pgv", "where analyses of that PGV lie", get=lambda one: _interval(one.of.intervals.get(None)), flat=False),
+    Quantity("interval_from_pgv", "where analyses of that PGV lie", get=lambda one: _interval(one.of, None), flat=False),
     Quantity("remarks", "what a reader must know", get="of.remarks"),
 ]  # fmt: skip
 
 
 def _forecast_of(one: Forecast, variant: Variant) -> dict[str, Any]:
-    more = {
-        "pulse": _pulse(one.pulses, one.governing.get(variant)),
-        "interval": _interval(one.intervals.get(variant)),
-    }
-    return _prediction(one, variant) | more
+    pulse = _pulse(one.pulses, one.governing.get(variant))
+    return _prediction(one, variant) | {"pulse": pulse, "interval": _interval(one, variant)}
 
 
 def forecast_objects(forecasts: Sequence[Forecast], methods: Methods) -> list[dict[str, Any]]:
     """Return an object for each record and PGV, ready for JSON."""
     return _objects(FORECASTS, [Told(one, methods) for one in forecasts])
 
-
-# ----- comparisons -----
 
 CASES = [
     Quantity("record", "name of the ground motion", get="of.record"),
@@ -251,39 +240,36 @@ def case_lines(cases: Sequence[Case]) -> Table:
     )
 
 
-# ----- scatter, intervals and refitted constants -----
+class Measured(NamedTuple):
+    """What is measured of a quantity by a method with what it knows; of a coverage without one from the PGV alone."""
 
-
-class ToldScatter(NamedTuple):
-    """The scatter of a quantity by a method with what it knows."""
-
-    variant: Variant
+    variant: Variant | None
     quantity: Quantity
-    scatter: Scatter
-    outside: int | None
+    found: Any
+    outside: int | None = None
 
 
 SCATTER = [
     Quantity("method", "method", head="Method", get="variant.method"),
     Quantity("basis", "what it knows", head="Knows", get="variant.information"),
     Quantity("quantity", "quantity", head="Quantity", get="quantity.title"),
-    Quantity("share_below_analysis", "share of the cases below the analysis", NONE, get="scatter.below", printed=False),
-    Quantity("least", "least ratio", NONE, decimals=2, head="Least\n", get="scatter.least"),
-    Quantity("median", "median ratio", NONE, decimals=2, head="Median\n", get="scatter.median"),
-    Quantity("largest", "largest ratio", NONE, decimals=2, head="Largest\n", get="scatter.largest"),
-    Quantity("bias", "geometric mean of the ratios", NONE, decimals=2, head="Bias\n", get="scatter.bias"),
-    Quantity("dispersion", "standard deviation of their logarithms", NONE, get="scatter.dispersion", printed=False),
-    Quantity("Dispersion", "the same, of more than one case", NONE, decimals=3, head="Dispersion\n", get=lambda one: one.scatter.dispersion if one.scatter.number > 1 else None, stored=False),
-    Quantity("Below", "share of the cases below the analysis", PERCENT, head="Below\n", get=lambda one: f"{100.0 * one.scatter.below:.0f} %", stored=False),
-    Quantity("cases", "cases that are measured", NONE, head="Cases\n", get="scatter.number"),
-    Quantity("without_prediction", "cases without a prediction", NONE, head="Without\n", get="scatter.without"),
+    Quantity("share_below_analysis", "share of the cases below the analysis", NONE, get="found.below", printed=False),
+    Quantity("least", "least ratio", NONE, decimals=2, head="Least\n", get="found.least"),
+    Quantity("median", "median ratio", NONE, decimals=2, head="Median\n", get="found.median"),
+    Quantity("largest", "largest ratio", NONE, decimals=2, head="Largest\n", get="found.largest"),
+    Quantity("bias", "geometric mean of the ratios", NONE, decimals=2, head="Bias\n", get="found.bias"),
+    Quantity("dispersion", "standard deviation of their logarithms", NONE, get="found.dispersion", printed=False),
+    Quantity("Dispersion", "the same, of more than one case", NONE, decimals=3, head="Dispersion\n", get=lambda one: one.found.dispersion if one.found.number > 1 else None, stored=False),
+    Quantity("Below", "share of the cases below the analysis", PERCENT, head="Below\n", get=lambda one: f"{100.0 * one.found.below:.0f} %", stored=False),
+    Quantity("cases", "cases that are measured", NONE, head="Cases\n", get="found.number"),
+    Quantity("without_prediction", "cases without a prediction", NONE, head="Without\n", get="found.without"),
     Quantity("outside_of_limits", "cases outside of the limits of the method", NONE, get="outside", printed=False),
 ]  # fmt: skip
 
 
 def scatter_table(found: dict[tuple[Variant, Quantity], Scatter], cases: Sequence[Case]) -> Table:
     """Return a line for each method, basis and quantity."""
-    rows = [ToldScatter(*key, one, _outside(cases, key[0].method)) for key, one in found.items()]
+    rows = [Measured(*key, one, _outside(cases, key[0].method)) for key, one in found.items()]
     return Table(tuple(SCATTER), rows)
 
 
@@ -293,28 +279,20 @@ def _outside(cases: Sequence[Case], method: str) -> int | None:
     return sum(one.valid is False for one in results) if any(one.conditions for one in results) else None
 
 
-class ToldCoverage(NamedTuple):
-    """How often the intervals of a quantity hold what they ought to."""
-
-    variant: Variant | None
-    quantity: Quantity
-    coverage: Coverage
-
-
-def _percent(name: str) -> Callable[[ToldCoverage], str]:
-    return lambda one: f"{100.0 * getattr(one.coverage, name):.1f} %"
+def _percent(name: str) -> Callable[[Measured], str]:
+    return lambda one: f"{100.0 * getattr(one.found, name):.1f} %"
 
 
 COVERAGE = [
     Quantity("method", "method", get=lambda one: "PGV only" if one.variant is None else one.variant.method, printed=False),
     Quantity("Interval from", "method", get=lambda one: "the PGV" if one.variant is None else one.variant.method, stored=False),
     Quantity("quantity", "quantity", head="Quantity", get="quantity.title"),
-    Quantity("mean", "part inside", NONE, get="coverage.mean", printed=False),
-    Quantity("p05", "5 % of it", NONE, get="coverage.low", printed=False),
-    Quantity("p95", "95 % of it", NONE, get="coverage.high", printed=False),
+    Quantity("mean", "part inside", NONE, get="found.mean", printed=False),
+    Quantity("p05", "5 % of it", NONE, get="found.low", printed=False),
+    Quantity("p95", "95 % of it", NONE, get="found.high", printed=False),
     *(Quantity(head, "part inside", PERCENT, head=f"{head}\n", get=_percent(name), stored=False) for head, name in (("Inside", "mean"), ("5 %", "low"), ("95 %", "high"))),
-    Quantity("width", "upper over lower end", NONE, decimals=2, head="Width\n", get="coverage.width"),
-    Quantity("splits", "number of splits", NONE, get="coverage.splits", printed=False),
+    Quantity("width", "upper over lower end", NONE, decimals=2, head="Width\n", get="found.width"),
+    Quantity("splits", "number of splits", NONE, get="found.splits", printed=False),
 ]  # fmt: skip
 REFITS = [
     Quantity("method", "method", head="Method", get="method"),
@@ -329,5 +307,5 @@ REFITS = [
 
 def coverage_table(coverages: dict[tuple[Variant | None, Quantity], Coverage]) -> Table:
     """Return a line for each quantity and what its interval knows."""
-    rows = [ToldCoverage(*key, one) for key, one in coverages.items()]
+    rows = [Measured(*key, one) for key, one in coverages.items()]
     return Table(tuple(COVERAGE), rows)

@@ -10,9 +10,9 @@ from dcfp.doors.cli.console import Page, grid, grouped, progress
 from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.inference import Case, Methods, compare
 from dcfp.inference.design_space import COEFFICIENTS, RADII, held_table, survey
-from dcfp.inference.forecast import SET, Forecast, calibration_set, cases_at, forecast, forecast_from_pgv
+from dcfp.inference.forecast import SET, Forecast, calibration_set, cases_at, forecast
 from dcfp.inference.told import forecast_lines, forecast_objects, interval_lines
-from dcfp.methods.prediction import Constants, Nominal, nominal_coefficient
+from dcfp.methods.prediction import Constants, Ground, Nominal, nominal_coefficient
 from dcfp.methods.pulse_march import march_through_pulses
 from dcfp.methods.pulses import find_pulses
 from dcfp.motion.ground_motion import GroundMotion
@@ -95,7 +95,7 @@ def _heads(forecasts: Sequence[Forecast]) -> int:
 def _forecasts(chosen: argparse.Namespace, methods: Methods) -> list[Forecast]:
     if chosen.pgv_only is not None:
         known = _calibrations(chosen.pgv_only, methods) if chosen.interval else {}
-        return [forecast_from_pgv(pgv, methods, known.get(pgv)) for pgv in chosen.pgv_only]
+        return [forecast(Ground(pgv), methods, known.get(pgv)) for pgv in chosen.pgv_only]
     motions = inputs.motions(chosen)
     known = _calibrations([_pgv(motion) for motion in motions], methods) if chosen.interval else {}
     return [forecast(motion, methods, known.get(_pgv(motion))) for motion in motions]
