@@ -196,7 +196,7 @@ MUTATIONS = (
     ),
     Mutation(
         "an incomplete last block",
-        "study/plan.py",
+        "study/study.py",
         "min(a + c, n) for a, c, n",
         "a + c for a, c, n",
         ("study/test_plan.py",),

@@ -39,7 +39,7 @@ def grid(motions: list[GroundMotion]) -> Study:
 @pytest.fixture
 def study(motions: list[GroundMotion], monkeypatch: pytest.MonkeyPatch) -> Study:
     """The grid, in fewer blocks than it would have."""
-    monkeypatch.setattr("dcfp.study.plan.FEWEST_BLOCKS", BLOCKS)
+    monkeypatch.setattr("dcfp.study.study.FEWEST_BLOCKS", BLOCKS)
     return grid(motions)
 
 
@@ -58,7 +58,7 @@ def whole(motions: list[GroundMotion], tmp_path_factory: pytest.TempPathFactory)
     """Every file of the store of the grid, run at one go."""
     place = tmp_path_factory.mktemp("whole") / "whole.zarr"
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("dcfp.study.plan.FEWEST_BLOCKS", BLOCKS)
+        patch.setattr("dcfp.study.study.FEWEST_BLOCKS", BLOCKS)
         run_study(grid(motions), place)
     return files(place)
 

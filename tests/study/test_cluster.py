@@ -12,8 +12,8 @@ import pytest
 import dcfp
 from dcfp.errors import InputError
 from dcfp.study import Study, run_study
-from dcfp.study.cluster import run_on_cluster
 from dcfp.study.results import open_store
+from dcfp.study.run import run_on_cluster
 
 psutil = pytest.importorskip("psutil")
 pytest.importorskip("distributed")
@@ -88,7 +88,7 @@ def test_a_store_begun_on_threads_is_finished_on_processes(
 
 
 def test_a_scheduler_that_is_not_there(study: Study, tmp_path: Path, monkeypatch) -> None:
-    monkeypatch.setattr("dcfp.study.cluster._PATIENCE", 1)
+    monkeypatch.setattr("dcfp.study.run._PATIENCE", 1)
     with pytest.raises(InputError, match=r"tcp://127.0.0.1:9: there is no Dask scheduler; start one"):
         run_on_cluster(study, tmp_path / "s.zarr", address="tcp://127.0.0.1:9")
     with pytest.raises(InputError, match="there is no Dask scheduler"):

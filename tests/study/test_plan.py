@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 import dcfp
 from dcfp.errors import InputError
 from dcfp.study import Choice, Plan, Sampling, Study, Uniform
-from dcfp.study.plan import LARGEST_BLOCK
+from dcfp.study.study import LARGEST_BLOCK
 from dcfp.study.work import project
 
 NCC = dcfp.load_motion("NCC")

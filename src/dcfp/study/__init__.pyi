@@ -1,9 +1,9 @@
-from .plan import Plan as Plan
+from .factors import Choice as Choice
+from .factors import Normal as Normal
+from .factors import Sampling as Sampling
+from .factors import Uniform as Uniform
 from .read import read_study as read_study
 from .results import open_store as open_store
 from .run import run_study as run_study
-from .sampling import Choice as Choice
-from .sampling import Normal as Normal
-from .sampling import Sampling as Sampling
-from .sampling import Uniform as Uniform
+from .study import Plan as Plan
 from .study import Study as Study

@@ -17,8 +17,7 @@ from dcfp.schema.declared import build, read_table
 from dcfp.schema.parameters import HIGH_PASS, TIME_STEP, Parameter, read_values, table_in, unknown
 from dcfp.schema.reading import complaints_name, read_toml
 from dcfp.schema.units import NONE
-from dcfp.study.factors import OF_LAW, Value, factor
-from dcfp.study.sampling import Choice, Distribution, Normal, Sampling, Uniform
+from dcfp.study.factors import OF_LAW, Choice, Distribution, Normal, Sampling, Uniform, Value, factor
 from dcfp.study.study import RECORD, Study
 from dcfp.system import System, read_bearing
 
@@ -35,14 +34,7 @@ _MOTION = (
 
 
 def read_study(path: str | Path) -> Study:
-    """Read a study file.
-
-    Parameters
-    ----------
-    path
-        TOML with ``title`` and the tables ``[factors]``, of which ``record`` is a must, ``[bearing]`` (keys of a bearing file, or
-        ``file``), ``[sampling]``, ``[motion]``, ``[analysis]`` and ``[keep]``; ``[report]`` is for `dcfp.study.scenario`; see ``docs/studies.md``. Files named in it are looked for
-        from the folder of the study file.
+    """Read a study file: TOML as ``docs/studies.md`` describes it. Files named in it are looked for from its folder.
 
     Raises
     ------
@@ -161,9 +153,6 @@ def _histories(table: dict[str, Any]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(one.read(name, "a name in histories") for name in cast("list[Any]", names)))
 
 
-# The values and the distribution of a factor: numbers, or texts that name another unit, in the units of the package.
-
-
 _DEVIATION = "standard_deviation"
 #: What each distribution needs.
 _DISTRIBUTIONS = {
@@ -186,13 +175,7 @@ _KEYS = {
 
 
 def values_from(one: Parameter, given: Any) -> list[Value]:
-    """Return the values of a factor in the package's unit: from a value, a list, or a table with ``values`` or ``from``, ``to`` and ``count``.
-
-    Raises
-    ------
-    InputError
-        If there is none, or one that is not allowed.
-    """
+    """Return the values of a factor: from one, a list, or a table with ``values`` or ``from``, ``to`` and ``count``."""
     unit: str | None = None
     if isinstance(given, dict):
         table = cast("dict[str, Any]", given)
@@ -218,13 +201,7 @@ def _rounded(value: Value) -> Value:
 
 
 def distribution_from(one: Parameter, given: Any) -> Distribution:
-    """Return the distribution of a sampled factor in the package's unit: a list or ``values`` are a choice, ``from`` and ``to`` a range.
-
-    Raises
-    ------
-    InputError
-        As for `values_from`, and if the distribution is not known.
-    """
+    """Return the distribution of a sampled factor: a list or ``values`` are a choice, ``from`` and ``to`` a range."""
     if not isinstance(given, dict) or "values" in given:
         return Choice(tuple(values_from(one, given)))
     table = cast("dict[str, Any]", given)

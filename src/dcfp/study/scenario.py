@@ -29,19 +29,7 @@ MOST_ANALYSES = 40
 
 @declared
 class Heading(Declared):
-    """What stands at the top of a report; all of it may be empty.
-
-    Attributes
-    ----------
-    project, client, author, checker
-        Names.
-    number
-        Of the document.
-    date
-        As it is to be printed.
-    notes
-        Anything else.
-    """
+    """What stands at the top of a report; all of it may be empty."""
 
     noun = "a report"
 
@@ -56,14 +44,7 @@ class Heading(Declared):
 
 @dataclass(frozen=True, eq=False)
 class Scenario:
-    """One bearing under ground motions, each at one or several intensities.
-
-    Parameters
-    ----------
-    study
-        A study that varies nothing but the record and its intensity.
-    heading
-        Of its report.
+    """One bearing under ground motions, each at one or several intensities: a study that varies nothing else.
 
     Raises
     ------
@@ -104,13 +85,8 @@ class Scenario:
     def motions(self) -> list[GroundMotion]:
         """The ground motions as they shake the bearing, in the order of the study."""
         plan = self.study.plan
-        found: list[GroundMotion] = []
-        for block in plan.blocks():
-            lanes = plan.cases(block).lanes
-            for record, scale in zip(lanes.record, lanes.scale, strict=True):
-                motion = self.study.motions[int(record)]
-                found.append(motion if scale == 1.0 else motion.scaled(float(scale)))
-        return found
+        every = (plan.cases(block).lanes for block in plan.blocks())
+        return [plan.motion(lanes, lane) for lanes in every for lane in range(len(lanes))]
 
     def _repr_html_(self) -> str:
         facts = {
@@ -122,17 +98,10 @@ class Scenario:
         return card(self.title, facts)
 
 
-# From a TOML file: a study file of one bearing, with a heading.
-
-
 def read_scenario(path: str | Path) -> Scenario:
-    """Read a scenario file.
+    """Read a scenario file: as for `dcfp.read_study`, with several values of the record and its intensity only.
 
-    Parameters
-    ----------
-    path
-        TOML as for `dcfp.read_study`, in which only ``record`` and one of ``pgv``, ``pga`` and ``scale`` may have several values, and a table
-        ``[report]`` with any of ``project``, ``client``, ``author``, ``checker``, ``number``, ``date`` and ``notes``.
+    A table ``[report]`` has the `Heading`.
 
     Raises
     ------
@@ -147,9 +116,6 @@ def read_scenario(path: str | Path) -> Scenario:
         return Scenario(study, Heading.from_table(table, "[report]"))
 
 
-# As the text of a file that reads back as the same scenario.
-
-
 def scenario_toml(
     records: list[str],
     model: System,
@@ -159,20 +125,14 @@ def scenario_toml(
     heading: Heading | None = None,
     motion: dict[str, Any] | None = None,
 ) -> str:
-    """Return the text of a scenario file.
+    """Return the text of a file that reads back as the same scenario.
 
     Parameters
     ----------
     records
         Names of records or files.
-    model
-        The bearing, its friction law and its heating model.
-    title
-        Of the scenario.
     pgvs
         PGVs that each record is scaled to [mm/s]; None leaves the records as they are.
-    heading
-        Of the report.
     motion
         The table ``[motion]``: how files are read and treated.
     """
@@ -187,22 +147,9 @@ def scenario_toml(
     return tomli_w.dumps(content)
 
 
-# Everything that is calculated of a scenario: analyses, predictions and codes, each result once.
-
-
 @dataclass(frozen=True, eq=False)
 class ScenarioResult:
-    """One ground motion on the bearing.
-
-    Attributes
-    ----------
-    motion
-        As it shakes the bearing.
-    response
-        The analysis.
-    case
-        The predictions and what the codes say, beside the analysis.
-    """
+    """One ground motion on the bearing, the analysis, and beside it the predictions and what the codes say."""
 
     motion: GroundMotion
     response: Response
@@ -215,19 +162,7 @@ class ScenarioResult:
 
 @dataclass(frozen=True, eq=False)
 class Calculation:
-    """A scenario with all its results.
-
-    Attributes
-    ----------
-    scenario
-        What was asked.
-    methods
-        How records are predicted.
-    nominal
-        The nominal coefficient in it, and where that comes from.
-    results
-        For each ground motion.
-    """
+    """A scenario, how its records are predicted and with which nominal coefficient, and its results."""
 
     scenario: Scenario
     methods: Methods
@@ -258,12 +193,9 @@ def calculate(scenario: Scenario, report: Callable[[], None] | None = None) -> C
     methods = Methods.of(scenario.model, nominal)
     results: list[ScenarioResult] = []
     for motion in scenario.motions:
-        results.append(_result(motion, scenario, methods))
+        response = analyse(motion, scenario.model, scenario.study.settings, keep=PLATES)
+        case = compare(motion, methods, codes=True, response=response)
+        results.append(ScenarioResult(motion, response, case))
         if report is not None:
             report()
     return Calculation(scenario, methods, nominal, tuple(results))
-
-
-def _result(motion: GroundMotion, scenario: Scenario, methods: Methods) -> ScenarioResult:
-    response = analyse(motion, scenario.model, scenario.study.settings, keep=PLATES)
-    return ScenarioResult(motion, response, compare(motion, methods, codes=True, response=response))

@@ -1,14 +1,14 @@
 """The store of a study: Zarr, one chunk of each quantity for each block, readable at any moment.
 
-A block is written quantity by quantity and its status last, each file under another name first. A block whose status is
-there is whole; any other counts as not run, and is run again.
+A block is written quantity by quantity and its status last, each file under another name first. A block whose
+status is there is whole; any other counts as not run, and is run again.
 """
 
 import hashlib
 import json
 import os
 import shutil
-from collections.abc import Callable, Generator
+from collections.abc import Generator
 from contextlib import contextmanager, suppress
 from dataclasses import asdict
 from pathlib import Path
@@ -24,14 +24,14 @@ from dcfp.analysis.response import NOT_RUN
 from dcfp.errors import InputError
 from dcfp.inference.case import event_of
 from dcfp.kernels._jit import source_digest
+from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.citations import citations_of
 from dcfp.schema.identity import identity_of
 from dcfp.schema.nomenclature import quantity
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import MM_PER_S, SECOND
 from dcfp.study.factors import factor
-from dcfp.study.plan import Block, Plan
-from dcfp.study.results import (
+from dcfp.study.results import (  # fmt: skip
     DIGEST,
     MEANINGS,
     STATUS,
@@ -41,7 +41,7 @@ from dcfp.study.results import (
     results_in,
     share_done,
 )
-from dcfp.study.study import RECORD, SAMPLE
+from dcfp.study.study import RECORD, SAMPLE, Block, Plan
 from dcfp.study.work import Results
 from dcfp.system import friction_law
 from dcfp.version import version
@@ -57,17 +57,7 @@ _PARTIAL = "*.partial"
 
 
 class StudyStore:
-    """A store that a study is being written into.
-
-    Parameters
-    ----------
-    group
-        The open group.
-    plan
-        What it is the store of.
-    place
-        Its folder; None in memory.
-    """
+    """A store that a study is being written into: an open group, in a folder or (None) in memory."""
 
     def __init__(self, group: zarr.Group, plan: Plan, place: Path | None) -> None:
         self.plan = plan
@@ -85,13 +75,7 @@ class StudyStore:
         return bool((status != NOT_RUN).all())
 
     def write(self, block: Block, results: Results) -> None:
-        """Write the results of a block.
-
-        Raises
-        ------
-        InputError
-            If they cannot be written.
-        """
+        """Write the results of a block; an InputError says that they cannot be written."""
         try:
             for name, array in self._arrays.items():  # the status last
                 array[block.region] = results[name]
@@ -118,30 +102,19 @@ def store_in_memory(plan: Plan) -> StudyStore:
 def store_on_disk(plan: Plan, place: Path, *, resume: bool, overwrite: bool) -> Generator[StudyStore]:
     """Give the store of a study at a place, new or as it was left, for this process alone.
 
-    Parameters
-    ----------
-    plan
-        The plan of the study.
-    place
-        Folder of the store.
-    resume
-        Whether a store that is there is gone on with.
-    overwrite
-        Whether a store that is there is replaced.
-
     Raises
     ------
     InputError
-        If a store is there and neither was asked for, it is that of another study, another process is writing into it, or
-        nothing can be written there.
+        If a store is there and neither `resume` nor `overwrite` says what to do, it is that of another study,
+        another process is writing into it, or nothing can be written there.
     """
-    there = followed(place)
+    there = Path(os.path.realpath(place)) if place.is_symlink() else place
     with alone(there):
         known = exists(there)
         if known:
             _check_is_ours(there, plan, resume=resume, overwrite=overwrite)
         if not (known and resume):
-            put_whole(there, lambda new: _create(new, plan))
+            _put_whole(there, plan)
         for left in there.rglob(_PARTIAL):
             left.unlink(missing_ok=True)
         yield StudyStore(zarr.open_group(there, mode="r+"), plan, there)
@@ -200,18 +173,9 @@ def _check_is_ours(place: Path, plan: Plan, *, resume: bool, overwrite: bool) ->
         raise InputError(msg)
 
 
-# The folder of a store: taken by one process at a time, new or replaced whole or not at all.
-
-
 @contextmanager
 def alone(place: Path) -> Generator[None]:
-    """Keep every other process from writing into a store, or making or replacing it.
-
-    Raises
-    ------
-    InputError
-        If another process does so, or nothing can be written beside the store.
-    """
+    """Keep every other process from writing into a store, or making or replacing it."""
     # beside the store: within it Zarr would take it for a part that it does not know
     held = _beside(place, "lock")
     if not place.parent.is_dir():
@@ -224,31 +188,23 @@ def alone(place: Path) -> Generator[None]:
         msg = f"{place}: another process is writing into this store; wait for it, or stop it."
         raise InputError(msg) from error
     except OSError as error:
-        raise cannot_write(place, error) from error
+        raise _cannot_write(place, error) from error
     try:
         yield
     finally:
-        with suppress(OSError):
-            held.unlink(
-                missing_ok=True
-            )  # before the release: who takes a lock looks whether its file is still there
+        with suppress(OSError):  # before the release: who takes a lock looks whether its file is still there
+            held.unlink(missing_ok=True)
         lock.release()
 
 
-def put_whole(place: Path, create: Callable[[Path], None]) -> None:
-    """Let a new folder be filled under another name, and give it the place of what is there; only within `alone`.
-
-    Raises
-    ------
-    InputError
-        If it cannot be written; what was there then still is.
-    """
+def _put_whole(place: Path, plan: Plan) -> None:
+    """Fill a new folder under another name, and give it the place of what is there, all or nothing; within `alone`."""
     new, old = _beside(place, "new"), _beside(place, "old")
     try:
         for left in (new, old):  # of a process that was killed
             shutil.rmtree(left, ignore_errors=True)
         try:
-            create(new)
+            _create(new, plan)
             if place.exists():
                 place.rename(old)
             new.rename(place)
@@ -256,41 +212,18 @@ def put_whole(place: Path, create: Callable[[Path], None]) -> None:
             shutil.rmtree(new, ignore_errors=True)
             shutil.rmtree(old, ignore_errors=True)
     except OSError as error:
-        raise cannot_write(place, error) from error
+        raise _cannot_write(place, error) from error
 
 
-def cannot_write(place: Path, error: OSError) -> InputError:
-    """Return the sentence on a store that cannot be written."""
+def _cannot_write(place: Path, error: OSError) -> InputError:
     return InputError(f"{place}: the store cannot be written ({error.strerror or error}).")
-
-
-def followed(place: Path) -> Path:
-    """Return where a link leads, and any other path as it is."""
-    return Path(os.path.realpath(place)) if place.is_symlink() else place
 
 
 def _beside(place: Path, what: str) -> Path:
     return place.parent / f".{place.name}.{what}"
 
 
-# The coordinates of a study's results.
-
-
 Coordinate = tuple[str, Any, dict[str, str]]
-
-
-def coordinates(plan: Plan) -> dict[str, Coordinate]:
-    """Return each coordinate as its dimension, values and attributes."""
-    found: dict[str, Coordinate] = {}
-    for name, values in plan.study.factors.items():
-        found[name] = (name, _array(name, list(values)), _attributes(name))
-    if plan.samples:
-        numbers = np.arange(plan.sizes[SAMPLE])
-        found[SAMPLE] = (SAMPLE, numbers, {"long_name": "number of the sample"})
-        for name, values in plan.samples.items():
-            found[name] = (SAMPLE, _array(name, values.tolist()), _attributes(name))
-    along = RECORD if RECORD in plan.study.factors else SAMPLE
-    return found | _of_records(plan, along)
 
 
 #: What is known of a record besides its name.
@@ -303,33 +236,32 @@ OF_RECORDS = (
 )
 
 
-def _of_records(plan: Plan, along: str) -> dict[str, Coordinate]:
-    """Return what is known of the record at each place along a dimension."""
+def coordinates(plan: Plan) -> dict[str, Coordinate]:
+    """Return each coordinate as its dimension, values and attributes."""
+    found = {name: _coordinate(name, name, list(values)) for name, values in plan.study.factors.items()}
+    if plan.samples:
+        numbers = np.arange(plan.sizes[SAMPLE])
+        found[SAMPLE] = (SAMPLE, numbers, {"long_name": "number of the sample"})
+        found |= {name: _coordinate(name, SAMPLE, values.tolist()) for name, values in plan.samples.items()}
     motions = {motion.name: motion for motion in plan.study.motions}
-    names = plan.study.factors.get(RECORD) or plan.samples[RECORD].tolist()
-    return {
-        one.key: (
-            along,
-            np.array(
-                [one.of(motions[str(name)]) for name in names], dtype=np.float64 if one.is_number else object
-            ),
-            one.attributes,
-        )
-        for one in OF_RECORDS
-    }
+    along = RECORD if RECORD in plan.study.factors else SAMPLE
+    names: list[Any] = list(plan.study.factors.get(RECORD) or plan.samples[RECORD].tolist())
+    for one in OF_RECORDS:
+        values = [one.of(motions[str(name)]) for name in names]
+        found[one.key] = (along, _array(values, is_number=one.is_number), one.attributes)
+    return found
 
 
-def _array(name: str, values: list[Any]) -> "np.ndarray[Any, Any]":
-    return np.array(values, dtype=np.float64 if factor(name).is_number else object)
-
-
-def _attributes(name: str) -> dict[str, str]:
+def _coordinate(name: str, along: str, values: list[Any]) -> Coordinate:
     one = factor(name)
     attributes = {"long_name": one.words}
-    return {**attributes, "units": one.unit.inner_unit.udunits} if one.is_number else attributes
+    if one.is_number:
+        attributes["units"] = one.unit.inner_unit.udunits
+    return along, _array(values, is_number=one.is_number), attributes
 
 
-# Where the numbers of a store come from, and by what two studies are told apart.
+def _array(values: list[Any], *, is_number: bool) -> "np.ndarray[Any, Any]":
+    return np.array(values, dtype=np.float64 if is_number else object)
 
 
 def provenance(plan: Plan) -> dict[str, Any]:
@@ -349,12 +281,12 @@ def provenance(plan: Plan) -> dict[str, Any]:
         "friction_law": repr(study.model.friction),
         "heating_model": repr(study.model.heating),
         "settings": json.dumps(asdict(study.settings)),
-        "records": json.dumps(_records(plan)),
+        "records": json.dumps([_record(motion) for motion in study.motions]),
         "sampling_method": "grid" if study.sampling is None else study.sampling.method,
     }
-    capacity = _capacity(plan)
-    if capacity is not None:
-        attributes["displacement_capacity"] = capacity
+    capacities = {model.bearing.displacement_capacity for model in plan.models_at_ends()}
+    if len(capacities) == 1 and None not in capacities:  # [mm]
+        attributes["displacement_capacity"] = capacities.pop()
     if study.sampling is not None:
         sampled = [{"name": name, "distribution": repr(one)} for name, one in study.sampling.factors.items()]
         attributes |= {"sampling_seed": study.sampling.seed, "sampling_factors": json.dumps(sampled)}
@@ -366,14 +298,8 @@ def makers() -> dict[str, str]:
     return {"version": version(), "kernels_sha256": source_digest()}
 
 
-def _capacity(plan: Plan) -> float | None:
-    """Return the displacement capacity that all bearings of a study have [mm], if they have the same."""
-    capacities = {model.bearing.displacement_capacity for model in plan.models_at_ends()}
-    return capacities.pop() if len(capacities) == 1 else None
-
-
 def digest(plan: Plan) -> str:
-    """Return a number that two studies share only if every analysis of them is the same, and every result the same to the last bit."""
+    """Return what two studies share only if every analysis of them is the same, and every result to the last bit."""
     study = plan.study
     whole = {
         **makers(),
@@ -406,17 +332,14 @@ def _citations(plan: Plan) -> list[str]:
     return sorted(laws)
 
 
-def _records(plan: Plan) -> list[dict[str, Any]]:
-    return [
-        {
-            "name": motion.name,
-            "sha256": motion.digest,
-            "origin": asdict(motion.origin),
-            "treatment": list(motion.treatment),
-            "time_step_s": motion.time_step,
-            "samples": motion.acceleration.size,
-            "pgv_mm_s": motion.peak_velocity,
-            "pga_mm_s2": motion.peak_acceleration,
-        }
-        for motion in plan.study.motions
-    ]
+def _record(motion: GroundMotion) -> dict[str, Any]:
+    return {
+        "name": motion.name,
+        "sha256": motion.digest,
+        "origin": asdict(motion.origin),
+        "treatment": list(motion.treatment),
+        "time_step_s": motion.time_step,
+        "samples": motion.acceleration.size,
+        "pgv_mm_s": motion.peak_velocity,
+        "pga_mm_s2": motion.peak_acceleration,
+    }

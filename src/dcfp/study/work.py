@@ -22,8 +22,8 @@ from dcfp.methods.code_comparison import code_results
 from dcfp.methods.prediction import Ground, Methods, PredictionMethod
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.study.factors import ANALYSIS
-from dcfp.study.plan import Block, Cases, Plan
 from dcfp.study.results import STATUS, added_peaks, kept_peaks
+from dcfp.study.study import Block, Cases, Plan
 
 Results = dict[str, NDArray[np.float64] | NDArray[np.uint8]]
 
@@ -39,7 +39,8 @@ def work_off(plan: Plan, block: Block) -> Results:
         if chosen.size == 0:
             continue
         if name == ANALYSIS:
-            lanes = _part(cases.lanes, chosen)
+            every = cases.lanes  # a model that none of the chosen has costs little
+            lanes = Lanes(every.record[chosen], every.scale[chosen], every.model[chosen], every.models)
             found: Results = respond_in_batch(plan.grounds, lanes)
             found |= _added(plan, lanes, found)
         else:
@@ -51,7 +52,7 @@ def work_off(plan: Plan, block: Block) -> Results:
 
 
 def _added(plan: Plan, lanes: Lanes, found: Results) -> Results:
-    """Return what was added to the peaks of an analysis: from its other peaks where they are enough, else from the analysis with its histories."""
+    """Return what was added to the peaks of an analysis: from its other peaks where they are enough, else made again."""
     added: Results = {name: np.full(len(lanes), np.nan) for name in added_peaks()}
     for lane in np.flatnonzero(found[STATUS] != FAILED).tolist() if added else ():
         peaks = SimpleNamespace(**{name: values[lane].item() for name, values in found.items()})
@@ -87,17 +88,7 @@ def _histories(plan: Plan, block: Block, cases: Cases) -> Results:
 
 def response_of(plan: Plan, lanes: Lanes, lane: int) -> Response:
     """Return the response history analysis of one lane, with its histories."""
-    motion = plan.study.motions[int(lanes.record[lane])]
-    scale = float(lanes.scale[lane])
-    scaled = motion if scale == 1.0 else motion.scaled(scale)
-    return analyse(scaled, lanes.models[int(lanes.model[lane])], plan.study.settings)
-
-
-def _part(lanes: Lanes, chosen: IntArray) -> Lanes:
-    """Return some of the lanes; a model that none of them has is left in, for it costs little."""
-    if chosen.size == len(lanes):
-        return lanes
-    return Lanes(lanes.record[chosen], lanes.scale[chosen], lanes.model[chosen], lanes.models)
+    return analyse(plan.motion(lanes, lane), lanes.models[int(lanes.model[lane])], plan.study.settings)
 
 
 def predict(motion: GroundMotion, methods: Methods, key: str) -> Prediction:
@@ -116,8 +107,7 @@ def _predicted(plan: Plan, cases: Cases, chosen: IntArray, name: str) -> Results
     methods = [Methods.of(model) for model in lanes.models]
     said: list[Prediction] = []
     for lane in chosen.tolist():
-        motion = plan.study.motions[int(lanes.record[lane])].scaled(float(lanes.scale[lane]))
-        said.append(predict(motion, methods[int(lanes.model[lane])], name))
+        said.append(predict(plan.motion(lanes, lane), methods[int(lanes.model[lane])], name))
     displacement = np.array([one.bound for one in said])
     velocity = [np.nan if one.total_velocity is None else one.total_velocity for one in said]
     return {
@@ -128,30 +118,13 @@ def _predicted(plan: Plan, cases: Cases, chosen: IntArray, name: str) -> Results
     }
 
 
-# How long a study will take: a few blocks are worked off, spread over the whole, and nothing is kept.
-
-
 #: Parts that are tried for each thread, and analyses in each at most.
 _TRIED, _MOST_ANALYSES = 12, 64
 
 
 @dataclass(frozen=True)
 class Projection:
-    """What is to be expected of a study.
-
-    Attributes
-    ----------
-    analyses, blocks
-        Number of each.
-    tried
-        Analyses that were timed.
-    rate
-        Analyses per second on all threads together [1/s].
-    duration
-        Of all analyses [s].
-    size
-        Of the results, uncompressed [byte].
-    """
+    """What is to be expected of a study: analyses per second [1/s], duration [s] and uncompressed size [byte]."""
 
     analyses: int
     blocks: int
@@ -162,10 +135,7 @@ class Projection:
 
 
 def project(plan: Plan, threads: int) -> Projection:
-    """Time some analyses of a plan on so many threads, and say what all of them will take.
-
-    Analyses cost about as much as their records are long; what the tried ones cost is scaled by that.
-    """
+    """Time some analyses of a plan on so many threads, and say what all will take, each in proportion to its record."""
     blocks = list(plan.blocks())
     chosen: list[int] = np.unique(
         np.linspace(0, len(blocks) - 1, _TRIED * threads).round().astype(int)

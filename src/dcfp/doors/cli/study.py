@@ -19,8 +19,9 @@ from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import NONE
 from dcfp.study import Plan, Study, open_store, read_study
-from dcfp.study.assessment.selection import described, is_number, numbered_cases, response_at
-from dcfp.study.assessment.told import counts, store_object, summary_table
+from dcfp.study.assessment.selection import counts, described, is_number, numbered_cases, response_at
+from dcfp.study.assessment.told import store_object, summary_table
+from dcfp.study.run import run_on_cluster, run_study
 from dcfp.study.scenario import Calculation, Scenario, calculate, read_scenario
 from dcfp.study.work import project
 
@@ -98,9 +99,6 @@ def run(chosen: argparse.Namespace) -> Answer:
 
 
 def _run(study: Study, place: Path, chosen: argparse.Namespace) -> "xarray.Dataset":
-    from dcfp.study.cluster import run_on_cluster  # late: Dask takes long to import
-    from dcfp.study.run import run_study
-
     options: dict[str, Any] = {"resume": chosen.resume, "overwrite": chosen.overwrite}
     try:
         with study_progress(study.plan) as report:

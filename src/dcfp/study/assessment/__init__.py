@@ -1,6 +1,7 @@
 """What a study says: incremental dynamic analysis, fragility, property bounds, sensitivity and design charts.
 
-Each takes the data set of a study, refuses what it cannot use with one sentence, and returns its result with remarks in its attributes.
+Each takes the data set of a study, refuses what it cannot use with one sentence, and returns its result with
+remarks in its attributes.
 """
 
 from dcfp.study.assessment.bounds import bounds as bounds

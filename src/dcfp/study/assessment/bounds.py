@@ -1,7 +1,8 @@
 """Property bounds: the envelope of a response over the values that the properties of a bearing may take.
 
-ASCE 7-16 has an isolation system analysed with upper-bound and with lower-bound properties (section 17.2.8, *unconfirmed*); usually the one governs the
-forces and the other the displacements. Here every combination of the properties in a study is looked at, and it is said which one governs.
+ASCE 7-16 has an isolation system analysed with upper-bound and with lower-bound properties (section 17.2.8,
+*unconfirmed*); usually the one governs the forces and the other the displacements. Here every combination of
+the properties in a study is looked at, and it is said which one governs.
 """
 
 from collections.abc import Mapping, Sequence
@@ -14,19 +15,14 @@ import xarray
 from dcfp.errors import InputError
 from dcfp.study.assessment.selection import (
     few_records,
-    intensity_of,
     is_number,
-    only,
+    noted,
+    over_intensity,
     quantiles_over_records,
-    remarks_of,
     select,
     shown_value,
     shown_values,
-    sorted_over,
-    usable,
     values_of,
-    with_references,
-    with_remarks,
 )
 
 #: Factors of a study that are properties with bounds, and their nominal values.
@@ -53,34 +49,32 @@ def bounds(
     Parameters
     ----------
     dataset
-        A study of which at most the properties, the records and the intensity have several values; see `dcfp.study.assessment.select`.
-    over
-        The property factors; by default those of ``lambda`` and ``ambient`` that have several values.
-    nominal
-        Value of each that is nominal.
-    quantities
-        The results; of a residual displacement the size.
-    quantiles
-        Parts of the records that do not exceed [-].
+        A study of which at most the properties, the records and the intensity have several values; see
+        `dcfp.study.assessment.select`.
+    over, nominal
+        The property factors, by default those of ``lambda`` and ``ambient`` that have several values, and the
+        value of each that is nominal.
+    quantities, quantiles
+        The results, of a residual displacement the size, and parts of the records that do not exceed [-].
     unfinished
         Whether analyses that have not been run are left out rather than refused.
 
     Returns
     -------
     xarray.Dataset
-        Of each result over ``quantile``, the intensity and the properties: the value for each combination, under its own name; and over ``quantile`` and
-        the intensity: ``<quantity>_least``, ``_largest`` and ``_nominal``, ``_ratio``, the largest over the nominal [-], not of temperatures, and ``_least_at`` and
+        Of each result over ``quantile``, the intensity and the properties: the value for each combination,
+        under its own name; and over ``quantile`` and the intensity: ``<quantity>_least``, ``_largest`` and
+        ``_nominal``, ``_ratio``, the largest over the nominal [-], not of temperatures, and ``_least_at`` and
         ``_largest_at``, the combinations that govern, in words.
 
     Raises
     ------
     InputError
-        If a property does not vary or has no such nominal value, another factor has several values, or the study is not finished.
+        If a property does not vary or has no such nominal value, another factor has several values, or the
+        study is not finished.
     """
-    intensity = intensity_of(dataset)
-    properties = _properties(dataset, over)
-    chosen = only(dataset, (*properties, "record", intensity), "An envelope of property bounds")
-    found = usable(sorted_over(chosen, intensity), quantities, unfinished=unfinished)
+    properties, what = _properties(dataset, over), "An envelope of property bounds"
+    found, intensity = over_intensity(dataset, properties, what, quantities, unfinished=unfinished)
     without = [name for name in properties if name not in nominal]
     if without:
         shown = shown_values(found[without[0]])
@@ -91,16 +85,10 @@ def bounds(
     for name in quantities:
         values = quantiles_over_records(found[name], quantiles).transpose("quantile", intensity, *properties)
         variables |= _envelope(values, name, at)
-    result = xarray.Dataset(variables, attrs=found.attrs)
-    remarks = [*remarks_of(found), *few_records(quantiles, found.sizes["record"])]
-    remarks += _governs(result, properties, quantities)
-    result = result.assign_attrs(
-        over=", ".join(properties),
-        nominal=_combination(found, at),
-        intensity=intensity,
-        quantities=", ".join(quantities),
-    )
-    return with_remarks(with_references(result, "asce_7_2016"), remarks)
+    about = {"over": ", ".join(properties), "nominal": _combination(found, at), "intensity": intensity}
+    result = xarray.Dataset(variables, attrs={**found.attrs, **about, "quantities": ", ".join(quantities)})
+    remarks = few_records(quantiles, found.sizes["record"]) + _governs(result, properties, quantities)
+    return noted(result, remarks, "asce_7_2016")
 
 
 def _properties(dataset: xarray.Dataset, over: Sequence[str] | None) -> list[str]:

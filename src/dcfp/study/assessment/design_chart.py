@@ -24,14 +24,14 @@ def design_space(
 ) -> DesignSpace:
     """Return displacement and force of every record over radius and friction, at one PGV.
 
-    A record with an analysis that is missing is left out for all bearings, so that every bearing bears the same records.
+    A record with an analysis that is missing is left out for all bearings, so that every bearing bears the
+    same records.
 
     Parameters
     ----------
-    dataset
-        A study of which at most ``radius``, ``mu``, ``record`` and ``pgv`` have several values; see `dcfp.study.assessment.select`.
-    pgv
-        One of the study [mm/s]; not needed where it has only one.
+    dataset, pgv
+        A study of which at most ``radius``, ``mu``, ``record`` and ``pgv`` have several values, and one of
+        its PGVs [mm/s].
     unfinished
         Whether records with analyses that have not been run are left out rather than the study refused.
 
@@ -62,13 +62,7 @@ def design_space(
 
 
 def at_pgv(dataset: xarray.Dataset, pgv: float | None = None) -> xarray.Dataset:
-    """Return a study at one PGV [mm/s], which need not be said where it has only one.
-
-    Raises
-    ------
-    InputError
-        If it has none, or several of which none is said.
-    """
+    """Return a study at one PGV [mm/s], which need not be said where it has only one."""
     chosen = select(
         dataset, {} if pgv is None or "pgv" not in dataset.coords else {"pgv": pgv}, keep=(*_AXES, "record")
     )

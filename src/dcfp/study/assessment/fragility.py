@@ -1,11 +1,9 @@
-"""Incremental dynamic analysis and fragility: what every record does as it gets stronger, and how probable it is that a capacity is exceeded.
+"""Incremental dynamic analysis, Vamvatsikos and Cornell (2002), and fragility: how probable it is that a capacity is exceeded.
 
-The former is that of Vamvatsikos and Cornell (2002), with the intensity of the study in place of a spectral acceleration.
-
-Every record is used at every intensity, so that its analyses are not independent trials: what is observed of a record is one value, the intensity
-at which it first exceeds the capacity, known to lie between two intensities of the study, or below the first, or above the last. A lognormal
-distribution is fitted to those intervals by maximum likelihood, which is the fit of Baker (2015) to truncated incremental dynamic analyses with an
-interval in place of the exact intensity.
+Every record is used at every intensity, so that its analyses are not independent trials: what is observed of
+a record is one value, the intensity at which it first exceeds the capacity, known to lie between two
+intensities of the study, or below the first, or above the last. A lognormal distribution is fitted to those
+intervals by maximum likelihood: Baker (2015), with an interval in place of the exact intensity.
 """
 
 import math
@@ -23,18 +21,13 @@ from dcfp.study.assessment.selection import (
     coordinates_of,
     events_of,
     few_records,
-    intensity_of,
-    is_beyond_capacity,
-    only,
+    noted,
+    over_intensity,
     quantiles_over_records,
-    remarks_of,
     shown_value,
-    sorted_over,
-    usable,
     values_of,
-    with_references,
-    with_remarks,
 )
+from dcfp.study.results import MEANINGS, STATUS
 
 #: Parts of the records that do not exceed [-]: the median and one standard deviation of a normal distribution on either side.
 QUANTILES = (0.16, 0.5, 0.84)
@@ -70,41 +63,40 @@ def ida(
     Parameters
     ----------
     dataset
-        A study of which at most the records and the intensity have several values; see `dcfp.study.assessment.select`.
-    quantity
-        The result that is looked at; of a residual displacement the size.
-    quantiles
-        Parts of the records [-].
+        A study of which at most the records and the intensity have several values; see
+        `dcfp.study.assessment.select`.
+    quantity, quantiles
+        The result that is looked at, of a residual displacement the size, and parts of the records [-].
     unfinished
         Whether analyses that have not been run are left out rather than refused.
 
     Returns
     -------
     xarray.Dataset
-        `quantity` over ``record`` and the intensity; ``<quantity>_quantile`` over ``quantile`` and the intensity; ``beyond_capacity``, whether an
-        analysis is beyond the displacement capacity of the bearing.
+        `quantity` over ``record`` and the intensity; ``<quantity>_quantile`` over ``quantile`` and the
+        intensity; ``beyond_capacity``, whether an analysis is beyond the displacement capacity of the
+        bearing.
 
     Raises
     ------
     InputError
         If another factor has several values, or the study is not finished.
     """
-    intensity = intensity_of(dataset)
-    chosen = only(dataset, ("record", intensity), "An incremental dynamic analysis")
-    found = usable(sorted_over(chosen, intensity), [quantity], unfinished=unfinished)
-    beyond = is_beyond_capacity(found)
+    what = "An incremental dynamic analysis"
+    found, _ = over_intensity(dataset, (), what, [quantity], unfinished=unfinished)
+    beyond = found[STATUS] == MEANINGS.index("beyond_capacity")
     curves = found[[quantity]].assign(
         {
             f"{quantity}_quantile": quantiles_over_records(found[quantity], quantiles),
             "beyond_capacity": beyond,
         }
     )
-    remarks = [*remarks_of(found), *few_records(quantiles, found.sizes["record"])]
+    remarks = few_records(quantiles, found.sizes["record"])
     if beyond.any():
         remarks.append(
             f"{int(beyond.sum())} of the {beyond.size} analyses are beyond the displacement capacity; they are those of plates without an end."
         )
-    return with_remarks(with_references(curves, "vamvatsikos_cornell_2002"), remarks)
+    return noted(curves, remarks, "vamvatsikos_cornell_2002")
 
 
 def fragility(
@@ -122,38 +114,33 @@ def fragility(
 
     Parameters
     ----------
-    dataset
-        A study of which at most the records and the intensity have several values; see `dcfp.study.assessment.select`.
-    capacity
-        One or several, in the unit of the quantity; by default the displacement capacity of the study's bearing [mm].
-    quantity
-        The result that is compared with it.
+    dataset, unfinished
+        As for `ida`.
+    capacity, quantity
+        One or several, in the unit of the quantity, by default the displacement capacity of the study's
+        bearing [mm]; and the result that is compared with it.
     further_dispersions
-        Further dispersions by their names [-], for example of design and model, which are added to that between the records as the root of the sum of
-        squares, after FEMA P-695; the median stays.
-    confidence
-        Part of the draws inside the bounds [-].
-    draws, seed
-        Whole earthquakes are drawn with replacement, all components of one together.
-    unfinished
-        Whether analyses that have not been run are left out rather than refused.
+        By their names [-], for example of design and model: added to that between the records as the root of
+        the sum of squares, after FEMA P-695; the median stays.
+    confidence, draws, seed
+        Part of the draws inside the bounds [-]; whole earthquakes are drawn, all components of one together.
 
     Returns
     -------
     xarray.Dataset
-        Over ``capacity``: ``median`` (in the unit of the intensity), ``dispersion`` and ``total_dispersion`` [-]; with ``bound`` (``low``, ``high``)
-        their ``median_bound`` and ``dispersion_bound``; ``fraction``, what part of the records is observed to exceed, over the intensity; and
-        ``probability`` with its ``probability_bound`` over ``point``, whose intensities are ``<intensity>_of_curve``. Not a number where a capacity has no fit, of
-        which a remark says why.
+        Over ``capacity``: ``median`` (in the unit of the intensity), ``dispersion`` and ``total_dispersion``
+        [-]; their ``median_bound`` and ``dispersion_bound``; ``fraction``, what part of the records is
+        observed to exceed, over the intensity; and ``probability`` with its ``probability_bound`` over
+        ``point``, whose intensities are ``<intensity>_of_curve``. Not a number where a capacity has no fit,
+        of which a remark says why.
 
     Raises
     ------
     InputError
-        If no capacity can be fitted, there are too few records, another factor has several values, or the study is not finished.
+        If no capacity can be fitted, there are too few records, another factor has several values, or the
+        study is not finished.
     """
-    intensity = intensity_of(dataset)
-    chosen = only(dataset, ("record", intensity), "A fragility")
-    found = usable(sorted_over(chosen, intensity), [quantity], unfinished=unfinished)
+    found, intensity = over_intensity(dataset, (), "A fragility", [quantity], unfinished=unfinished)
     capacities = _capacities(dataset, capacity, quantity)
     _check_options(confidence, draws, further_dispersions)
     grid, table = values_of(found, intensity), values_of(found, quantity)
@@ -181,7 +168,7 @@ def fragility(
         {"units": "1", "long_name": "part of the records that exceeds the capacity"},
     )
     told = [f"{name}: {why}." for name, why in zip(named, reasons, strict=True) if why]
-    remarks = [*remarks_of(found), *told, *_remarks(crossings, named, fits, earthquakes)]
+    remarks = [*told, *_remarks(crossings, named, fits, earthquakes)]
     result = result.assign_attrs(
         confidence=confidence,
         draws=draws,
@@ -190,7 +177,7 @@ def fragility(
         earthquakes=earthquakes,
         further_dispersions=", ".join(f"{name} {value:g}" for name, value in further.items()) or "none",
     )
-    return with_remarks(with_references(result, "baker_2015", "fema_p695_2009"), remarks)
+    return noted(result, remarks, "baker_2015", "fema_p695_2009")
 
 
 def _capacities(
@@ -226,7 +213,7 @@ def _check_options(confidence: float, draws: int, further: Mapping[str, float] |
 
 
 def _fractions(table: FloatArray, capacity: float) -> FloatArray:
-    """Return what part of the records exceeds the capacity at each intensity; not a number where there is none."""
+    """Return what part of the records exceeds the capacity at each intensity."""
     known = np.isfinite(table).sum(axis=0)
     exceed = (np.nan_to_num(table, nan=-np.inf) > capacity).sum(axis=0)
     return np.where(known > 0, exceed / np.maximum(known, 1), np.nan)

@@ -25,7 +25,7 @@ _SMALL, _MOST_STEPS, _MOST_HALVINGS = 1e-12, 60, 40
 def can_be_fitted(lower: FloatArray, upper: FloatArray, weights: FloatArray) -> NDArray[np.bool_]:
     """Return whether intervals have a finite median and a finite dispersion above zero, shape (draws,).
 
-    They have unless one value lies in all of them, or none of them has two ends. Arguments as for `fit_lognormal`.
+    They have unless one value lies in all of them, or none of them has two ends.
     """
     there = weights > 0.0
     last_low = np.where(there, lower, 0.0).max(axis=1)
@@ -35,19 +35,9 @@ def can_be_fitted(lower: FloatArray, upper: FloatArray, weights: FloatArray) -> 
 
 
 def fit_lognormal(lower: FloatArray, upper: FloatArray, weights: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return median and dispersion of greatest likelihood, the latter as standard deviation of the natural logarithm [-].
+    """Return median and dispersion of greatest likelihood, shape (draws,); not a number where they cannot be fitted.
 
-    Parameters
-    ----------
-    lower, upper
-        Ends of the intervals, shape (n,): 0 and infinity where there is none.
-    weights
-        How often each interval counts, shape (draws, n).
-
-    Returns
-    -------
-    median, dispersion
-        Shape (draws,); not a number where they cannot be fitted.
+    Intervals have ends of shape (n,), 0 and infinity where there is none, and weights of shape (draws, n).
     """
     with np.errstate(divide="ignore"):
         low, high = np.log(lower), np.log(upper)
@@ -130,21 +120,11 @@ def _density(end: FloatArray, logarithm: FloatArray) -> FloatArray:
     return np.exp(-0.5 * end**2 - _LOG_ROOT_TWO_PI - logarithm)
 
 
-# Between which intensities each record first exceeds a capacity.
-
-
 @dataclass(frozen=True, eq=False)
 class FirstExceedance:
-    """For each record the intensities between which it first exceeds a capacity, in their unit.
+    """For each record the intensities between which it first exceeds a capacity, 0 and infinity where there is none.
 
-    Attributes
-    ----------
-    lower
-        The highest intensity before, shape (records,); 0 where there is none.
-    upper
-        The first intensity at which it exceeds; infinity where it never does.
-    returns
-        How many records are within the capacity again at a higher intensity.
+    Some records, `returns` in number, are within the capacity again at a higher intensity.
     """
 
     lower: FloatArray
@@ -152,10 +132,7 @@ class FirstExceedance:
     returns: int
 
     def reason(self, shown: Callable[[float], str]) -> str:
-        """Return why no lognormal distribution can be fitted to all of them, as the end of a sentence; empty if it can.
-
-        `shown` writes an intensity with its unit.
-        """
+        """Return why no lognormal distribution can be fitted, as the end of a sentence; empty if it can."""
         number = self.upper.size
         if not np.isfinite(self.upper).any():
             return (
@@ -177,16 +154,10 @@ class FirstExceedance:
 
 
 def first_exceedance(intensities: FloatArray, values: FloatArray, capacity: float) -> FirstExceedance:
-    """Return between which intensities each record first exceeds a capacity.
+    """Return between which increasing intensities each record first exceeds a capacity; values have shape (records, i).
 
-    Parameters
-    ----------
-    intensities
-        Increasing, shape (i,).
-    values
-        Of the quantity, shape (records, i); what is not a number is not known, and widens the interval. A record of which nothing is known is left out.
-    capacity
-        In the unit of the quantity.
+    What is not a number is not known, and widens the interval. A record of which nothing is known is left
+    out.
     """
     lower: list[float] = []
     upper: list[float] = []
@@ -207,18 +178,8 @@ def first_exceedance(intensities: FloatArray, values: FloatArray, capacity: floa
 class Fit:
     """The fit of one capacity; not a number where there is none.
 
-    Attributes
-    ----------
-    median
-        In the unit of the intensity.
-    dispersion, total_dispersion
-        Between the records, and with further ones [-].
-    median_bound, dispersion_bound
-        Low and high.
-    probability, probability_bound
-        Of the curve, shape (points,) and (2, points) [-].
-    without
-        Part of the draws that have no fit [-].
+    Bounds are low and high; the curve has the shape (points,). The part of the draws `without` a fit is in
+    [-].
     """
 
     median: float
@@ -233,24 +194,14 @@ class Fit:
 
 @dataclass(frozen=True, eq=False)
 class Draws:
-    """What the fits of all capacities share.
-
-    Attributes
-    ----------
-    counts
-        How often each record counts, shape (1 + draws, records); see `drawn_counts`.
-    points
-        Intensities of the curve, in their unit.
-    confidence
-        Part of the draws inside the bounds [-].
-    """
+    """What the fits of all capacities share: how often each record counts, the points of the curve, the confidence."""
 
     counts: FloatArray
     points: FloatArray
     confidence: float
 
     def fit(self, crossings: FirstExceedance, further: float) -> Fit:
-        """Fit what was observed, and each draw; `further` is a dispersion that is added to that of the records [-]."""
+        """Fit what was observed, and each draw, with a further dispersion beside that of the records [-]."""
         ends, place = np.unique(np.stack((crossings.lower, crossings.upper)), axis=1, return_inverse=True)
         weights = np.stack(
             [self.counts[:, place.ravel() == i].sum(axis=1) for i in range(ends.shape[1])], axis=1
@@ -286,7 +237,7 @@ def lognormal_probability(
 
 
 def drawn_counts(events: np.ndarray, draws: int, seed: int) -> FloatArray:
-    """Return how often each record is drawn: first once each, then with whole earthquakes drawn, shape (1 + draws, records)."""
+    """Return how often each record counts: once each, then with whole earthquakes drawn, shape (1 + draws, records)."""
     names, member = np.unique(events, return_inverse=True)
     parts = np.full(names.size, 1.0 / names.size)
     drawn = np.random.default_rng(seed).multinomial(names.size, parts, size=draws)

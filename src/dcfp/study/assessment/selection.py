@@ -15,9 +15,9 @@ from dcfp.schema.nomenclature import NOMENCLATURE
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import Unit
 from dcfp.study.factors import ANALYSIS, catalogue
-from dcfp.study.plan import Block, Plan
-from dcfp.study.results import INTENSITIES
+from dcfp.study.results import INTENSITIES, MEANINGS, STATUS, parts_of
 from dcfp.study.store import OF_RECORDS, coordinates
+from dcfp.study.study import Block, Plan
 from dcfp.study.work import response_of
 
 #: How far a number may be off the value of a factor that it means, relative [-] and, at zero, absolute.
@@ -27,14 +27,13 @@ _SAME, _SAME_AT_ZERO = 1e-6, 1e-9
 def select(
     dataset: xarray.Dataset, at: Mapping[str, float | str], keep: Sequence[str] = ()
 ) -> xarray.Dataset:
-    """Return the analyses at one value of each factor that is named, with no dimension of length one.
+    """Return the analyses of a study at one value of each factor that is named, with no dimension of length one.
 
     Parameters
     ----------
-    dataset
-        A study.
     at
-        Values by the names of the factors, in the units of the data set; a sample is named by its number from 0.
+        Values by the names of the factors, in the units of the data set; a sample is named by its number from
+        0.
     keep
         Factors that stay a dimension even if they have one value.
 
@@ -47,22 +46,13 @@ def select(
         grid = set(dataset["status"].dims)
         dataset = dataset[[name for name, one in dataset.data_vars.items() if set(one.dims) <= grid]]
     for name, wanted in at.items():
-        if name in dataset.dims:
-            dataset = dataset.isel({name: _place(dataset, name, wanted)})
-        else:
-            _check_fixed(dataset, name, wanted)
+        dataset = _at(dataset, name, wanted)
     lone = [name for name, size in dataset.sizes.items() if size == 1 and name not in keep]
     return dataset.squeeze(lone)
 
 
 def intensity_of(dataset: xarray.Dataset) -> str:
-    """Return the factor of a study that says how strong a motion is: ``"pgv"``, ``"pga"`` or ``"scale"``.
-
-    Raises
-    ------
-    InputError
-        If it has none of those, or if it is sampled.
-    """
+    """Return the factor of a study that says how strong a motion is: ``"pgv"``, ``"pga"`` or ``"scale"``."""
     found = [name for name in INTENSITIES if name in dataset.dims or _is_fixed(dataset, name)]
     if len(found) != 1:
         msg = f"An assessment over the intensity needs one of {', '.join(INTENSITIES)} in the grid of the study, which is over {_dimensions(dataset)}."
@@ -73,19 +63,7 @@ def intensity_of(dataset: xarray.Dataset) -> str:
 def only(dataset: xarray.Dataset, names: Sequence[str], what: str) -> xarray.Dataset:
     """Return a study over those factors, of one value or several, and no other.
 
-    Parameters
-    ----------
-    dataset
-        A study; factors with one value do not count.
-    names
-        The factors.
-    what
-        What needs them, as the begin of a sentence: ``"A design chart"``.
-
-    Raises
-    ------
-    InputError
-        If one of them is missing, or if another has several values.
+    `what` needs them, as the begin of the sentence that one is missing, or another has several values.
     """
     dataset = select(dataset, {}, keep=names)
     for name in names:
@@ -110,56 +88,46 @@ def only(dataset: xarray.Dataset, names: Sequence[str], what: str) -> xarray.Dat
     return dataset.transpose(*names)
 
 
-def sorted_over(dataset: xarray.Dataset, name: str) -> xarray.Dataset:
-    """Return a study with the values of a factor increasing.
-
-    Raises
-    ------
-    InputError
-        If they are no numbers, or not positive ones.
-    """
-    values = dataset[name]
+def over_intensity(
+    dataset: xarray.Dataset, names: Sequence[str], what: str, results: Sequence[str], *, unfinished: bool
+) -> tuple[xarray.Dataset, str]:
+    """Return some results over those factors, the records and the intensity, increasing, and its name."""
+    intensity = intensity_of(dataset)
+    chosen = only(dataset, (*names, "record", intensity), what)
+    values = chosen[intensity]
     if not is_number(values) or not (values.to_numpy() > 0.0).all():
-        msg = f"The values of {name} must be positive numbers, not {shown_values(values)}."
+        msg = f"The values of {intensity} must be positive numbers, not {shown_values(values)}."
         raise InputError(msg)
-    return dataset.sortby(name)
+    return usable(chosen.sortby(intensity), results, unfinished=unfinished), intensity
 
 
 def _is_fixed(dataset: xarray.Dataset, name: str) -> bool:
     return name in dataset.coords and dataset[name].ndim == 0
 
 
-def _place(dataset: xarray.Dataset, name: str, wanted: float | str) -> int:
-    factor = dataset[name]  # numbers from 0 where the dimension has no coordinate
-    found = np.flatnonzero(_same(factor, name, wanted))
-    if found.size == 0:
-        msg = f"There is no {name} of {shown_value(factor, wanted)} in this study; there is {_values(dataset, name)}."
-        raise InputError(msg)
-    return int(found[0])
-
-
-def _check_fixed(dataset: xarray.Dataset, name: str, wanted: float | str) -> None:
-    if name not in dataset.coords:
+def _at(dataset: xarray.Dataset, name: str, wanted: float | str) -> xarray.Dataset:
+    """Return a study at one value of a factor."""
+    if name not in dataset.dims and name not in dataset.coords:
         known = _listed([str(one) for one in dataset.dims])
         msg = f"{name!r} is no factor of this study, which is over {known}."
         raise InputError(msg)
-    factor = dataset[name]
-    if factor.ndim > 0:
+    factor = dataset[name]  # numbers from 0 where the dimension has no coordinate
+    if name not in dataset.dims and factor.ndim > 0:
         along = str(factor.dims[0])
         msg = f"{name} cannot be chosen, because it goes with {along}; choose a {along}."
         raise InputError(msg)
-    if not _same(factor, name, wanted):
-        msg = f"There is no {name} of {shown_value(factor, wanted)} in this study; there is {shown_values(factor)}."
-        raise InputError(msg)
-
-
-def _same(factor: xarray.DataArray, name: str, wanted: float | str) -> np.ndarray:
     if not is_number(factor):
-        return names_of(factor) == str(wanted)
-    if isinstance(wanted, str):
+        same = names_of(factor) == str(wanted)
+    elif isinstance(wanted, str):
         msg = f"{name} is chosen by a number, not by {wanted!r}; there is {shown_values(factor)}."
         raise InputError(msg)
-    return np.asarray(np.isclose(factor.to_numpy(), wanted, rtol=_SAME, atol=_SAME_AT_ZERO))
+    else:
+        same = np.isclose(factor.to_numpy(), wanted, rtol=_SAME, atol=_SAME_AT_ZERO)
+    found = np.flatnonzero(same)
+    if found.size == 0:
+        msg = f"There is no {name} of {shown_value(factor, wanted)} in this study; there is {_values(dataset, name)}."
+        raise InputError(msg)
+    return dataset.isel({name: int(found[0])}) if name in dataset.dims else dataset
 
 
 def _values(dataset: xarray.Dataset, name: str) -> str:
@@ -177,9 +145,6 @@ def _listed(names: Sequence[str]) -> str:
 
 def _is(names: Sequence[str]) -> str:
     return "is" if len(names) == 1 else "are"
-
-
-# How the factors and the results of a study are called and shown.
 
 
 #: Values of a factor that a sentence names.
@@ -256,9 +221,6 @@ def fixed_values(dataset: xarray.Dataset) -> str:
     )
 
 
-# Whether the analyses are there, what is missing being refused or counted; and what part of the records does not exceed.
-
-
 #: Results whose sign says a direction, so that only their size is assessed.
 _SIGNED = frozenset({"residual_displacement"})
 
@@ -268,21 +230,8 @@ def usable(
 ) -> xarray.Dataset:
     """Return some results of a study as numbers in memory, with remarks on what is missing in its attributes.
 
-    Of a residual displacement the size is kept, not the direction.
-
-    Parameters
-    ----------
-    dataset
-        What is assessed of a study; what was not selected may be missing.
-    names
-        The results.
-    unfinished
-        Whether analyses that have not been run are left out and counted rather than refused; None where that cannot be.
-
-    Raises
-    ------
-    InputError
-        If there is no such result, no analysis at all, or the study is not finished.
+    Of a residual displacement the size is kept, not the direction. Analyses that have not been run are
+    refused, or where `unfinished` left out and counted; None where that cannot be.
     """
     for name in names:
         if name not in dataset.data_vars or name == "status":
@@ -290,9 +239,8 @@ def usable(
             msg = f"{name!r} is no result of this study; its results are {known}."
             raise InputError(msg)
     found = dataset[[*names, "status"]].load()
-    counts = _counts(found["status"])
-    whole = found["status"].size
-    missing, failed = counts["not_run"], counts["failed"]
+    number, whole = counts(found), found["status"].size
+    missing, failed = number["not_run"], number["failed"]
     if missing and not unfinished:
         instead = "" if unfinished is None else ", or leave them out (unfinished)"
         msg = f"{missing} of the {whole} analyses have not been run; finish the study first{instead}."
@@ -300,24 +248,27 @@ def usable(
     if missing + failed == whole:
         msg = f"None of the {whole} analyses has a result."
         raise InputError(msg)
-    remarks = remarks_of(dataset)
+    remarks: list[str] = []
     if missing:
         remarks.append(f"{missing} of the {whole} analyses have not been run, and are left out.")
     if failed:
         remarks.append(f"{failed} of the {whole} analyses failed, and are left out.")
-    if counts["still_moving"] and _SIGNED.intersection(names):
+    if number["still_moving"] and _SIGNED.intersection(names):
         remarks.append(
-            f"In {counts['still_moving']} of the {whole} analyses it still moves at the end, so that the residual displacement is not final."
+            f"In {number['still_moving']} of the {whole} analyses it still moves at the end, so that the residual displacement is not final."
         )
     for name in _SIGNED.intersection(names):
         remarks.append(f"Of the {name.replace('_', ' ')} the size is taken, not the direction.")
         found[name] = (found[name].dims, np.abs(values_of(found, name)), found[name].attrs)
-    return with_remarks(found, remarks)
+    return noted(found, remarks)
 
 
-def is_beyond_capacity(dataset: xarray.Dataset) -> xarray.DataArray:
-    """Return in which analyses the displacement is beyond the capacity of the bearing."""
-    return dataset["status"] == _flags(dataset["status"])["beyond_capacity"]
+def counts(dataset: xarray.Dataset) -> dict[str, int]:
+    """Return how many analyses ended in which way."""
+    found = np.zeros(len(MEANINGS), dtype=np.int64)
+    for part in parts_of(dataset[[STATUS]]):
+        found += np.bincount(part[STATUS].to_numpy().ravel(), minlength=len(MEANINGS))
+    return dict(zip(MEANINGS, found.tolist(), strict=True))
 
 
 def remarks_of(dataset: xarray.Dataset) -> list[str]:
@@ -325,15 +276,13 @@ def remarks_of(dataset: xarray.Dataset) -> list[str]:
     return [line for line in str(dataset.attrs.get("remarks", "")).splitlines() if line.strip()]
 
 
-def with_remarks(dataset: xarray.Dataset, remarks: Sequence[str]) -> xarray.Dataset:
-    """Return a data set with these remarks in its attributes, one on each line."""
-    return dataset.assign_attrs(remarks="\n".join(dict.fromkeys(remarks)))
-
-
-def with_references(dataset: xarray.Dataset, *keys: str) -> xarray.Dataset:
-    """Return a data set with these references added to those in its attributes, one on each line."""
+def noted(dataset: xarray.Dataset, remarks: Sequence[str], *references: str) -> xarray.Dataset:
+    """Return a data set with further remarks and references, by their keys, in its attributes, one on each line."""
     known = str(dataset.attrs.get("references", "")).splitlines()
-    return dataset.assign_attrs(references="\n".join(dict.fromkeys([*known, *citations_of(*keys)])))
+    return dataset.assign_attrs(
+        remarks="\n".join(dict.fromkeys([*remarks_of(dataset), *remarks])),
+        references="\n".join(dict.fromkeys([*known, *citations_of(*references)])),
+    )
 
 
 def values_of(dataset: xarray.Dataset, name: str) -> FloatArray:
@@ -341,43 +290,17 @@ def values_of(dataset: xarray.Dataset, name: str) -> FloatArray:
     return np.asarray(dataset[name].to_numpy(), dtype=np.float64)
 
 
-def _flags(status: xarray.DataArray) -> dict[str, int]:
-    """Return the codes of a status by their meanings, as the CF conventions write them."""
-    codes = np.atleast_1d(status.attrs["flag_values"]).tolist()
-    return dict(zip(str(status.attrs["flag_meanings"]).split(), codes, strict=True))
-
-
-def _counts(status: xarray.DataArray) -> dict[str, int]:
-    values = status.to_numpy()
-    return {meaning: int((values == code).sum()) for meaning, code in _flags(status).items()}
-
-
-# What part of the records does not exceed.
-
-
 def check_part(part: float, what: str) -> None:
-    """Refuse what is not above 0 and below 1.
-
-    Raises
-    ------
-    InputError
-        If it is not.
-    """
+    """Refuse what is not above 0 and below 1."""
     if not 0.0 < part < 1.0:
         msg = f"{what} must lie between 0 and 1, not {part:g}."
         raise InputError(msg)
 
 
 def quantiles_over_records(values: xarray.DataArray, parts: Sequence[float]) -> xarray.DataArray:
-    """Return quantiles over the dimension ``record``, along a new first dimension ``quantile``.
+    """Return quantiles over the records, along a new first dimension; see `dcfp.inference.statistics.quantile`.
 
-    A quantile is the value that another record will be below with a probability of `parts` [-], as that of `dcfp.inference.statistics.quantile`. Records
-    without a value do not count; of none the quantile is not a number.
-
-    Raises
-    ------
-    InputError
-        If a part is not above 0 and below 1.
+    Records without a value do not count.
     """
     for part in parts:
         check_part(part, "A quantile")
@@ -398,9 +321,6 @@ def few_records(parts: Sequence[float], records: int) -> list[str]:
     ]
 
 
-# One case of a study: its response history analysis, made again with its histories.
-
-
 def numbered_cases(plan: Plan) -> xarray.Dataset:
     """Return the number of every case of a plan over its factors."""
     numbers = np.arange(plan.count).reshape(plan.shape)
@@ -408,20 +328,7 @@ def numbered_cases(plan: Plan) -> xarray.Dataset:
 
 
 def response_at(plan: Plan, at: Mapping[str, float | str]) -> Response:
-    """Return the response history analysis of one case.
-
-    Parameters
-    ----------
-    plan
-        The plan of the study.
-    at
-        A value of every factor that has several, in the units of the results; a sample is named by its number.
-
-    Raises
-    ------
-    InputError
-        If there is no such case, or more than one, or it is one of another procedure.
-    """
+    """Return the response history analysis of one case, at a value of every factor that has several."""
     chosen = only(select(numbered_cases(plan), at), (), "A response history analysis")
     places = np.unravel_index(int(chosen["number"].item()), plan.shape)
     cases = plan.cases(Block(0, tuple(slice(int(place), int(place) + 1) for place in places)))

@@ -1,7 +1,7 @@
 """Sobol indices: which sampled factor the variance of a result comes from.
 
-First order: the part of the variance that goes if the factor is known; total: the part that stays if all others are. Estimated by SALib from samples in the
-scheme of Saltelli et al. (2010).
+First order: the part of the variance that goes if the factor is known; total: the part that stays if all
+others are. Estimated by SALib from samples in the scheme of Saltelli et al. (2010).
 """
 
 import json
@@ -14,14 +14,12 @@ from dcfp.errors import InputError
 from dcfp.study.assessment.selection import (
     check_part,
     few_records,
+    noted,
     quantiles_over_records,
-    remarks_of,
     select,
     usable,
-    with_references,
-    with_remarks,
 )
-from dcfp.study.sampling import salib
+from dcfp.study.factors import salib
 
 #: How the records are taken together, if not by a quantile.
 GEOMETRIC_MEAN = "geometric-mean"
@@ -53,25 +51,23 @@ def sensitivity(
 
     Parameters
     ----------
-    dataset
-        A study whose samples are in the scheme of Saltelli, without those for the second order.
-    quantity
-        The result.
+    dataset, quantity
+        A study whose samples are in the scheme of Saltelli, without those for the second order, and the
+        result.
     over_records
-        How the records are taken together: ``"geometric-mean"``, or a quantile [-]; by default the geometric mean, and the median where a result may be
-        zero or has no natural zero. What is sampled together with the record stays as it is.
+        How the records are taken together: ``"geometric-mean"``, or a quantile [-]; by default the geometric
+        mean, and the median where a result may be zero or has no natural zero. What is sampled together with
+        the record stays as it is.
     logarithm
         Whether the variance is that of the logarithm.
-    confidence
-        Of the intervals [-].
-    draws, seed
-        Samples are drawn with replacement for the intervals.
+    confidence, draws, seed
+        Of the intervals [-], for which samples are drawn with replacement.
 
     Returns
     -------
     xarray.Dataset
-        ``S1``, ``ST`` [-] over ``factor`` and what is left of the grid, and ``S1_confidence``, ``ST_confidence``, half of the widths of their intervals. Not a
-        number where the result does not vary.
+        ``S1``, ``ST`` [-] over ``factor`` and what is left of the grid, and ``S1_confidence``,
+        ``ST_confidence``, half of the widths of their intervals. Not a number where the result does not vary.
 
     Raises
     ------
@@ -122,8 +118,8 @@ def sensitivity(
             "seed": seed,
         },
     )
-    remarks = [*remarks_of(found), *remarks, *_precision(result, samples, confidence)]
-    return with_remarks(with_references(result, "sobol_2001", "saltelli_2010"), remarks)
+    remarks += _precision(result, samples, confidence)
+    return noted(result, remarks, "sobol_2001", "saltelli_2010")
 
 
 def _factors(dataset: xarray.Dataset) -> list[str]:

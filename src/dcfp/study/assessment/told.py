@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from operator import itemgetter
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from dcfp.schema.table import Table
 from dcfp.schema.units import M_PER_S, NONE
 from dcfp.study.assessment.fragility_fit import lognormal_probability
 from dcfp.study.assessment.selection import (
+    counts,
     described,
     fixed_of,
     fixed_values,
@@ -23,37 +25,21 @@ from dcfp.study.assessment.selection import (
     remarks_of,
     shown_value,
 )
-from dcfp.study.results import INTENSITIES, MEANINGS, added_peaks, parts_of
+from dcfp.study.results import INTENSITIES, added_peaks
 
 Row = dict[str, Any]
-
-# ----- factors and results as columns -----
 
 
 def column(variable: xarray.DataArray) -> Quantity:
     """Return a factor or a result as a column of rows that hold its values, in the units of the data set, by its name; a PGV is told in m/s."""
     name, entry = str(variable.name), described(variable)
-    head = {"pgv": "PGV", "pga": "PGA"}.get(name, name.replace("_", " "))
+    head, get = {"pgv": "PGV", "pga": "PGA"}.get(name, name.replace("_", " ")), itemgetter(name)
     if not is_number(variable):
-        return Quantity(name, entry.words, head=head, get=lambda row: row[name])
+        return Quantity(name, entry.words, head=head, get=get)
     unit = M_PER_S if name == "pgv" else entry.unit
-    key = f"{name}{_ending(unit.udunits)}"
-    return Quantity(
-        key,
-        entry.words,
-        unit,
-        entry.shown,
-        digits=4,
-        precision=9,
-        name=name,
-        head=head,
-        get=lambda row: row[name],
-    )
-
-
-def _ending(unit: str) -> str:
-    """Return what ends a key whose values have a unit."""
-    return "" if unit == "1" else f"_{unit.replace(' ', '_').replace('-1', '').replace('-', '')}"
+    ending = unit.udunits.replace(" ", "_").replace("-1", "").replace("-", "")
+    key = name if unit.udunits == "1" else f"{name}_{ending}"
+    return Quantity(key, entry.words, unit, entry.shown, digits=4, precision=9, name=name, head=head, get=get)
 
 
 def told(variable: xarray.DataArray, value: Any) -> Any:
@@ -109,9 +95,6 @@ def _rows(over: Sequence[str], **variables: xarray.DataArray) -> list[Row]:
     return frame.reset_index().to_dict("records")
 
 
-# ----- incremental dynamic analysis -----
-
-
 def ida_table(found: xarray.Dataset, name: str) -> Table:
     """Return for every intensity the quantiles over the records, how many are beyond the capacity, and every record."""
     values = found[name]
@@ -150,9 +133,6 @@ def ida_table(found: xarray.Dataset, name: str) -> Table:
         for at, beyond, quantiles, single in lines
     ]
     return Table(tuple(columns), rows)
-
-
-# ----- fragility -----
 
 
 def fragility_table(found: xarray.Dataset) -> Table:
@@ -232,8 +212,6 @@ def _capacity(found: xarray.Dataset) -> xarray.DataArray:
     return found["capacity"].rename(str(found.attrs["quantity"]))
 
 
-# ----- bounds, sensitivity -----
-
 _SIDES = ("least", "nominal", "largest")
 
 
@@ -307,8 +285,6 @@ def sensitivity_table(found: xarray.Dataset) -> Table:
     return Table(columns, _rows(over, **{name: found[name] for name in indices}))
 
 
-# ----- a store -----
-
 #: What is shown of each intensity of a store, with its head and its decimals there, besides what is added to the peaks.
 _SHOWN = {
     "peak_displacement": ("y_max", 1),
@@ -320,14 +296,6 @@ _SHOWN = {
 _QUANTILES = {"q16": 0.16, "median": 0.5, "q84": 0.84}
 #: Rows of the summary at most.
 _MOST_ROWS = 12
-
-
-def counts(dataset: xarray.Dataset) -> dict[str, int]:
-    """Return how many analyses ended in which way."""
-    found = np.zeros(len(MEANINGS), dtype=np.int64)
-    for part in parts_of(dataset[["status"]]):
-        found += np.bincount(part["status"].to_numpy().ravel(), minlength=len(MEANINGS))
-    return dict(zip(MEANINGS, found.tolist(), strict=True))
 
 
 def summary_table(dataset: xarray.Dataset) -> Table:
