@@ -1,6 +1,6 @@
 """A record format of one's own: a line that says so with the rate, then whole numbers in mm/s2."""
 
-from dcfp.motion.formats.registry import FORMATS, RecordFormat, Series
+from dcfp.motion.formats.registry import RecordFormat, Series
 from dcfp.motion.formats.source import SourceText, free_numbers
 
 
@@ -14,4 +14,4 @@ def _read(source: SourceText) -> list[Series]:
     return [Series(values, "mm/s2", 1.0 / rate, component="X", processing="none")]
 
 
-FORMATS.add("TOY", RecordFormat("nobody's: made for a test", _recognises, _read, "Toys Inc."))
+TOY = RecordFormat("TOY", "nobody's: made for a test", _recognises, _read, "Toys Inc.")

@@ -12,7 +12,7 @@ import re
 from collections.abc import Sequence
 
 from dcfp.arrays import FloatArray
-from dcfp.motion.formats.registry import FORMATS, RecordFormat, Series
+from dcfp.motion.formats.registry import RecordFormat, Series
 from dcfp.motion.formats.source import (
     NUMBER,
     SourceText,
@@ -164,12 +164,10 @@ def _processing(header: Sequence[str]) -> str:
     return f"{band}, {'corrected' if 'corrected' in title else 'correction not stated'} (header)"
 
 
-FORMATS.add(
+COSMOS = RecordFormat(
     "COSMOS",
-    RecordFormat(
-        "Consortium of Organizations for Strong-Motion Observation Systems, volumes 1 and 2: acceleration, channel after channel",
-        _recognises,
-        _read,
-        "COSMOS; Center for Engineering Strong Motion Data.",
-    ),
+    "Consortium of Organizations for Strong-Motion Observation Systems, volumes 1 and 2: acceleration, channel after channel",
+    _recognises,
+    _read,
+    "COSMOS; Center for Engineering Strong Motion Data.",
 )

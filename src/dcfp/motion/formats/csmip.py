@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterator
 
 from dcfp.arrays import FloatArray
-from dcfp.motion.formats.registry import FORMATS, RecordFormat, Series
+from dcfp.motion.formats.registry import RecordFormat, Series
 from dcfp.motion.formats.source import NUMBER, SourceText, announced_numbers, canonical_unit, to_number
 
 _BLOCK = re.compile(
@@ -102,12 +102,10 @@ def _processing(text: str) -> str:
     return f"{band}, {'instrument and baseline corrected' if corrected else 'correction not stated'} (header)"
 
 
-FORMATS.add(
+CSMIP = RecordFormat(
     "CSMIP V2",
-    RecordFormat(
-        "California Strong Motion Instrumentation Program and CESMD: corrected acceleration, channel after channel",
-        _recognises,
-        _read,
-        "California Strong Motion Instrumentation Program (CSMIP), Center for Engineering Strong Motion Data (CESMD).",
-    ),
+    "California Strong Motion Instrumentation Program and CESMD: corrected acceleration, channel after channel",
+    _recognises,
+    _read,
+    "California Strong Motion Instrumentation Program (CSMIP), Center for Engineering Strong Motion Data (CESMD).",
 )

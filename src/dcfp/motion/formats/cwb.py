@@ -2,7 +2,7 @@
 
 import re
 
-from dcfp.motion.formats.registry import FORMATS, RecordFormat, Series, check_times
+from dcfp.motion.formats.registry import RecordFormat, Series, check_times
 from dcfp.motion.formats.source import Header, Layout, SourceText, check_count, fixed_numbers, parse_layout
 
 _LAYOUT = Layout(per_line=4, width=10)
@@ -61,13 +61,11 @@ def _directions(source: SourceText, text: str) -> list[str]:
     return directions
 
 
-FORMATS.add(
+CWB = RecordFormat(
     "CWB",
-    RecordFormat(
-        "Central Weather Bureau, Taiwan: time, up, north and east",
-        _recognises,
-        _read,
-        "Central Weather Bureau, Taiwan.",
-        one_of_several=True,
-    ),
+    "Central Weather Bureau, Taiwan: time, up, north and east",
+    _recognises,
+    _read,
+    "Central Weather Bureau, Taiwan.",
+    one_of_several=True,
 )

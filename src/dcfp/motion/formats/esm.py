@@ -3,7 +3,7 @@
 import re
 from itertools import takewhile
 
-from dcfp.motion.formats.registry import FORMATS, RecordFormat, Series
+from dcfp.motion.formats.registry import RecordFormat, Series
 from dcfp.motion.formats.source import Header, SourceText, canonical_unit, free_numbers
 
 _ENTRY = re.compile(r"([A-Z][A-Z0-9_/^.]*):\s?(.*)")
@@ -60,12 +60,10 @@ def _processing(header: Header) -> str:
     return f"{band}, {baseline or 'no baseline correction stated'} (header)"
 
 
-FORMATS.add(
+ESM = RecordFormat(
     "ESM ASCII",
-    RecordFormat(
-        "European Strong Motion database and ITACA: one component of acceleration",
-        _recognises,
-        _read,
-        "Engineering Strong-Motion database (ESM).",
-    ),
+    "European Strong Motion database and ITACA: one component of acceleration",
+    _recognises,
+    _read,
+    "Engineering Strong-Motion database (ESM).",
 )

@@ -5,7 +5,7 @@ The text is Shift-JIS. The header gives the sampling rate and the unit but no nu
 
 import re
 
-from dcfp.motion.formats.registry import FORMATS, RecordFormat, Series
+from dcfp.motion.formats.registry import RecordFormat, Series
 from dcfp.motion.formats.source import Header, SourceText, table_numbers
 
 _HEADER_LINES = 12
@@ -48,12 +48,10 @@ def _titles(source: SourceText) -> tuple[int, list[str]]:
     return source.fail("no line names the columns; 'NS,EW,UD' was expected.")
 
 
-FORMATS.add(
+JMA = RecordFormat(
     "JMA CSV",
-    RecordFormat(
-        "Japan Meteorological Agency: strong-motion CSV, NS, EW and UD as recorded",
-        _recognises,
-        _read,
-        "Japan Meteorological Agency.",
-    ),
+    "Japan Meteorological Agency: strong-motion CSV, NS, EW and UD as recorded",
+    _recognises,
+    _read,
+    "Japan Meteorological Agency.",
 )

@@ -6,7 +6,7 @@ instrument. KiK-net numbers the directions: 1 to 3 are NS, EW and UD in the bore
 
 import re
 
-from dcfp.motion.formats.registry import FORMATS, RecordFormat, Series
+from dcfp.motion.formats.registry import RecordFormat, Series
 from dcfp.motion.formats.source import NUMBER, Header, SourceText, free_numbers, to_number
 
 _NAMES = (
@@ -74,13 +74,11 @@ def _scale(source: SourceText, text: str) -> float:
     return top / bottom
 
 
-FORMATS.add(
+NIED = RecordFormat(
     "K-NET/KiK-net",
-    RecordFormat(
-        "NIED, Japan: raw counts of one component, the directions of KiK-net numbered",
-        _recognises,
-        _read,
-        "National Research Institute for Earth Science and Disaster Resilience (NIED), Japan.",
-        one_of_several=True,
-    ),
+    "NIED, Japan: raw counts of one component, the directions of KiK-net numbered",
+    _recognises,
+    _read,
+    "National Research Institute for Earth Science and Disaster Resilience (NIED), Japan.",
+    one_of_several=True,
 )

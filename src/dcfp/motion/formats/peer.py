@@ -6,7 +6,7 @@ Three or four lines of text, of which one says ``NPTS= 5372, DT= .0100 SEC`` or,
 
 import re
 
-from dcfp.motion.formats.registry import FORMATS, RecordFormat, Series
+from dcfp.motion.formats.registry import RecordFormat, Series
 from dcfp.motion.formats.source import NUMBER, SourceText, canonical_unit, free_numbers
 
 _HEADER_LINES = 8
@@ -69,12 +69,10 @@ def _processing(header: str) -> str:
     return "PEER processed: filtered and baseline corrected; the corners are not in the header"
 
 
-FORMATS.add(
+PEER = RecordFormat(
     "PEER AT2",
-    RecordFormat(
-        "Pacific Earthquake Engineering Research Center, old and NGA headers: one component of acceleration",
-        _recognises,
-        _read,
-        "PEER Ground Motion Database, Pacific Earthquake Engineering Research Center.",
-    ),
+    "Pacific Earthquake Engineering Research Center, old and NGA headers: one component of acceleration",
+    _recognises,
+    _read,
+    "PEER Ground Motion Database, Pacific Earthquake Engineering Research Center.",
 )

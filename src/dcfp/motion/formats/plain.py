@@ -4,7 +4,6 @@ Lines before the first line of numbers are a header. Columns are parted by comma
 """
 
 from dcfp.motion.formats.registry import (
-    FORMATS,
     PLAIN,
     RecordFormat,
     Series,
@@ -65,11 +64,9 @@ def _shape(source: SourceText) -> tuple[int, str | None, int]:
     )
 
 
-FORMATS.add(
+PLAIN_COLUMNS = RecordFormat(
     PLAIN,
-    RecordFormat(
-        "any other text: a column of acceleration, with its unit and time step given, or time and acceleration, with the unit given",
-        _recognises,
-        _read,
-    ),
+    "any other text: a column of acceleration, with its unit and time step given, or time and acceleration, with the unit given",
+    _recognises,
+    _read,
 )

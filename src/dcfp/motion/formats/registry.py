@@ -45,37 +45,6 @@ class Component:
     names: tuple[str, ...]
 
 
-def component_of(
-    source: SourceText, series: Series, file_format: str, citation: str, *, several: bool
-) -> Component:
-    """Return a component of a file, if it can be one of a ground motion; `several` says that the name of its motion must tell it from others."""
-    if not SHORTEST_STEP <= series.time_step <= LONGEST_STEP:
-        source.fail(
-            f"the time step is {series.time_step:g} s; a record has one between {SHORTEST_STEP:g} and "
-            f"{LONGEST_STEP:g} s."
-        )
-    if series.values.size < 2:
-        source.fail("the file holds fewer than two acceleration values.")
-    with np.errstate(over="ignore", under="ignore"):
-        acceleration = series.values * (series.scale * unit_size(series.unit))
-    wrong = np.flatnonzero(~(np.abs(acceleration) <= LARGEST_ACCELERATION))
-    if wrong.size:
-        source.fail(f"acceleration value {wrong[0] + 1} is beyond 100 000 g; the value or the unit is wrong.")
-    origin = Origin(
-        event=series.event,
-        station=series.station,
-        component=series.component,
-        source=source.path.name,
-        file_format=file_format,
-        processing=series.processing,
-        citation=citation,
-    )
-    stem = source.path.stem or source.path.name
-    name = f"{stem} {series.component}" if several and series.component else stem
-    motion = GroundMotion(acceleration, series.time_step, name, origin)
-    return Component(motion, (series.component, *series.names))
-
-
 def printed_resolution(word: str) -> float:
     """Return the last digit's place in a printed number: 0.01 for ``"1.25"`` and for ``"1.25e0"``."""
     mantissa, _, exponent = word.strip().upper().replace("D", "E").partition("E")
@@ -98,13 +67,7 @@ def check_times(source: SourceText, time: FloatArray, time_step: float, resoluti
 
 
 def uniform_step(source: SourceText, time: FloatArray, resolution: float) -> float:
-    """Return the step [s] of equally spaced times: the roundest step or rate that agrees with them.
-
-    Raises
-    ------
-    InputError
-        If the times do not go up, are printed with too few digits, or are not equally spaced.
-    """
+    """Return the step [s] of times, which must be equally spaced: the roundest step or rate that agrees with them."""
     if time.size < 2:
         source.fail("the file holds fewer than two times.")
     with np.errstate(over="ignore"):
@@ -150,13 +113,7 @@ def direction(label: str) -> str | None:
 
 
 def select_component(components: Sequence[Component], wanted: str | None, path: Path) -> Component:
-    """Return the component that is asked for.
-
-    Raises
-    ------
-    InputError
-        If there are several and none is asked for, or none or several have that name.
-    """
+    """Return the component that is asked for, which must be one alone."""
     if wanted is None:
         if len(components) == 1:
             return components[0]
@@ -189,13 +146,20 @@ def _choices(components: Sequence[Component]) -> str:
 
 @dataclass(frozen=True)
 class RecordFormat:
-    """A format of record files; it reads every component of one, and fails where the header is incomplete or does not agree with the values."""
+    """A format of record files; one that is made, in a module of its own, is in the registry.
 
+    It reads every component of a file, and fails where the header is incomplete or does not agree with the values.
+    """
+
+    name: str
     words: str  #: whose files are in it, and what is in them
     recognises: Callable[[SourceText], bool]  #: whether a file is in it, from its content
     read: Callable[[SourceText], list[Series]]
     citation: str = ""  #: how its data ask to be cited; empty when nothing is asked
     one_of_several: bool = False  #: whether the components of a record may be in files of the same stem
+
+    def __post_init__(self) -> None:
+        FORMATS.add(self.name, self)
 
 
 #: The formats by their names.
@@ -212,16 +176,12 @@ def read_components(source: SourceText) -> list[Component]:
     InputError
         If the file is in no known format or damaged, or contradicts what the user says of it.
     """
-    name = next((name for name, one in FORMATS.items() if one.recognises(source)), PLAIN)
-    form = FORMATS[name]
+    form = next((one for one in FORMATS.values() if one.recognises(source)), FORMATS[PLAIN])
     found = form.read(source)
     for series in found:
-        _check_agreement(source, name, series)
+        _check_agreement(source, form.name, series)
     several = form.one_of_several or len(found) > 1
-    return [
-        component_of(source, series, name, series.citation or form.citation, several=several)
-        for series in found
-    ]
+    return [_component(source, series, form, several=several) for series in found]
 
 
 def _check_agreement(source: SourceText, name: str, series: Series) -> None:
@@ -230,3 +190,32 @@ def _check_agreement(source: SourceText, name: str, series: Series) -> None:
     stated, given = series.time_step, source.time_step
     if given is not None and abs(given - stated) > 1e-6 * stated:
         source.fail(f"the {name} file states its own time step, {stated:g} s; leave out {given!r}.")
+
+
+def _component(source: SourceText, series: Series, form: RecordFormat, *, several: bool) -> Component:
+    """Return a component of a file, if it can be one of a ground motion; `several` says that the name of its motion must tell it from others."""
+    if not SHORTEST_STEP <= series.time_step <= LONGEST_STEP:
+        source.fail(
+            f"the time step is {series.time_step:g} s; a record has one between {SHORTEST_STEP:g} and "
+            f"{LONGEST_STEP:g} s."
+        )
+    if series.values.size < 2:
+        source.fail("the file holds fewer than two acceleration values.")
+    with np.errstate(over="ignore", under="ignore"):
+        acceleration = series.values * (series.scale * unit_size(series.unit))
+    wrong = np.flatnonzero(~(np.abs(acceleration) <= LARGEST_ACCELERATION))
+    if wrong.size:
+        source.fail(f"acceleration value {wrong[0] + 1} is beyond 100 000 g; the value or the unit is wrong.")
+    origin = Origin(
+        event=series.event,
+        station=series.station,
+        component=series.component,
+        source=source.path.name,
+        file_format=form.name,
+        processing=series.processing,
+        citation=series.citation or form.citation,
+    )
+    stem = source.path.stem or source.path.name
+    name = f"{stem} {series.component}" if several and series.component else stem
+    motion = GroundMotion(acceleration, series.time_step, name, origin)
+    return Component(motion, (series.component, *series.names))

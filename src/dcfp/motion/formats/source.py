@@ -167,13 +167,7 @@ def fixed_numbers(source: SourceText, first: int, count: int, layout: Layout) ->
 
 
 def announced_numbers(source: SourceText, line: int, count: int, text: str) -> tuple[FloatArray, int]:
-    """Return the `count` numbers below a line whose `text` gives their format, and the line after them.
-
-    Raises
-    ------
-    InputError
-        If there is no such format, or the numbers are not in it, or more of them follow.
-    """
+    """Return the `count` numbers that must stand below a line whose `text` gives their format, and the line after them."""
     layout = parse_layout(text)
     if layout is None:
         source.fail("the values need a format such as '(8F10.5)'.", line=line + 1)
@@ -197,15 +191,7 @@ def _row(source: SourceText, words: Sequence[str], line: int) -> list[float]:
 
 
 class Header(dict[str, str]):
-    """Texts of the header of a record file by their names.
-
-    Parameters
-    ----------
-    source
-        The file, for sentences.
-    entries
-        Names and texts.
-    """
+    """Texts of the header of a record file by their names; the file is for sentences."""
 
     def __init__(self, source: SourceText, entries: Iterable[tuple[str, str]]) -> None:
         super().__init__((name, text.strip()) for name, text in entries)
@@ -268,13 +254,7 @@ def canonical_unit(text: str) -> str | None:
 
 
 def unit_size(text: str) -> float:
-    """Return the size of a unit of acceleration [mm/s2].
-
-    Raises
-    ------
-    InputError
-        If the unit is not known.
-    """
+    """Return the size of a unit of acceleration [mm/s2], which must be known."""
     unit = canonical_unit(text)
     if unit is None:
         msg = f"the unit {text!r} is not known; use one of {', '.join(_SIZES)}."
