@@ -6,7 +6,6 @@ or an interruption leaves what was there before.
 
 import os
 import stat
-import tempfile
 from collections.abc import Generator, Iterable, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -105,6 +104,8 @@ def whole_files(paths: Sequence[Path], *, overwrite: bool) -> Generator[list[Pat
 
 
 def _temporary_beside(place: Path) -> Path:
+    import tempfile  # late: a help text needs no file
+
     handle, name = tempfile.mkstemp(dir=place.parent, prefix=f".{place.name[:100]}.", suffix=".part")
     os.close(handle)
     return Path(name)

@@ -1,7 +1,6 @@
 """What a command has found, and where it goes: standard output as text or JSON, a file of data, a figure."""
 
 import argparse
-import json
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from importlib import import_module
@@ -125,6 +124,8 @@ def deliver(
         for (option, path), part in zip(outputs.items(), parts, strict=True):
             _write(answer, option, part, path.suffix.lower())
     if as_json:
+        import json  # late: a help text needs no document
+
         print(json.dumps(answer.document(), indent=2, allow_nan=False))
     else:
         answer.page().show(said)
