@@ -10,7 +10,7 @@ tests. Nothing was calibrated; which effects would reduce the difference is in :
 
 import dcfp
 from dcfp.analysis.rig.run import paper_models
-from dcfp.present.figures.program import plot_dependency
+from dcfp.present.figures.overviews import plot_dependency
 from dcfp.system import PreciseHeating, System
 
 program = dcfp.load_program("dependency")

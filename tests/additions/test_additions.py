@@ -159,12 +159,12 @@ def test_studies(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
 
 def test_the_page() -> None:
     pytest.importorskip("nicegui", reason="the web page needs nicegui")
-    from dcfp.doors.app.forms import BearingForm, label_of
+    from dcfp.doors.app.session import BearingForm, capitalised
 
     form = BearingForm()
     form.put("law", "toy")
     assert list(form.law_fields()) == ["friction.slow", "friction.halving_speed"]
-    assert label_of(form.law_fields()["friction.halving_speed"]).casefold() == WORDS
+    assert capitalised(form.law_fields()["friction.halving_speed"].words).casefold() == WORDS
     form.put("friction.halving_speed", 400.0)
     assert form.system().friction.rows
     assert form.system().friction.velocity_factor(400.0) == pytest.approx(0.5)

@@ -86,7 +86,7 @@ def test_an_installed_package_adds_it_by_its_entry_point(record: Path, tmp_path:
 @pytest.mark.usefixtures("toy")
 def test_the_page_takes_it(record: Path) -> None:
     pytest.importorskip("nicegui", reason="the web page needs nicegui")
-    from dcfp.doors.app.records_panel import upload_words
+    from dcfp.doors.app.fields import upload_words
     from dcfp.doors.app.session import read_upload
 
     assert "TOY" in upload_words()

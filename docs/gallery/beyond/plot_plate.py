@@ -7,7 +7,7 @@ The precise model in the test T06 of Table 2 (±400 mm, three cycles): the conta
 
 import dcfp
 from dcfp.analysis.rig import run_program
-from dcfp.present.figures.sheets import plot_test
+from dcfp.present.figures.drawing import plot_test
 
 program = dcfp.load_program("asce")
 loops = run_program(

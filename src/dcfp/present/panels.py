@@ -5,6 +5,7 @@ from itertools import cycle
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
+from contourpy import FillType, contour_generator
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
@@ -28,7 +29,6 @@ BLUE, OCHRE, RED, GREEN, GREY, INK = "blue", "ochre", "red", "green", "grey", "i
 SKY, SILVER = "sky", "silver"
 #: Colours of several tests or records, in their order.
 SERIES = (BLUE, OCHRE, RED, GREEN, GREY)
-
 #: Part of the capacity from which on it is drawn [-].
 _NEAR_CAPACITY = 0.6
 #: Part of the hysteretic energy, or of the peak velocity of the ground, below which nothing of note happens [-].
@@ -43,33 +43,15 @@ _FORCES = (0.04, 0.06, 0.08, 0.1, 0.125, 0.15, 0.2, 0.25, 0.3, 0.4)
 _NAMED, _FORCES_NAMED, _SIDE = 0.75, 0.3, 0.03
 _MU = Quantity("mu", "reference coefficient of friction", NONE)
 _RADIUS = Quantity("radius", "radius of each plate", MM, METRE)
-_TIME, _DISPLACEMENT, _FORCE = quantity("time"), quantity("displacement"), quantity("force")
+_TIME, _DISPLACEMENT = quantity("time"), quantity("displacement")
 
 
 @dataclass(frozen=True, eq=False)
 class Line:
-    """A line of a panel.
+    """A line of a panel, in the units of the package, with a gap where a value is not a number.
 
-    Attributes
-    ----------
-    x, y
-        In the units of the package; a gap where a value is not a number.
-    colour
-        Its name.
-    words
-        In a legend; empty for none.
-    symbol
-        The same in mathematics, for a legend where there is little room.
-    width
-        [pt].
-    dashed, marked
-        Whether it is dashed, and whether each of its points is marked.
-    opacity
-        [-].
-    level
-        Of a line of equal values, what they are and the value.
-    place
-        Number of the point at which that is written; None where it is not.
+    Its colour has a name; a legend says its words, or where there is little room its symbol; its width is in pt. Of a line of equal values
+    `level` says what they are and the value, which is written at the point of number `place`, if there is one.
     """
 
     x: FloatArray
@@ -92,19 +74,7 @@ class Line:
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """Values on a grid, in colours.
-
-    Attributes
-    ----------
-    shows
-        What they are.
-    x, y
-        Coordinates of the columns and the rows.
-    values
-        Shape (rows, columns).
-    ends
-        Values of the first and the last colour.
-    """
+    """Values on a grid of shape (rows, columns) in colours, the first and the last of which stand for the `ends`."""
 
     shows: Quantity
     x: FloatArray
@@ -115,26 +85,22 @@ class Picture:
 
 @dataclass(frozen=True, eq=False)
 class Panel:
-    """One pair of axes and what is drawn on it, in the units of the package.
+    """One pair of axes and what is drawn on it, in the units of the package; over time unless `x` is something else.
 
     Attributes
     ----------
-    words
-        What stands along the vertical axis, in words.
-    x, y
-        What the axes show.
     lines
         What is drawn, the lowest first.
+    words
+        What stands along the vertical axis; by default the words of the quantity.
     stacked
         How many of the first lines stand on top of each other, filled.
-    path
-        Whether the lines are paths in a plane, such as loops, and not histories.
     across
         Ends of the horizontal axis of paths, where they are not those of the lines.
     low, high
-        Ends of the vertical axis where they are not those of the lines.
+        Ends of the vertical axis, where they are not those of the lines.
     middle
-        Whether zero is in the middle, with a thin line.
+        Largest value of an axis with zero in its middle.
     capacity
         Displacement capacity, where the peak comes near it.
     sliding
@@ -147,16 +113,15 @@ class Panel:
         What the values are not to exceed.
     """
 
-    words: str
-    x: Quantity
     y: Quantity
     lines: tuple[Line, ...]
+    words: str = ""
+    x: Quantity = _TIME
     stacked: int = 0
-    path: bool = False
     across: tuple[float, float] | None = None
     low: float | None = None
     high: float | None = None
-    middle: bool = False
+    middle: float | None = None
     capacity: float | None = None
     sliding: Any = None
     peak: bool = False
@@ -164,14 +129,15 @@ class Panel:
     areas: tuple[FloatArray, ...] = ()
     limit: float | None = None
 
+    @property
+    def title(self) -> str:
+        """What stands along the vertical axis, in words."""
+        return self.words or self.y.words
 
-def equal_limits(largest: float, shown: Quantity) -> dict[str, Any]:
-    """Return limits with zero in the middle, and room beyond the largest value."""
-    limit = 1.3 * largest if largest > 0.0 else shown.shown.inner(1.0)
-    return {"low": -limit, "high": limit, "middle": True}
-
-
-# How much of a history is worth showing, and how.
+    @property
+    def path(self) -> bool:
+        """Whether the lines are paths in a plane, such as loops, and not histories."""
+        return self.x is not _TIME
 
 
 def shown(history: "History") -> slice:
@@ -199,26 +165,18 @@ def _busy(response: Any) -> Any:
     return ground > _QUIET * float(ground.max())
 
 
-def line_width(history: "History") -> float:
+def _width(time: FloatArray) -> float:
     """Return the width [pt] at which the waves of a history stay apart."""
-    part = shown(history)
-    span = float(history.time[part.stop - 1] - history.time[part.start])
+    span = float(time[-1] - time[0])
     return 0.9 if span < 25.0 else 0.7 if span < 60.0 else 0.5
 
 
-def values_of(history: "History", name: str) -> FloatArray:
-    """Return a history of an analysis or a test by its name in the nomenclature, in the units of the package."""
-    energy = getattr(history, "energy", None)
-    if name.endswith("_energy") and energy is not None:
-        return getattr(energy, name.removesuffix("_energy"))
-    return getattr(history, name)
-
-
 def _line(history: "History", name: str, colour: str, words: str = "", **more: Any) -> Line:
-    part = shown(history)
-    symbol = quantity(name).symbol if words else ""
-    look: dict[str, Any] = {"symbol": symbol, "width": line_width(history), **more}
-    return Line(history.time[part], values_of(history, name)[part], colour, words, **look)
+    """Draw one of the histories of a result by its name; `more` are other fields of a line."""
+    part, one = shown(history), history.histories[name]
+    time = history.time[part]
+    look: dict[str, Any] = {"symbol": one.symbol if words else "", "width": _width(time), **more}
+    return Line(time, one.of(history)[part], colour, words, **look)
 
 
 # Panels of one analysis or test.
@@ -226,23 +184,20 @@ def _line(history: "History", name: str, colour: str, words: str = "", **more: A
 
 def velocities(response: "Response") -> Panel:
     """Velocities of the ground and of the structure, with the times of sliding shaded."""
-    names = ("ground_velocity", "structure_velocity")
     lines = (
-        _line(response, names[0], GREY, "ground"),
-        _line(response, names[1], BLUE, "structure"),
+        _line(response, "ground_velocity", GREY, "ground"),
+        _line(response, "structure_velocity", BLUE, "structure"),
     )
-    largest = max(float(np.abs(values_of(response, name)).max()) for name in names)
-    along = quantity("velocity")
+    largest = max(float(np.abs(one).max()) for one in (response.ground_velocity, response.structure_velocity))
     sliding = response.sliding[shown(response)] != 0.0
-    return Panel("velocity", _TIME, along, lines, sliding=sliding, **equal_limits(largest, along))
+    return Panel(quantity("velocity"), lines, "velocity", sliding=sliding, middle=largest)
 
 
 def displacement(history: "History") -> Panel:
     """Displacement with its peak, and the capacity where the peak comes near it."""
-    line = _line(history, "displacement", BLUE)
-    capacity = _near_capacity(history)
+    line, capacity = _line(history, "displacement", BLUE), _near_capacity(history)
     largest = max(float(np.abs(line.y).max()), capacity or 0.0)
-    return Panel("displacement", _TIME, _DISPLACEMENT, (line,), capacity=capacity, peak=True, **equal_limits(largest, _DISPLACEMENT))  # fmt: skip
+    return Panel(_DISPLACEMENT, (line,), "displacement", capacity=capacity, peak=True, middle=largest)
 
 
 def _near_capacity(history: "History") -> float | None:
@@ -256,8 +211,7 @@ def temperature(history: "History") -> Panel:
     ambient = history.heating.ambient
     flat = float(np.ptp(history.temperature)) < 1.0
     ends: dict[str, Any] = {"low": ambient - 5.0, "high": ambient + 5.0} if flat else {}
-    along = quantity("temperature")
-    return Panel(along.words, _TIME, along, (_line(history, "temperature", RED),), **ends)
+    return Panel(quantity("temperature"), (_line(history, "temperature", RED),), **ends)
 
 
 def friction(history: "History") -> Panel:
@@ -266,27 +220,27 @@ def friction(history: "History") -> Panel:
     sticking = _line(history, "friction", SILVER, "sticking", symbol="")
     values = np.where(history.sliding[part] != 0.0, sticking.y, np.nan)
     sliding = replace(sticking, y=values, colour=OCHRE, words="sliding")
-    along = quantity("friction")
-    return Panel(along.words, _TIME, along, (sticking, sliding), low=0.0, high=1.12 * float(sticking.y.max()))
+    return Panel(quantity("friction"), (sticking, sliding), low=0.0, high=1.12 * float(sticking.y.max()))
 
 
 def energies(response: "Response") -> Panel:
     """Hysteretic, strain and kinetic energies on top of each other, and the input energy as a line."""
-    total = _line(response, "input_energy", INK, "input", width=min(line_width(response), 0.7))
+    total = _line(response, "input_energy", INK, "input")
+    total = replace(total, width=min(total.width, 0.7))
     parts = (
         _line(response, "hysteretic_energy", OCHRE, "friction"),
         _line(response, "strain_energy", SKY, "elastic"),
         _line(response, "kinetic_energy", BLUE, "kinetic"),
     )
     low = min(0.0, float(total.y.min()))
-    return Panel("energy", _TIME, quantity("input_energy"), (*parts, total), stacked=len(parts), low=low)
+    return Panel(quantity("input_energy"), (*parts, total), "energy", stacked=len(parts), low=low)
 
 
 def loop(history: "History") -> Panel:
     """Force against displacement."""
     part = shown(history)
-    line = Line(history.displacement[part], history.force[part], BLUE, width=line_width(history))
-    return Panel("force", _DISPLACEMENT, _FORCE, (line,), path=True, capacity=_near_capacity(history))
+    line = Line(history.displacement[part], history.force[part], BLUE, width=_width(history.time[part]))
+    return Panel(quantity("force"), (line,), "force", _DISPLACEMENT, capacity=_near_capacity(history))
 
 
 def profile(history: "History", plate: int = 0) -> Panel:
@@ -302,9 +256,8 @@ def profile(history: "History", plate: int = 0) -> Panel:
         msg = "There are no profiles; analyse with the precise heating model and keep=Keep(profiles=200)."
         raise InputError(msg)
     part = shown(history)
-    path = Line(
-        history.time[part], history.bearing.shares[plate] * history.displacement[part], "white", width=0.4
-    )
+    centre = history.bearing.shares[plate] * history.displacement[part]
+    path = Line(history.time[part], centre, "white", width=0.4)
     values = profiles.temperature[:, plate, :]
     rise = values.max(axis=0) - history.heating.ambient
     warm = profiles.position[rise > _COOL * max(float(rise.max()), 1e-9)]
@@ -312,8 +265,7 @@ def profile(history: "History", plate: int = 0) -> Panel:
     low, high = (-reach, reach) if warm.size else (float(profiles.position[0]), float(profiles.position[-1]))
     ends = colour_ends(history, "temperature")
     picture = Picture(quantity("plate_temperature"), profiles.time, profiles.position, values.T, ends)
-    along = quantity("plate_position")
-    return Panel(along.words, _TIME, along, (path,), low=low, high=high, picture=picture)
+    return Panel(quantity("plate_position"), (path,), low=low, high=high, picture=picture)
 
 
 def warms(history: "History") -> bool:
@@ -333,9 +285,6 @@ def colour_ends(history: "History", shows: str) -> tuple[float, float]:
     return min(ambient, float(history.temperature.min())), max(highest, ambient + 1.0)
 
 
-# Panels of pulses, and of several tests.
-
-
 def pulses(response: "Response", found: "Pulses", governing: int | None) -> Panel:
     """Ground velocity with its pulses, and the one that governs."""
     ground = _line(response, "ground_velocity", GREY, "ground velocity")
@@ -347,52 +296,32 @@ def pulses(response: "Response", found: "Pulses", governing: int | None) -> Pane
     if governing is not None:
         whole = slice(governing, governing + 3)
         lines.append(Line(found.times[whole], found.velocities[whole], RED, "governing pulse", width=2.4))
-    along = quantity("ground_velocity")
-    return Panel("velocity", _TIME, along, tuple(lines))
+    return Panel(quantity("ground_velocity"), tuple(lines), "velocity")
 
 
-def loops(tests: "Sequence[Loops]") -> Panel:
-    """Force against displacement of several tests."""
+def of_tests(tests: "Sequence[Loops]", up: str, across: str = "time", words: str = "") -> Panel:
+    """One history of several tests against another, such as force against displacement, by their names."""
     lines = tuple(
-        Line(test.displacement, test.force, colour, test.test.name)
+        Line(getattr(test, across), getattr(test, up), colour, test.test.name)
         for test, colour in zip(tests, cycle(SERIES), strict=False)
     )
-    return Panel("force", _DISPLACEMENT, _FORCE, lines, path=True)
-
-
-def temperatures(tests: "Sequence[Loops]") -> Panel:
-    """Temperature of the contact over the time of each of several tests."""
-    lines = tuple(
-        Line(test.time, test.temperature, colour, test.test.name)
-        for test, colour in zip(tests, cycle(SERIES), strict=False)
-    )
-    along = quantity("temperature")
-    return Panel(along.words, _TIME, along, lines)
-
-
-# Panels of a design chart.
+    return Panel(quantity(up), lines, words, quantity(across))
 
 
 def design(space: "DesignSpace", allowed: float, part: float) -> Panel:
     """Lines of equal displacement and of equal force over the weight, over friction and radius; where `allowed` [mm] holds with a probability of `part` [-] it is filled."""
-    from contourpy import FillType, contour_generator  # late: it comes with Matplotlib
-
     displacement, lines = space.displacement_at(part), list[Line]()
     for level in _LEVELS:
         if abs(level - allowed) > 1e-9:
             lines += _contours(space, displacement, _DISPLACEMENT, level, BLUE)
+    look: dict[str, Any] = {"height": _FORCES_NAMED, "dashed": True, "width": 0.7}
     for level in _FORCES:
-        ratio = quantity("force_ratio")
-        lines += _contours(
-            space, space.force_at(part), ratio, level, GREY, _FORCES_NAMED, dashed=True, width=0.7
-        )
+        lines += _contours(space, space.force_at(part), quantity("force_ratio"), level, GREY, **look)
     lines += _contours(space, displacement, _DISPLACEMENT, allowed, RED, width=1.4)
     filled = contour_generator(space.coefficients, space.radii, displacement, fill_type=FillType.OuterCode)
     areas = tuple(np.asarray(one) for one in filled.filled(-np.inf, allowed)[0] if one is not None)
     ends: dict[str, Any] = {"low": float(space.radii[0]), "high": float(space.radii[-1])}
-    return Panel(
-        _RADIUS.words, _MU, _RADIUS, tuple(lines), path=True, across=_across(space), **ends, areas=areas
-    )
+    return Panel(_RADIUS, tuple(lines), x=_MU, across=_across(space), **ends, areas=areas)
 
 
 def _across(space: "DesignSpace") -> tuple[float, float]:
@@ -409,8 +338,6 @@ def _contours(
     **look: Any,
 ) -> list[Line]:
     """Return the lines of one value; it is written at the point, not at the sides, that is nearest to a part of the height."""
-    from contourpy import contour_generator
-
     if not float(values.min()) < level < float(values.max()):
         return []
     (left, right), (low, high) = _across(space), space.radii[[0, -1]].tolist()
@@ -442,5 +369,4 @@ def design_curves(space: "DesignSpace", allowed: float, part: float) -> Panel:
         Line(space.coefficients, values, BLUE, f"{radius / 1e3:g} m", width=1.6, opacity=shade)
         for radius, values, shade in rows
     )
-    ends: dict[str, Any] = {"across": _across(space), "limit": allowed}
-    return Panel("displacement", _MU, _DISPLACEMENT, lines, path=True, **ends)
+    return Panel(_DISPLACEMENT, lines, "displacement", _MU, across=_across(space), limit=allowed)

@@ -13,11 +13,18 @@ pytest.importorskip("nicegui", reason="the web page needs nicegui")
 import dcfp
 from dcfp.analysis.response import PEAKS
 from dcfp.doors.app.analysis import remarks_on
-from dcfp.doors.app.forms import BearingForm, bearing_fields
+from dcfp.doors.app.charts import TOLERANCE, kept, kept_of_path, turning_points
 from dcfp.doors.app.machine_tab import grouped
 from dcfp.doors.app.serve import LARGEST_BODY, Guard
-from dcfp.doors.app.session import MOST_COMPONENTS, MOST_FILES, Session, plain_name, read_upload
-from dcfp.doors.app.thinning import TOLERANCE, kept, kept_of_path, turning_points
+from dcfp.doors.app.session import (
+    MOST_COMPONENTS,
+    MOST_FILES,
+    BearingForm,
+    Session,
+    bearing_fields,
+    plain_name,
+    read_upload,
+)
 from dcfp.doors.app.units import Units
 from dcfp.errors import InputError
 from dcfp.schema.declared import declared

@@ -6,8 +6,7 @@ from matplotlib.text import Text
 
 from dcfp.analysis.rig import Program, RigTest, Sine, VerticalLoad, load_program, run_program
 from dcfp.errors import InputError
-from dcfp.present.figures.overviews import plot_tests
-from dcfp.present.figures.program import plot_dependency
+from dcfp.present.figures.overviews import plot_dependency, plot_tests
 from dcfp.system import LI_2020, Li2020, NoHeating, PreciseHeating, SimplifiedHeating
 
 HEATINGS = {"precise": PreciseHeating(), "simplified": SimplifiedHeating(), "none": NoHeating()}

@@ -27,18 +27,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Task:
-    """What is to be analysed; a copy of the fields, so that they may change meanwhile.
+    """What is to be analysed: a copy of the fields, so that they may change meanwhile.
 
-    Attributes
-    ----------
-    motions
-        As they are in their files.
-    model
-        The bearing, its law and its heating.
-    pgv
-        To which they are scaled [mm/s], or None.
-    baseline, corner
-        How they are treated; the corner of a high-pass filter [Hz], or None.
+    Motions are as they are in their files; the PGV is in mm/s and the corner of a high-pass filter in Hz, or None.
     """
 
     motions: tuple[GroundMotion, ...]
@@ -141,9 +132,6 @@ def scenario_text(session: Session) -> str:
     files = [session.file_of(key) for key in session.chosen]
     pgvs = None if task.pgv is None else [task.pgv]
     return scenario_toml(files, task.model, title=task.title, pgvs=pgvs, motion=motion)
-
-
-# Files to take away, made in memory or in a folder that is gone when they are sent.
 
 
 def file_of(write: Callable[[Path], Any]) -> bytes:

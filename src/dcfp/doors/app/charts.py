@@ -1,4 +1,4 @@
-"""Charts as options of ECharts: panels in the visitor's units, with little more than what is drawn; what every chart looks like is in ``static/chart.js``."""
+"""Charts as options of ECharts: panels in the visitor's units, with fewer points but every peak; what every chart looks like is in ``static/chart.js``."""
 
 import base64
 import io
@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from dcfp.arrays import FloatArray
+from dcfp.arrays import FloatArray, IntArray
 from dcfp.doors.app.elements import Options
-from dcfp.doors.app.thinning import kept, kept_of_path, points
+from dcfp.doors.app.session import capitalised
 from dcfp.doors.app.units import Units
 from dcfp.present.panels import Line, Panel
 from dcfp.schema.quantities import Quantity
@@ -19,9 +19,13 @@ from dcfp.schema.quantities import Quantity
 _COLOURS = 64
 #: Height of one of several panels above each other, and the gap between two of them [%].
 _ROW_HEIGHT, _GAP = 16.0, 7.4
+#: Parts that a history is divided into; of each part the extremes are drawn.
+PARTS = 420
+#: Distance that is allowed between a path and what is drawn of it, as a part of its extent: half a pixel on a screen [-].
+TOLERANCE = 1e-3
 
 
-def chart(panel: Panel, units: Units, parts: int = 420, **more: Any) -> Options:
+def chart(panel: Panel, units: Units, parts: int = PARTS, **more: Any) -> Options:
     """Draw one panel; of a history the extremes of each of some `parts` are drawn."""
     quiet = panel.path or panel.picture is not None
     grid = {"left": 58, "right": 20} if panel.path else {"right": 84} if panel.picture else {}
@@ -44,7 +48,7 @@ def chart(panel: Panel, units: Units, parts: int = 420, **more: Any) -> Options:
 def rows(panels: Sequence[Panel], units: Units) -> Options:
     """Draw panels of histories over the same time above each other."""
     lines = [line for panel in panels for line in panel.lines]
-    place = _places(lines, 420, path=False)[0]
+    place = _places(lines, PARTS, path=False)[0]
     tops = [5.0 + row * (_ROW_HEIGHT + _GAP) for row in range(len(panels))]
     options: Options = {"axisPointer": {"link": [{"xAxisIndex": "all"}]}}
     options |= {key: [] for key in ("grid", "xAxis", "yAxis", "series", "legend")}
@@ -67,7 +71,7 @@ def colour_of(name: str) -> str:
 
 def label(words: str, one: Quantity, units: Units) -> str:
     """Return the name of an axis: words, and the visitor's unit."""
-    return f"{words[:1].upper()}{words[1:]} [{units.of(one).name}]"
+    return f"{capitalised(words)} [{units.of(one).name}]"
 
 
 def _x_axis(panel: Panel, units: Units, *, named: bool = True) -> Options:
@@ -84,7 +88,7 @@ def _x_axis(panel: Panel, units: Units, *, named: bool = True) -> Options:
 
 
 def _y_axis(panel: Panel, units: Units, **more: Any) -> Options:
-    unit, found = units.of(panel.y), {"name": label(panel.words, panel.y, units)}
+    unit, found = units.of(panel.y), {"name": label(panel.title, panel.y, units)}
     if panel.limit is not None:
         return found | {"scale": False} | more
     whole = panel.picture is not None or bool(panel.areas)
@@ -116,12 +120,15 @@ def _series(panel: Panel, units: Units, places: Sequence[Any], **more: Any) -> l
         if one.marked:
             look |= {"showSymbol": True, "symbol": "circle", "symbolSize": 6}
         if one.level is not None and one.place is not None:
-            at = float(x.shown(one.x[one.place])), float(y.shown(one.y[one.place]))
-            look |= _named_level(at, f"{units.of(one.level[0]).shown(one.level[1]):.4g}", one.colour)
+            at = [float(x.shown(one.x[one.place])), float(y.shown(one.y[one.place]))]
+            named: Options = {"position": "inside", "backgroundColor": "var(--card)", "padding": [1, 3]}
+            named["formatter"] = f"{units.of(one.level[0]).shown(one.level[1]):.4g}"
+            named["color"] = colour_of(one.colour)
+            look["markPoint"] = {"data": [{"coord": at}], "symbolSize": 1, "label": named}
         if i == 0:
             look |= _of_first(panel, units)
         data = points(x.shown(one.x[place]), y.shown(one.y[place]))
-        found.append(line(one.words or panel.words, data, one.colour, **look))
+        found.append(line(one.words or panel.title, data, one.colour, **look))
     return found
 
 
@@ -146,13 +153,6 @@ def _of_first(panel: Panel, units: Units) -> Options:
         at = [float(x.shown(one.x[top])), float(y.shown(one.y[top]))]
         found["markPoint"] = {"data": [{"coord": at}], "label": {"formatter": words}}
     return found
-
-
-def _named_level(at: tuple[float, float], words: str, colour: str) -> Options:
-    """Return words in place of a point of a line, as an entry of it."""
-    look = {"position": "inside", "backgroundColor": "var(--card)", "padding": [1, 3]}
-    named = {"formatter": words, "color": colour_of(colour), **look}
-    return {"markPoint": {"data": [{"coord": list(at)}], "symbolSize": 1, "label": named}}
 
 
 def _picture(panel: Panel, units: Units) -> Options:
@@ -211,3 +211,86 @@ def level(values: Sequence[float], along: str, words: str, colour: str = "red", 
             "data": [{along: value} for value in values],
         }
     }
+
+
+def kept(columns: Sequence[FloatArray], parts: int = PARTS) -> IntArray:
+    """Return which samples are enough to draw histories of the same length: first and last, and of every part the extremes of each column."""
+    size = int(columns[0].size)
+    if size <= 2 * parts:
+        return np.arange(size, dtype=np.intp)
+    starts = np.linspace(0, size, parts + 1).astype(np.intp)[:-1]
+    ends = np.append(starts[1:], size)
+    width = int((ends - starts).max())
+    # a row for each part, the last sample of a shorter one twice
+    places = np.minimum(starts[:, None] + np.arange(width)[None, :], ends[:, None] - 1)
+    rows = np.arange(parts)
+    chosen = [np.array([0, size - 1], dtype=np.intp)]
+    for column in columns:
+        values = np.nan_to_num(column)[places]
+        chosen += [places[rows, values.argmin(axis=1)], places[rows, values.argmax(axis=1)]]
+    return np.unique(np.concatenate(chosen))
+
+
+def kept_of_path(x: FloatArray, y: FloatArray, tolerance: float = TOLERANCE) -> IntArray:
+    """Return which points are enough to draw a path, such as a loop: its turning points, and between them what no chord passes near enough.
+
+    The rule is that of Douglas and Peucker (1973), for all chords at once; thinned along time, a loop would become chords with invented tips.
+    """
+    spans = [float(np.ptp(values)) or 1.0 for values in (x, y)]
+    path = np.column_stack([values / span for values, span in zip((x, y), spans, strict=True)])
+    ends = np.array([0, path.shape[0] - 1], dtype=np.intp)
+    chosen = np.unique(np.concatenate([ends, *(turning_points(one, tolerance) for one in path.T)]))
+    starts, stops = chosen[:-1], chosen[1:]
+    while starts.size:
+        places, distances = _farthest(path, starts, stops)
+        far = distances > tolerance
+        chosen = np.concatenate((chosen, places[far]))
+        starts, stops = (
+            np.concatenate((starts[far], places[far])),
+            np.concatenate((places[far], stops[far])),
+        )
+    return np.sort(chosen)
+
+
+def turning_points(values: FloatArray, least: float) -> IntArray:
+    """Return the samples at which a history turns and from which it comes back by more than `least`."""
+    slopes = np.sign(np.diff(values))
+    moving = np.flatnonzero(slopes)
+    turns = moving[1:][np.diff(slopes[moving]) != 0.0]
+    found, farthest = [0], 0
+    for place in [*turns.tolist(), values.size - 1]:
+        away, on = values[farthest] - values[found[-1]], values[place] - values[farthest]
+        if away * on >= 0.0:
+            farthest = place
+        elif abs(on) > least:
+            found.append(farthest)
+            farthest = place
+    return np.array(found[1:], dtype=np.intp)
+
+
+def _farthest(path: FloatArray, starts: IntArray, stops: IntArray) -> tuple[IntArray, FloatArray]:
+    """Return for each chord from one point of a path to a later one which point between is farthest from it, and how far."""
+    lengths = stops - starts
+    chord_of, first = np.repeat(np.arange(starts.size), lengths), np.cumsum(lengths) - lengths
+    places = np.arange(chord_of.size) + (starts - first)[chord_of]
+    chords = path[stops] - path[starts]
+    squares = np.maximum((chords**2).sum(axis=1), np.finfo(float).tiny)
+    along = path[places] - path[starts][chord_of]
+    share = np.clip((along * chords[chord_of]).sum(axis=1) / squares[chord_of], 0.0, 1.0)
+    distance = np.hypot(*(along - share[:, None] * chords[chord_of]).T)
+    largest = np.maximum.reduceat(distance, first)
+    best = np.flatnonzero(distance == largest[chord_of])
+    return places[best[np.searchsorted(chord_of[best], np.arange(starts.size))]], largest
+
+
+def points(x: FloatArray, y: FloatArray, digits: int = 5) -> list[Any]:
+    """Return pairs for a chart, rounded to significant digits of the largest value, a gap where a value is not a number."""
+    return np.column_stack((_rounded(x, digits), _rounded(y, digits))).tolist()
+
+
+def _rounded(values: FloatArray, digits: int) -> FloatArray:
+    finite = values[np.isfinite(values)]
+    largest = float(np.abs(finite).max()) if finite.size else 0.0
+    if largest == 0.0:
+        return values
+    return np.round(values, digits - 1 - int(np.floor(np.log10(largest))))

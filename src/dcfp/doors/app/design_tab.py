@@ -23,21 +23,14 @@ from dcfp.present import panels
 from dcfp.schema.nomenclature import quantity
 from dcfp.system import System
 
-_PARTS = {
-    "0.5": "half of the earthquakes",
-    "0.84": "84 % of the earthquakes",
-    "0.95": "95 % of the earthquakes",
+_PARTS = {"0.5": "half of the earthquakes"} | {
+    str(part): f"{100.0 * part:.0f} % of the earthquakes" for part in (0.84, 0.95)
 }
 _ALLOWED = (50.0, 1000.0)
 _GRID = {"right": 24, "bottom": 46}
-
-
-# Surveys of bearings.
-
-
 #: PGVs that the chart has [m/s].
-PGVS = tuple(np.round(np.arange(0.1, 1.55, 0.1), 2).tolist())
-SETS = {
+_PGVS = tuple(np.round(np.arange(0.1, 1.55, 0.1), 2).tolist())
+_SETS = {
     "P695-FF": "far-field set of FEMA P-695, 44 components",
     "P695-NF": "near-field set of FEMA P-695, 56 components",
     "P695": "both sets of FEMA P-695, 100 components",
@@ -67,7 +60,7 @@ class Question:
 
 
 class Surveys:
-    """Surveys by question, each made once; the latest ones are kept.
+    """Surveys by question, each made once, of which the latest are kept.
 
     A survey rests on named records and on the numbers of a bearing, and on nothing else of a visitor; so that one that is at hand may be
     shown to anyone who asks for the same.
@@ -107,9 +100,6 @@ def _make(question: Question, report: Callable[[], None]) -> DesignSpace:
     return survey(motions, question.pgv * 1e3, question.model, report=report)
 
 
-# The page.
-
-
 class DesignTab(Tab):
     """Fields and results of the design chart."""
 
@@ -124,10 +114,10 @@ class DesignTab(Tab):
         """Add the question."""
         with card("Question"):
             put: Any = partial(partial, self._put)
-            Slider("PGV", "m/s", 1, self._pgv, (PGVS[0], PGVS[-1]), 0.1, put("pgv"))
+            Slider("PGV", "m/s", 1, self._pgv, (_PGVS[0], _PGVS[-1]), 0.1, put("pgv"))
             Slider("Allowed displacement", "mm", 0, self._allowed, _ALLOWED, 10.0, put("allowed"))
             choice_field("Not exceeded in", _PARTS, self._part, put("part"))
-            choice_field("Records", SETS, self._records, put("records"))
+            choice_field("Records", _SETS, self._records, put("records"))
 
     def add_results(self) -> None:
         """Add charts and table."""
@@ -140,11 +130,10 @@ class DesignTab(Tab):
             self._chart = Chart("Displacement over friction and radius", "middle")
         with card("Least friction that holds", "h3"):
             self._table = Grid("Least coefficient of friction that holds the displacement, by radius")
-        with card(
-            "Displacement against friction", "h3", "A line for each radius, the strongest the smallest."
-        ):
+        shades = "A line for each radius, the strongest the smallest."
+        with card("Displacement against friction", "h3", shades):
             self._curves = Chart("Displacement against friction for each radius")
-        self.add_files([("Figure (PNG)", "design-chart.png", self._figure)])
+        self.add_files(("Figure (PNG)", "design-chart.png", self._figure))
         Text("p", f"Analyses of every record on {RADII.size * COEFFICIENTS.size} bearings for each PGV, made once and kept; the slider steps from one PGV to the next.").classes("note")  # fmt: skip
 
     def ask(self) -> None:
@@ -165,7 +154,7 @@ class DesignTab(Tab):
         """Make the survey that is asked for, then the others, the nearest first, as long as nothing else is asked."""
         try:
             await self._make(self._pgv)
-            for pgv in sorted(PGVS, key=lambda one: abs(one - self._pgv)):
+            for pgv in sorted(_PGVS, key=lambda one: abs(one - self._pgv)):
                 if self.latest.outdated or self.is_gone or not self.is_seen:
                     return
                 await self._make(pgv)
@@ -217,7 +206,7 @@ class DesignTab(Tab):
 
     def _put(self, name: str, value: Any) -> None:
         if name == "pgv":
-            value = min(PGVS, key=lambda one: abs(one - value))
+            value = min(_PGVS, key=lambda one: abs(one - value))
         setattr(self, f"_{name}", value)
         if name in ("pgv", "records"):
             self.ask()

@@ -10,13 +10,11 @@ from nicegui import ui
 from dcfp.analysis.rig import Loops, Program, RigTest, Sine, load_program, run_program
 from dcfp.analysis.rig.loops import CYCLES, cycles_of_tests
 from dcfp.doors.app.analysis import table_of
-from dcfp.doors.app.charts import chart, line
+from dcfp.doors.app.charts import chart, line, points
 from dcfp.doors.app.elements import Chart, Grid, Options, Text
 from dcfp.doors.app.fields import card, choice_field, parameter_field
-from dcfp.doors.app.forms import read_field
-from dcfp.doors.app.session import Session
+from dcfp.doors.app.session import Session, capitalised, read_field
 from dcfp.doors.app.tab import Tab, write_list
-from dcfp.doors.app.thinning import points
 from dcfp.present import panels
 from dcfp.present.tables import write_tests
 from dcfp.schema.parameters import Parameter
@@ -24,7 +22,7 @@ from dcfp.schema.table import Table
 from dcfp.schema.units import MM, MM_PER_S, NONE
 
 _SINE = "sine"
-PROGRAMS = {
+_PROGRAMS = {
     "dependency": "dependency tests of Li et al. (2020)",
     "asce": "ASCE tests of Li et al. (2020)",
     _SINE: "a sine of your own",
@@ -60,7 +58,7 @@ class MachineTab(Tab):
     def add_fields(self) -> None:
         """Add the program."""
         with card("Test program"):
-            choice_field("Program", PROGRAMS, self._name, self._choose_program)
+            choice_field("Program", _PROGRAMS, self._name, self._choose_program)
             with ui.element("div").classes("pair") as self._own:
                 for key, one in _WAVE.items():
                     parameter_field(one, one.default, partial(self._set_wave, key), _STARTS)
@@ -80,24 +78,25 @@ class MachineTab(Tab):
             self._measures = Grid("Measures of each cycle")
             Text("p", "k_eff and b_eff as ASCE/SEI 7-16, section 17.8; mu_0: force over load where the displacement passes zero.").classes("note")  # fmt: skip
         self._remarks = ui.element("ul").classes("remarks")
-
         self.add_files(
-            (
-                ("Measures (CSV)", "tests.csv", lambda: table_of(write_tests, self._tests, ".csv")),
-                ("All data (NetCDF)", "tests.nc", lambda: table_of(write_tests, self._tests, ".nc")),
-            )
+            ("Measures (CSV)", "tests.csv", lambda: table_of(write_tests, self._tests, ".csv")),
+            ("All data (NetCDF)", "tests.nc", lambda: table_of(write_tests, self._tests, ".nc")),
         )
 
     async def work(self) -> None:
         """Run the program."""
         system = self.session.bearing.system()
-        program = self._own_program() if self._name == _SINE else load_program(self._name)
+        if self._name == _SINE:
+            wave = {key: read_field(one, self._wave[key]) for key, one in _WAVE.items()}
+            program = Program(_SINE, (RigTest(_SINE, Sine(**wave)),))
+        else:
+            program = load_program(self._name)
         tests = await asyncio.to_thread(run_program, program, system)
         if self.is_gone:
             return
         self.complain("")
         self._tests = list(tests)
-        self.title.text = PROGRAMS[self._name][:1].upper() + PROGRAMS[self._name][1:]
+        self.title.text = capitalised(_PROGRAMS[self._name])
         names = [_ALL, *(test.test.name for test in tests)]
         if self._chosen not in names:
             self._chosen = _ALL
@@ -110,10 +109,10 @@ class MachineTab(Tab):
             return
         units = self.session.units
         some = [test for test in self._tests if self._chosen in (_ALL, test.test.name)]
-        self._loops.draw(chart(panels.loops(some), units))
+        self._loops.draw(chart(panels.of_tests(some, "force", "displacement", "force"), units))
         self._friction.draw(friction_chart(self._tests))
         scroll = {"type": "scroll", "left": 230}
-        self._temperature.draw(chart(panels.temperatures(some), units, 300, legend=scroll))
+        self._temperature.draw(chart(panels.of_tests(some, "temperature"), units, 300, legend=scroll))
         told = [replace(one, printed=one.printed or one.key in _ALSO) for one in CYCLES]
         self._measures.show(Table(tuple(told), cycles_of_tests(some)), units)
         write_list(self._remarks, grouped(self._tests))
@@ -131,11 +130,6 @@ class MachineTab(Tab):
     def _set_wave(self, key: str, value: object) -> None:
         self._wave[key] = value
         self.ask()
-
-    def _own_program(self) -> Program:
-        """Return the sine of the visitor's own as a program of one test."""
-        wave = {key: read_field(one, self._wave[key]) for key, one in _WAVE.items()}
-        return Program("sine", (RigTest("sine", Sine(**wave)),))
 
 
 def friction_chart(tests: list[Loops]) -> Options:

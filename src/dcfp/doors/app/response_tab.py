@@ -3,8 +3,7 @@
 import asyncio
 import math
 from dataclasses import replace
-from operator import attrgetter
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from nicegui import ui
@@ -14,16 +13,13 @@ from dcfp.analysis.response import PEAKS
 from dcfp.doors.app.analysis import Predicted, Task, figure_png, predict, remarks_on, scenario_text, table_of
 from dcfp.doors.app.charts import chart, colour_of, level, rows, warm_colours
 from dcfp.doors.app.elements import Chart, Grid, Options, Section, Text
-from dcfp.doors.app.fields import card
-from dcfp.doors.app.forms import label_of
-from dcfp.doors.app.records_panel import RecordsPanel
-from dcfp.doors.app.session import Session
+from dcfp.doors.app.fields import RecordsPanel, card
+from dcfp.doors.app.session import Session, capitalised
 from dcfp.doors.app.tab import Latest, Tab, write_list
 from dcfp.doors.app.units import Units
 from dcfp.errors import DcfpError
 from dcfp.inference import Case
-from dcfp.methods import Prediction
-from dcfp.methods.code import CodeResult
+from dcfp.inference.told import Told
 from dcfp.methods.method import Information, variants
 from dcfp.present import panels
 from dcfp.present.tables import write_responses
@@ -66,7 +62,7 @@ class ResponseTab(Tab):
             for name, one in PEAKS.items():
                 if one.printed and one.is_number:
                     with ui.element("div").classes("tile"):
-                        Text("div", label_of(one)).classes("tile-name")
+                        Text("div", capitalised(one.words)).classes("tile-name")
                         value = Text("span", NOTHING).classes("tile-value").props(f"data-tile={name}")
                         self._tiles[name] = (value, Text("span").classes("tile-unit"))
         self._remarks = ui.element("ul").classes("remarks")
@@ -104,19 +100,14 @@ class ResponseTab(Tab):
             return table_of(write_responses, self._responses[part], kind)
 
         self.add_files(
-            (
-                ("Scenario (TOML)", "scenario.toml", lambda: scenario_text(self.session).encode()),
-                ("Histories (CSV)", "response.csv", lambda: table(".csv")),
-                ("All data (NetCDF)", "response.nc", lambda: table(".nc")),
-                ("Figure (PNG)", "response.png", figure),
-                ("Report (PDF)", "report.pdf", lambda: Task.of(self.session).report_pdf()),
-                ("Workbook (Excel)", "response.xlsx", lambda: Task.of(self.session).workbook()),
-            )
+            ("Scenario (TOML)", "scenario.toml", lambda: scenario_text(self.session).encode()),
+            ("Histories (CSV)", "response.csv", lambda: table(".csv")),
+            ("All data (NetCDF)", "response.nc", lambda: table(".nc")),
+            ("Figure (PNG)", "response.png", figure),
+            ("Report (PDF)", "report.pdf", lambda: Task.of(self.session).report_pdf()),
+            ("Workbook (Excel)", "response.xlsx", lambda: Task.of(self.session).workbook()),
         )
-        Text(
-            "p",
-            "Your files stay in the memory of this page and are gone when you close it. A scenario file looks for them in its own folder.",
-        ).classes("note")
+        Text("p", "Your files stay in the memory of this page and are gone when you close it. A scenario file looks for them in its own folder.").classes("note")  # fmt: skip
 
     async def work(self) -> None:
         """Analyse every record."""
@@ -197,7 +188,7 @@ class ResponseTab(Tab):
         self._pulses.draw(chart(panels.pulses(response, case.pulses, case.analysed.pulse), units))
         self._nominal.text = f"The methods take a constant µ of {nominal.value:.4g}: {nominal.source}."
         self._bars.draw(bars(case, units))
-        self._predictions.show(predictions_of(case), units, 0, {"verdict": attrgetter("tone")})
+        self._predictions.show(predictions_of(case), units, 0, {"verdict": _tone_of_verdict})
         write_list(self._code_remarks, code_remarks(case))
 
 
@@ -205,66 +196,49 @@ def _tone_of(response: Response) -> str:
     return _TONES[response.status]
 
 
-# Predictions and codes beside the analysis.
-
-
-class _Beside(NamedTuple):
-    """What a method says, with what it knows, beside the analysis; of a code with its verdict."""
-
-    method: str
-    knows: str
-    said: Prediction
-    analysed: Prediction
-    code: CodeResult | None = None
-
-    @property
-    def tone(self) -> str:
-        """Tone of the verdict."""
-        if self.code is None or not self.code.conditions:
-            return ""
-        return {True: "good", False: "bad", None: "doubt"}[self.code.valid]
-
-
 def _over_analysis(name: str) -> Quantity:
-    def ratio(one: _Beside) -> float:
-        analysed = getattr(one.analysed, name)
-        return getattr(one.said, name) / analysed if analysed > 0.0 else math.nan
+    def ratio(one: Told) -> float:
+        said, analysed = one.said, getattr(one.of.analysed.beside(one.information), name)
+        return getattr(said, name) / analysed if analysed > 0.0 else math.nan
 
     return Quantity(
         f"{name}_ratio", "prediction over analysis", NONE, decimals=2, head="over analysis", get=ratio
     )
 
 
+def _tone_of_verdict(one: Told) -> str:
+    code = None if one.variant is None else one.of.codes.get(one.variant.method)
+    if code is None or not code.conditions:
+        return ""
+    return {True: "good", False: "bad", None: "doubt"}[code.valid]
+
+
 _PREDICTIONS = (
-    Quantity("method", "method", head="Method", get="method"),
-    Quantity("knows", "what it knows", head="Knows", get="knows"),
+    Quantity("method", "method", head="Method", get=lambda one: one.variant.method if one.variant else "analysis"),
+    Quantity("knows", "what it knows", head="Knows", get=lambda one: one.information.value if one.variant else "everything"),
     Quantity("dy", "largest change of displacement", MM, decimals=1, get="said.displacement_change"),
     _over_analysis("displacement_change"),
     Quantity("bound", "largest displacement", MM, decimals=1, head="y_max offered", get="said.bound"),
     _over_analysis("bound"),
-    Quantity("verdict", "verdict", head="Verdict", get=lambda one: one.code.verdict if one.code else ""),
-)
+    Quantity("verdict", "verdict", head="Verdict", get="verdict"),
+)  # fmt: skip
 
 
 def predictions_of(case: Case) -> Table:
     """Return a row for the analysis and for every method."""
-    rows = [_Beside("analysis", "everything", case.analysed.whole, case.analysed.whole)]
-    for variant in variants():
-        if variant in case.predicted:
-            method, information = variant
-            beside, code = case.analysed.beside(information), case.codes.get(method)
-            rows.append(_Beside(method, information.value, case.predicted[variant], beside, code))
-    return Table(_PREDICTIONS, rows)
+    known = [None, *(one for one in variants() if one in case.predicted)]
+    return Table(_PREDICTIONS, [Told(case, None, one) for one in known])
 
 
 def bars(case: Case, units: Units) -> Options:
     """Draw what each method offers for the largest displacement, and the analysis as a line."""
     known = [variant for variant in reversed(variants()) if variant in case.predicted]
     length = units.of(_LENGTH)
+    shown = {one: round(length.shown(case.predicted[one].bound), 4) for one in known}
     data = [
-        {"value": round(length.shown(case.predicted[one].bound), 4), "itemStyle": {"color": colour_of(_COLOURS[one.information])}}
-        for one in known
-    ]  # fmt: skip
+        {"value": value, "itemStyle": {"color": colour_of(_COLOURS[one.information])}}
+        for one, value in shown.items()
+    ]
     analysed = case.analysed.whole.bound
     words = f"analysis {units.written(_LENGTH, analysed)} {length.name}"
     line = level((length.shown(analysed),), "xAxis", words, panels.INK)

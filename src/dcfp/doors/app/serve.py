@@ -1,26 +1,56 @@
-"""The server of the page."""
+"""The page, a head with units and theme and three pages below it of which one is seen; and its server."""
 
 import asyncio
 import ipaddress
 import socket
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 from urllib.parse import urlsplit
 
 from nicegui import app, ui
+from nicegui.events import ValueChangeEventArguments
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.responses import PlainTextResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from dcfp.doors.app.analysis import Task, predict
-from dcfp.doors.app.design_tab import Surveys
-from dcfp.doors.app.page import build_page
+from dcfp.doors.app.design_tab import DesignTab, Surveys
+from dcfp.doors.app.elements import Text
+from dcfp.doors.app.machine_tab import MachineTab
+from dcfp.doors.app.response_tab import ResponseTab
 from dcfp.doors.app.session import LARGEST_FILE, Session, named_choices
+from dcfp.doors.app.units import CHOICES, Units
 from dcfp.errors import InputError
+from dcfp.schema.units import Unit
+
+if TYPE_CHECKING:
+    from dcfp.doors.app.tab import Tab
 
 #: Time for which a page that has lost its connection is kept [s].
 _PATIENCE = 20.0
 _STYLE = Path(__file__).parent / "static" / "app.css"
 _ICON = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 32 32"><rect width="32" height="32" rx="6" fill="#0b5394"/><path d="M5 22q11 5 22 0v4H5zM5 10q11-5 22 0V6H5z" fill="#fff"/><path d="M11 13h10v6H11z" fill="#DDAA33"/></svg>'
+#: Themes in the order of the button, with what NiceGUI calls them.
+_THEMES = {"system": None, "light": False, "dark": True}
+#: Names under which a browser reaches its own machine.
+LOOPBACK = ("127.0.0.1", "localhost", "::1")
+#: Schemes of sockets as those of the pages that open them, and the ports that a browser leaves out.
+_SCHEMES, _PORTS = {"ws": "http", "wss": "https"}, {"http": 80, "https": 443}
+#: Largest body of a request: a file, and what wraps it [bytes].
+LARGEST_BODY = LARGEST_FILE + 100_000
+#: Everything comes from the server itself; NiceGUI compiles its templates in the browser, hence "unsafe-eval".
+_POLICY = (
+    "default-src 'self'; script-src 'self' 'unsafe-inline' 'unsafe-eval'; style-src 'self' 'unsafe-inline';"
+    " img-src 'self' data: blob:; font-src 'self' data:; connect-src 'self' data: blob:; object-src 'none';"
+    " base-uri 'self'; form-action 'self'; frame-ancestors 'none'"
+)
+_HEADERS = {
+    "content-security-policy": _POLICY,
+    "x-content-type-options": "nosniff",
+    "referrer-policy": "no-referrer",
+}
 
 
 def is_local(host: str) -> bool:
@@ -37,7 +67,7 @@ def serve(host: str, port: int, *, show: bool) -> None:
 
     @ui.page("/", title="dcfp", response_timeout=30.0)
     async def page() -> None:  # pyright: ignore[reportUnusedFunction]
-        await build_page(surveys)
+        await _build_page(surveys)
 
     ui.add_css(_STYLE, shared=True)
     app.add_middleware(Guard, local=is_local(host))
@@ -88,26 +118,94 @@ def _warm_up() -> None:
         predict(response, task.model)
 
 
+async def _build_page(surveys: Surveys) -> None:
+    """Build the page of one visitor."""
+    session = Session()
+    ui.colors(primary="#0b5394", dark="#1c2126", dark_page="#14181c")
+    with ui.element("header").classes("top"):
+        with ui.element("div").classes("name"):
+            Text("h1", "dcfp")
+            Text("p", "double concave friction pendulum bearings under recorded earthquakes")
+        units = ui.element("div").classes("units")
+        _add_theme()
+        tabs = ui.element("nav").classes("tabs").props('aria-label="Pages"')
+    with ui.element("main") as main:
+        pages = _Pages(session, surveys, tabs)
+    with units:
+        _add_units(session.units, pages.show_again)
+    ui.skip_link("Skip to the page", target=main)
+    await ui.context.client.connected()
+    pages.show("Response")
+
+
+class _Pages:
+    """The three pages, each built when it is first seen, and their buttons."""
+
+    def __init__(self, session: Session, surveys: Surveys, buttons: ui.element) -> None:
+        self._makers: dict[str, Callable[[], Tab]] = {
+            "Response": lambda: ResponseTab(session),
+            "Test machine": lambda: MachineTab(session),
+            "Design chart": lambda: DesignTab(session, surveys),
+        }
+        self._tabs: dict[str, Tab] = {}
+        self._seen = ""
+        self._parts: dict[str, tuple[Text, ui.element]] = {}
+        for name in self._makers:
+            with buttons:
+                button = Text("button", name).classes("tab").props("type=button")
+                button.on("click", partial(self.show, name), args=[])
+            place = ui.element("section")
+            place.props["aria-label"] = name
+            self._parts[name] = button, place
+
+    def show(self, name: str) -> None:
+        """Show one page."""
+        if name == self._seen:
+            return
+        if self._seen:
+            self._tabs[self._seen].close()
+        self._seen = name
+        for one, (button, place) in self._parts.items():
+            place.set_visibility(one == name)
+            button.props["aria-current"] = "page" if one == name else "false"
+        if name not in self._tabs:
+            with self._parts[name][1]:
+                self._tabs[name] = self._makers[name]()
+        self._tabs[name].open()
+
+    def show_again(self) -> None:
+        """Show every page in other units."""
+        for tab in self._tabs.values():
+            tab.show_again()
+
+
+def _add_units(units: Units, changed: Callable[[], None]) -> None:
+    def choose(own: Unit, event: ValueChangeEventArguments[str]) -> None:
+        units.chosen[own] = next(one for one in CHOICES[own][1] if one.name == event.value)
+        changed()
+
+    for own, (words, few) in CHOICES.items():
+        with ui.element("div") as place:
+            Text("label", f"Unit of {words}").classes("unseen").props(f"for=unit-{place.id}")
+            value = units.chosen[own].name
+            made = ui.select([one.name for one in few], value=value, on_change=partial(choose, own))
+            made.props(f"dense options-dense borderless for=unit-{place.id}").classes("unit-choice")
+
+
+def _add_theme() -> None:
+    dark = ui.dark_mode(None)
+    button = Text("button", "Theme: system").classes("plain-button").props("type=button")
+
+    def turn() -> None:
+        words, values = list(_THEMES), list(_THEMES.values())
+        place = (values.index(dark.value) + 1) % len(values)
+        dark.set_value(values[place])
+        button.text = f"Theme: {words[place]}"
+
+    button.on("click", turn, args=[])
+
+
 # Who may talk to the server, and how much at once.
-
-
-#: Names under which a browser reaches its own machine.
-LOOPBACK = ("127.0.0.1", "localhost", "::1")
-#: Schemes of sockets as those of the pages that open them, and the ports that a browser leaves out.
-_SCHEMES, _PORTS = {"ws": "http", "wss": "https"}, {"http": 80, "https": 443}
-#: Largest body of a request: a file, and what wraps it [bytes].
-LARGEST_BODY = LARGEST_FILE + 100_000
-#: Everything comes from the server itself; NiceGUI compiles its templates in the browser, hence "unsafe-eval".
-_POLICY = (
-    "default-src 'self'; script-src 'self' 'unsafe-inline' 'unsafe-eval'; style-src 'self' 'unsafe-inline';"
-    " img-src 'self' data: blob:; font-src 'self' data:; connect-src 'self' data: blob:; object-src 'none';"
-    " base-uri 'self'; form-action 'self'; frame-ancestors 'none'"
-)
-_HEADERS = {
-    "content-security-policy": _POLICY,
-    "x-content-type-options": "nosniff",
-    "referrer-policy": "no-referrer",
-}
 
 
 class _TooLargeError(Exception):

@@ -1,40 +1,186 @@
-"""What belongs to one visitor: what is chosen, and records that are sent, read from memory, within limits."""
+"""What belongs to one visitor: what stands in the fields and the system that it makes, what is chosen, and records that are sent, read from memory, within limits."""
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
+from itertools import takewhile
 from pathlib import PurePosixPath
+from typing import Any
 
-from dcfp.doors.app.forms import BearingForm
 from dcfp.doors.app.units import Units
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import LONGEST_TAIL, GroundMotion
 from dcfp.motion.load import motions_of
 from dcfp.motion.named import named_motion, named_records
+from dcfp.schema.declared import Declared, parameters
+from dcfp.schema.parameters import Parameter
+from dcfp.system import (
+    FRICTION_LAWS,
+    HEATINGS,
+    LI_2020,
+    Bearing,
+    FrictionLaw,
+    Heating,
+    System,
+    system_parameters,
+)
+from dcfp.system.system import OF_LAW
 
-# Records that a visitor sends: read from memory, within limits.
-
-
+#: Fields of the two plates, whose radii are one parameter of a bearing.
+RADII = ("lower_radius", "upper_radius")
+#: What the friction of a new page is, and its heat.
+_BEGIN = System(LI_2020)
 #: Largest file [bytes], most files and most components that one visitor can have.
 LARGEST_FILE, MOST_FILES, MOST_COMPONENTS = 20_000_000, 12, 36
 #: Most time steps of an analysis with the rest after the record: what a page can be kept waiting for.
 MOST_STEPS = 1_000_000
 _LONGEST_NAME = 80
+#: Records that come with the package stay in memory, for every change of a field analyses one anew.
+_named = cache(named_motion)
+
+
+def capitalised(words: str) -> str:
+    """Return words with a capital first letter, and the others as they are."""
+    return words[:1].upper() + words[1:]
+
+
+def read_field(one: Parameter, value: Any) -> Any:
+    """Return what stands in a field in the package's unit.
+
+    Raises
+    ------
+    InputError
+        If the field is empty, or its value is not allowed.
+    """
+    if value is None and not one.optional:
+        msg = f"The {one.words}{f' {one.unit.heading}' if one.unit.has_dimension else ''} is missing."
+        raise InputError(msg)
+    if one.counts and isinstance(value, str):
+        value = value.split(",")
+    return one.read(value, f"The {one.words}")
+
+
+def read_fields(fields: Mapping[str, Parameter], values: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what stands in some fields by the names of their parameters; raises as `read_field`."""
+    return {one.name: read_field(one, values[key]) for key, one in fields.items()}
+
+
+def bearing_fields() -> dict[str, Parameter]:
+    """Return the parameters of a bearing that have a field, with a radius for each plate."""
+    known = system_parameters()
+    first = takewhile(lambda key: key != "law", known)
+    return {key: known[key] for key in first if known[key].is_number and not known[key].counts}
+
+
+def fields_of(kind: type[Declared], before: str = "") -> dict[str, Parameter]:
+    """Return the parameters of a declared class that have a field: all but free words; keys begin with `before`."""
+    found = parameters(kind).values()
+    return {before + one.key: one for one in found if one.is_number or one.kind is bool or one.choices}
+
+
+def _written(fields: Mapping[str, Parameter], thing: object) -> dict[str, Any]:
+    return {key: one.written(getattr(thing, one.name)) for key, one in fields.items()}
+
+
+def _values_of(system: System) -> dict[str, Any]:
+    law, heating = system.friction, system.heating
+    of_bearing = {key: one for key, one in bearing_fields().items() if key not in RADII}
+    return {
+        **dict(zip(RADII, system.bearing.radii, strict=True)),
+        **_written(of_bearing, system.bearing),
+        "law": law.name,
+        **_written(fields_of(type(law), OF_LAW), law),
+        "heating": heating.name,
+        **_written(fields_of(type(heating)), heating),
+    }
+
+
+class BearingForm:
+    """The fields of a bearing, its friction law and its heating model, by key, in the units beside them; at first the paper's values, None in an empty one."""
+
+    def __init__(self) -> None:
+        self.values = _values_of(_BEGIN)
+
+    @property
+    def law(self) -> type[FrictionLaw]:
+        """The friction law that is chosen."""
+        return FRICTION_LAWS.find(self.values["law"])
+
+    @property
+    def heating(self) -> type[Heating]:
+        """The heating model that is chosen."""
+        return HEATINGS.find(self.values["heating"])
+
+    def law_fields(self) -> dict[str, Parameter]:
+        """Return the parameters of the chosen law that have a field, its reference coefficient first."""
+        fields, first = fields_of(self.law, OF_LAW), self.reference
+        return {first: fields.pop(first), **fields} if first else fields
+
+    def heating_fields(self) -> dict[str, Parameter]:
+        """Return the parameters of the chosen heating model that have a field."""
+        return fields_of(self.heating)
+
+    @property
+    def reference(self) -> str:
+        """Key of the reference coefficient of the chosen law; empty where it has none."""
+        name = self.law.reference_parameter
+        return next((key for key, one in fields_of(self.law, OF_LAW).items() if one.name == name), "")
+
+    def put(self, key: str, value: Any) -> None:
+        """Put a value into a field; another law or heating model brings its own parameters, and a reference coefficient scales its law."""
+        if key == "law":
+            law = FRICTION_LAWS.find(value)
+            self.values |= _written(fields_of(law, OF_LAW), law())
+        elif key == "heating":
+            for name, one in fields_of(HEATINGS.find(value)).items():
+                self.values.setdefault(name, one.written(one.default))
+        elif key == self.reference:
+            self._scale(value)
+        self.values[key] = value
+
+    def reset(self) -> None:
+        """Put the paper's values into every field."""
+        self.values = _values_of(_BEGIN)
+
+    def system(self) -> System:
+        """Return what the fields hold.
+
+        Raises
+        ------
+        InputError
+            If a field is empty, or its value is not allowed.
+        """
+        bearing = self._bearing()
+        return System(bearing, self._law(), self.heating(**read_fields(self.heating_fields(), self.values)))
+
+    def _bearing(self) -> Bearing:
+        fields = bearing_fields()
+        found = read_fields(fields, self.values)
+        found["radii"] = tuple(read_field(fields[key], self.values[key]) for key in RADII)
+        if all(getattr(LI_2020, name) == value for name, value in found.items()):
+            return LI_2020
+        return Bearing(**found, name="bearing of the page")
+
+    def _law(self) -> FrictionLaw:
+        return self.law(**read_fields(self.law_fields(), self.values))
+
+    def _scale(self, reference: Any) -> None:
+        """Put in what a reference coefficient makes of the law's other parameters, where it and they are allowed."""
+        fields = self.law_fields()
+        try:
+            law = self._law().with_reference(read_field(fields[self.reference], reference))
+        except InputError:
+            return
+        self.values |= _written(fields, law)
+
+
+# Records that a visitor sends: read from memory, within limits.
 
 
 @dataclass(frozen=True, eq=False)
 class Upload:
-    """One component of a file.
-
-    Attributes
-    ----------
-    motion
-        As it is in the file.
-    file
-        Name by which a scenario finds it beside itself, with ``::COMPONENT`` where the file holds several.
-    options
-        How a plain file is read, for the scenario.
-    """
+    """One component of a file, its name by which a scenario finds it beside itself, and how a plain file is read."""
 
     motion: GroundMotion
     file: str
@@ -65,11 +211,9 @@ def read_upload(
             raise InputError(msg)
     given = {"units": units, "time_step": time_step}
     options = {name: value for name, value in given.items() if value is not None}
-    several = len(motions) > 1
-    return [
-        Upload(motion, f"{shown}::{motion.origin.component}" if several else shown, options)
-        for motion in motions
-    ]
+    if len(motions) == 1:
+        return [Upload(motions[0], shown, options)]
+    return [Upload(motion, f"{shown}::{motion.origin.component}", options) for motion in motions]
 
 
 def plain_name(name: str) -> str:
@@ -87,47 +231,20 @@ def too_large(name: str) -> str:
     )
 
 
-#: Before the key of a record that was sent.
-_SENT = "sent-"
-
-
-#: Records that come with the package stay in memory, for every change of a field analyses one anew.
-_named = cache(named_motion)
-
-
 @cache
 def named_choices() -> dict[str, str]:
     """Return the named records that come with the package, in words: the paper's first."""
     rows = [row for row in named_records() if row.motion is not None]
     rows.sort(key=lambda row: not row.alias)
-    return {
-        row.alias or row.name: f"{row.alias or row.name} · {row.event} {row.year}, {row.station}"
-        for row in rows
-    }
+    told = [(row.alias or row.name, f"{row.event} {row.year}, {row.station}") for row in rows]
+    return {name: f"{name} · {words}" for name, words in told}
 
 
 @dataclass
 class Session:
-    """The state of one page.
+    """The state of one page: the fields, the units of results, records that were sent by key and the number of their files, and what is chosen.
 
-    Attributes
-    ----------
-    bearing
-        The fields of the bearing.
-    units
-        In which results are shown.
-    sent
-        Records that were sent, by key.
-    files
-        Number of files that they came in.
-    chosen
-        Keys of the records that are analysed.
-    pgv
-        PGV to which they are scaled [m/s].
-    as_recorded
-        Whether they are used as they are instead.
-    baseline, corner
-        How records are treated; the corner of a high-pass filter [Hz], or None.
+    The PGV is in m/s, and the corner of a high-pass filter in Hz.
     """
 
     bearing: BearingForm = field(default_factory=BearingForm)
@@ -155,19 +272,12 @@ class Session:
             )
             raise InputError(msg)
         self.files += 1
-        first = len(self.sent) + 1
-        keys = [f"{_SENT}{number}" for number in range(first, first + len(uploads))]
+        keys = [f"sent-{number}" for number in range(len(self.sent), len(self.sent) + len(uploads))]
         self.sent |= zip(keys, uploads, strict=True)
         return keys
 
     def refuse_more_files(self) -> None:
-        """Refuse another file where there are too many.
-
-        Raises
-        ------
-        InputError
-            If so.
-        """
+        """Raise an InputError where there are too many files for another one."""
         if self.files >= MOST_FILES:
             msg = f"The page keeps at most {MOST_FILES} of your files; reload it to begin anew."
             raise InputError(msg)

@@ -20,29 +20,16 @@ class Latest:
     """
 
     def __init__(self, work: Callable[[], Awaitable[None]]) -> None:
-        self._work = work
-        self._wanted = False
-        self._runs = False
+        self._work, self._name = work, f"latest work of {id(self)}"
 
     @property
     def outdated(self) -> bool:
         """Whether something newer is wanted than what is being done."""
-        return self._wanted
+        return self._name in background_tasks.lazy_coroutines_waiting
 
     def ask(self) -> None:
         """Do the work, now or after the present one."""
-        self._wanted = True
-        if not self._runs:
-            self._runs = True
-            background_tasks.create(self._run())
-
-    async def _run(self) -> None:
-        try:
-            while self._wanted:
-                self._wanted = False
-                await self._work()
-        finally:
-            self._runs = False
+        background_tasks.create_lazy(self._work(), name=self._name)
 
 
 class Tab(ABC):
@@ -112,7 +99,7 @@ class Tab(ABC):
         if not self.is_gone:
             self._alert.say(sentence)
 
-    def add_files(self, files: Iterable[tuple[str, str, Callable[[], bytes | None]]]) -> None:
+    def add_files(self, *files: tuple[str, str, Callable[[], bytes | None]]) -> None:
         """Add files to take away: what each is, its name, and what makes it, or nothing as long as there are no results."""
 
         def giver(name: str, make: Callable[[], bytes | None]) -> Callable[[], Awaitable[None]]:

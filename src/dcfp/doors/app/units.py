@@ -4,62 +4,38 @@ import math
 from dataclasses import dataclass, field
 from typing import Any
 
+from dcfp.schema import units as known
 from dcfp.schema.quantities import Quantity
-from dcfp.schema.units import (
-    CM,
-    CM_PER_S,
-    DEGC,
-    DEGF,
-    INCH,
-    INCH_PER_S,
-    KIP,
-    KIP_FT,
-    KN,
-    KN_M,
-    M_PER_S,
-    METRE,
-    MM,
-    MM_PER_S,
-    N_MM,
-    N_PER_MM,
-    NEWTON,
-    Unit,
-)  # fmt: skip
+from dcfp.schema.units import Unit
 
 #: What a visitor can choose from, by the package's own unit, the first at first; each with the decimals that it has more than the first.
 CHOICES: dict[Unit, tuple[str, dict[Unit, int]]] = {
-    MM: ("lengths", {MM: 0, CM: 1, INCH: 1}),
-    NEWTON: ("forces", {KN: 0, KIP: 1}),
-    MM_PER_S: ("velocities", {M_PER_S: 0, CM_PER_S: -2, INCH_PER_S: -1}),
-    DEGC: ("temperatures", {DEGC: 0, DEGF: 0}),
+    known.MM: ("lengths", {known.MM: 0, known.CM: 1, known.INCH: 1}),
+    known.NEWTON: ("forces", {known.KN: 0, known.KIP: 1}),
+    known.MM_PER_S: ("velocities", {known.M_PER_S: 0, known.CM_PER_S: -2, known.INCH_PER_S: -1}),
+    known.DEGC: ("temperatures", {known.DEGC: 0, known.DEGF: 0}),
 }
-
-
-def _first() -> dict[Unit, Unit]:
-    return {own: next(iter(few)) for own, (_, few) in CHOICES.items()}
 
 
 @dataclass
 class Units:
-    """The units that a visitor has chosen.
+    """The units that a visitor has chosen, by the package's own unit."""
 
-    Attributes
-    ----------
-    chosen
-        By the package's own unit.
-    """
-
-    chosen: dict[Unit, Unit] = field(default_factory=_first)
+    chosen: dict[Unit, Unit] = field(
+        default_factory=lambda: {own: next(iter(few)) for own, (_, few) in CHOICES.items()}
+    )
 
     def of(self, one: Quantity) -> Unit:
         """Return the unit in which a quantity is shown: what is chosen for its dimension, or follows from that, or its own."""
-        own, force, length = one.unit.inner_unit, self.chosen[NEWTON], self.chosen[MM]
-        if own is N_MM:
-            return KIP_FT if force is KIP else KN_M
-        if own is N_PER_MM:
-            return Unit(f"{force.name}/{length.name}", force.size / length.size, "N mm-1", base=N_PER_MM)
+        own, force, length = one.unit.inner_unit, self.chosen[known.NEWTON], self.chosen[known.MM]
+        if own is known.N_MM:
+            return known.KIP_FT if force is known.KIP else known.KN_M
+        if own is known.N_PER_MM:
+            return Unit(
+                f"{force.name}/{length.name}", force.size / length.size, "N mm-1", base=known.N_PER_MM
+            )
         # what is so long that metres are declared for it stays in metres
-        return one.shown if one.shown is METRE else self.chosen.get(own, one.shown)
+        return one.shown if one.shown is known.METRE else self.chosen.get(own, one.shown)
 
     def name(self, one: Quantity) -> str:
         """Return the name of the unit in which a quantity is shown; empty for words."""

@@ -23,10 +23,16 @@ if TYPE_CHECKING:
 
     from dcfp.arrays import FloatArray
     from dcfp.inference.design_space import DesignSpace
+_LOOKS = ((style.BLUE, "o"), (style.RED, "s"), (style.OCHRE, "^"), (style.INK, "D"))
+_MARKERS = ("o", "^", "s", "D", "v", "P", "X", "p", "h", "*")
+#: Most panels of a figure.
+_MOST = 4
+_BARS = (("S1", "first order", style.OCHRE, -0.19), ("ST", "total", style.BLUE, 0.19))
+#: Probabilities of the two panels, and how to call them.
+_PARTS = ((0.5, "half of the earthquakes"), (0.95, "95 % of the earthquakes"))
 
 
 def _axis_label(variable: "xarray.DataArray") -> str:
-    """Return the label of an axis: words, symbol and unit."""
     entry = described(variable)
     symbol = "" if entry.symbol.startswith(r"\mathrm") else f", ${entry.symbol}$"
     unit = f" [{entry.shown.name}]" if entry.shown.has_dimension else ""
@@ -39,21 +45,11 @@ def _shown(variable: "xarray.DataArray", values: "xarray.DataArray | None" = Non
     return described(variable).display(np.asarray(numbers, dtype=np.float64))
 
 
-# The curves of an incremental dynamic analysis.
-
-
 @style.styled
 def plot_ida(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes":
-    """Draw the intensity over the result: each record thin and grey, the quantiles bold, the capacity as a line.
+    """Draw what `dcfp.study.assessment.ida` returns, on new axes by default: the intensity over the result.
 
-    A hollow mark is where a record is first beyond the displacement capacity.
-
-    Parameters
-    ----------
-    found
-        What `dcfp.study.assessment.ida` returns.
-    axes
-        Where to draw; by default new axes.
+    Each record is thin and grey, the quantiles are bold, and the capacity is a line; a hollow mark is where a record is first beyond it.
     """
     axes = axes or style.new_axes(0.62 * style.PAGE_WIDTH, 3.6)
     name = next(str(one) for one in found.data_vars if f"{one}_quantile" in found.data_vars)
@@ -94,24 +90,11 @@ def _draw_quantiles(axes: "Axes", found: "xarray.Dataset", name: str, heights: "
         axes.annotate(f"{100.0 * part:g} %", (float(line[-1]), float(heights[-1])), color=style.BLUE, **above)
 
 
-# Fragility curves.
-
-
-_LOOKS = ((style.BLUE, "o"), (style.RED, "s"), (style.OCHRE, "^"), (style.INK, "D"))
-
-
 @style.styled
 def plot_fragility(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes":
-    """Draw the probability that each capacity is exceeded over the intensity.
+    """Draw what `dcfp.study.assessment.fragility` returns, on new axes by default: the probability that each capacity is exceeded over the intensity.
 
     Marks are the parts of the records that are observed to exceed it, bands hold a part of the draws of earthquakes, and a mark with a dotted line is the median.
-
-    Parameters
-    ----------
-    found
-        What `dcfp.study.assessment.fragility` returns.
-    axes
-        Where to draw; by default new axes.
     """
     axes = axes or style.new_axes(0.62 * style.PAGE_WIDTH, 3.5)
     intensity = str(found.attrs["intensity"])
@@ -133,9 +116,8 @@ def plot_fragility(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes
         style.draw_line(axes, [medians[place]] * 2, [0.0, 0.5], colour, 0.7, linestyle=":")
         style.draw_marks(axes, medians[place], 0.5, "+", 7, colour, zorder=4)
     ends: dict[str, Any] = {"xlim": (0.0, float(grid[-1])), "ylim": (0.0, 1.0)}
-    style.label_axes(
-        axes, _axis_label(found[intensity]), "probability that the capacity is exceeded", 6, 5, **ends
-    )
+    words = "probability that the capacity is exceeded"
+    style.label_axes(axes, _axis_label(found[intensity]), words, 6, 5, **ends)
     title = rf"$\theta$: median, $\beta$: dispersion; marks: observed in {found.attrs['records']} records;"
     title += f"\nband: {100.0 * found.attrs['confidence']:g} % of draws of earthquakes"
     corner: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.02), "alignment": "left"}
@@ -144,24 +126,12 @@ def plot_fragility(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes
     return axes
 
 
-# Envelopes of property bounds.
-
-
-_MARKERS = ("o", "^", "s", "D", "v", "P", "X", "p", "h", "*")
-
-
 @style.styled
 def plot_bounds(found: "xarray.Dataset", part: float | None = None) -> "Figure":
-    """Draw the envelope and the nominal line of every result over the intensity, on a new figure.
+    """Draw what `dcfp.study.assessment.bounds` returns, on a new figure: envelope and nominal line of every result over the intensity.
 
-    A mark on the edge of an envelope says which combination of the properties governs there, full of the largest and hollow of the least.
-
-    Parameters
-    ----------
-    found
-        What `dcfp.study.assessment.bounds` returns.
-    part
-        Which of its quantiles [-]; by default the first.
+    `part` is which of its quantiles is drawn [-], by default the first. A mark on the edge of an envelope says which combination of the properties
+    governs there, full of the largest and hollow of the least.
     """
     place = 0 if part is None else int(np.flatnonzero(np.isclose(found["quantile"].to_numpy(), part))[0])
     one = found.isel(quantile=place)
@@ -175,10 +145,9 @@ def plot_bounds(found: "xarray.Dataset", part: float | None = None) -> "Figure":
         axes.set_axis_off()
     for axes, name in zip(panels.flat, names, strict=False):
         _draw_bounds(axes, one, name, looks)
-    title = "marks: which properties govern, full the largest, hollow the least"
-    handles = _handles(found, float(one["quantile"]), looks)
     above: dict[str, Any] = {"loc": "outside upper center", "borderaxespad": 0.3, "ncols": 3}
-    figure.legend(handles=handles, title=title, title_fontsize=7.0, **above)
+    title = "marks: which properties govern, full the largest, hollow the least"
+    figure.legend(handles=_handles(one, looks), title=title, title_fontsize=7.0, **above)
     return figure
 
 
@@ -191,9 +160,8 @@ def _governing(one: "xarray.Dataset", names: list[str]) -> list[str]:
 def _draw_bounds(axes: "Axes", one: "xarray.Dataset", name: str, looks: dict[str, str]) -> None:
     intensity = str(one.attrs["intensity"])
     x = _shown(one[intensity])
-    least, largest, nominal = (
-        _shown(one[name], one[f"{name}_{side}"]) for side in ("least", "largest", "nominal")
-    )
+    sides = ("least", "largest", "nominal")
+    least, largest, nominal = (_shown(one[name], one[f"{name}_{side}"]) for side in sides)
     axes.fill_between(x, least, largest, color=style.BLUE, alpha=0.15, linewidth=0.0)
     style.draw_line(axes, x, nominal, style.INK, 1.2)
     for side, line in (("least", least), ("largest", largest)):
@@ -208,39 +176,22 @@ def _draw_bounds(axes: "Axes", one: "xarray.Dataset", name: str, looks: dict[str
     axes.set_title(described(one[name]).words, loc="left")
 
 
-def _handles(found: "xarray.Dataset", part: float, looks: dict[str, str]) -> "list[Line2D | Patch]":
-    words = (
-        "median of the records" if part == 0.5 else f"what {100.0 * part:g} % of the records do not exceed"
-    )
-    marks = [
-        Line2D([], [], marker=marker, markersize=4.0, color=style.BLUE, linestyle="none", label=combination)
-        for combination, marker in looks.items()
-    ]
+def _handles(one: "xarray.Dataset", looks: dict[str, str]) -> "list[Line2D | Patch]":
+    part = float(one["quantile"])
+    of = "median of the records" if part == 0.5 else f"what {100.0 * part:g} % of the records do not exceed"
+    look: dict[str, Any] = {"markersize": 4.0, "color": style.BLUE, "linestyle": "none"}
     return [
-        Line2D([], [], color=style.INK, linewidth=1.2, label=f"nominal, {found.attrs['nominal']}"),
-        Patch(color=style.BLUE, alpha=0.15, linewidth=0.0, label=f"envelope, {words}"),
-        *marks,
+        Line2D([], [], color=style.INK, linewidth=1.2, label=f"nominal, {one.attrs['nominal']}"),
+        Patch(color=style.BLUE, alpha=0.15, linewidth=0.0, label=f"envelope, {of}"),
+        *(Line2D([], [], marker=marker, label=name, **look) for name, marker in looks.items()),
     ]
-
-
-# Sobol indices as bars.
-
-
-#: Most panels of a figure.
-_MOST = 4
-_BARS = (("S1", "first order", style.OCHRE, -0.19), ("ST", "total", style.BLUE, 0.19))
 
 
 @style.styled
 def plot_sensitivity(found: "xarray.Dataset") -> "Figure":
-    """Draw first-order and total Sobol indices by factor with their intervals, on a new figure.
+    """Draw what `dcfp.study.assessment.sensitivity` returns, on a new figure: Sobol indices by factor with their intervals.
 
     A panel for each value of the one factor that is left of the grid, of many for some of them.
-
-    Parameters
-    ----------
-    found
-        What `dcfp.study.assessment.sensitivity` returns.
 
     Raises
     ------
@@ -266,7 +217,10 @@ def plot_sensitivity(found: "xarray.Dataset") -> "Figure":
     low, high = last.get_xlim()
     last.set_xlim(min(0.0, low), max(1.0, high))
     last.set_xticks([0.0, 0.5, 1.0])
-    figure.supxlabel(f"part of the variance of the {_words_of_indices(found)}", fontsize=7.5, color=style.INK)
+    name = str(found.attrs["quantity"])
+    words = NOMENCLATURE[name].words if name in NOMENCLATURE else name.replace("_", " ")
+    words = f"{'logarithm of the ' if found.attrs['logarithm'] else ''}{words}"
+    figure.supxlabel(f"part of the variance of the {words}", fontsize=7.5, color=style.INK)
     style.legend_outside(panels.flat[0], 2, borderaxespad=0.3)
     return figure
 
@@ -281,20 +235,6 @@ def _draw_indices(axes: "Axes", one: "xarray.Dataset") -> None:
     axes.axvline(0.0, color=style.INK, linewidth=0.6)
     axes.set_yticks(heights, names)
     axes.set_ylim(len(names) - 0.45, -0.55)
-
-
-def _words_of_indices(found: "xarray.Dataset") -> str:
-    name = str(found.attrs["quantity"])
-    entry = NOMENCLATURE.get(name)
-    words = name.replace("_", " ") if entry is None else entry.words
-    return f"{'logarithm of the ' if found.attrs['logarithm'] else ''}{words}"
-
-
-# Which friction and which radius hold a displacement.
-
-
-#: Probabilities of the two panels, and how to call them.
-_PARTS = ((0.5, "half of the earthquakes"), (0.95, "95 % of the earthquakes"))
 
 
 @style.styled

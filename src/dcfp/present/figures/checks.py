@@ -39,14 +39,24 @@ def plot_checks(checks: "Sequence[Check]") -> "Figure":
             _draw_check(axes, check, line)
             line += 1.0
     axes.set_ylim(line - 0.3, -0.2)
-    _finish(axes, checks)
+    axes.axvline(1.0, color=INK, linewidth=0.8, zorder=3)
+    axes.grid(axis="x", color="#DDDDDD", linewidth=0.4)
+    axes.set_axisbelow(True)
+    axes.set_yticks([])
+    axes.spines["left"].set_visible(False)
+    axes.tick_params(axis="x", which="minor", length=0.0)
+    axes.set_xlabel("|difference| / allowed")
+    verdicts = [check.passed for check in checks]
+    failed = verdicts.count(False)
+    words = f"{verdicts.count(True)} passed, {failed} failed, {verdicts.count(None)} skipped"
+    axes.set_title(words, loc="left", color=RED if failed else INK)
+    axes.set_title("difference of allowed", loc="right", size=6.5)
     return figure
 
 
 def _reach(checks: "Sequence[Check]") -> tuple[float, float]:
     ratios = [check.ratio for check in checks if check.ratio]
-    least = max(_LEAST, min([0.1, *ratios]))
-    largest = min(_LARGEST, max([1.0, *ratios]))
+    least, largest = max(_LEAST, min([0.1, *ratios])), min(_LARGEST, max([1.0, *ratios]))
     return float(10.0 ** np.floor(np.log10(0.999 * least))), 3.0 * largest
 
 
@@ -75,18 +85,3 @@ def _numbers(check: "Check") -> str:
     if check.ratio == 0.0 and check.found != check.expected:
         return true_minus(f"{check.difference}, better")
     return true_minus(f"{check.difference} of {check.limit}")
-
-
-def _finish(axes: "Axes", checks: "Sequence[Check]") -> None:
-    axes.axvline(1.0, color=INK, linewidth=0.8, zorder=3)
-    axes.grid(axis="x", color="#DDDDDD", linewidth=0.4)
-    axes.set_axisbelow(True)
-    axes.set_yticks([])
-    axes.spines["left"].set_visible(False)
-    axes.tick_params(axis="x", which="minor", length=0.0)
-    axes.set_xlabel("|difference| / allowed")
-    verdicts = [check.passed for check in checks]
-    failed = verdicts.count(False)
-    words = f"{verdicts.count(True)} passed, {failed} failed, {verdicts.count(None)} skipped"
-    axes.set_title(words, loc="left", color=RED if failed else INK)
-    axes.set_title("difference of allowed", loc="right", size=6.5)

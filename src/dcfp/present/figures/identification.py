@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
     from dcfp.arrays import FloatArray
     from dcfp.inference.identification import FrictionHistory, Identification
+    from dcfp.inference.identification.result import Estimate
 
 _COLUMNS = 3
 #: Tests that are drawn over time; of more, the first.
@@ -66,31 +67,27 @@ class _Drawn:
 def _drawn(found: "Identification") -> list[_Drawn]:
     """Return the tests to draw: those that were held out, and the first that were fitted."""
     held = [_Drawn(one.history, one.friction, one.temperature, True) for one in found.predictions]
-    fitted = [
-        _Drawn(history, found.fitted(i), found.temperatures[i], False)
-        for i, history in enumerate(found.histories)
-    ]
+    pairs = enumerate(zip(found.histories, found.temperatures, strict=True))
+    fitted = [_Drawn(history, found.fitted(i), heat, False) for i, (history, heat) in pairs]
     return [*fitted[: max(_MOST_TESTS - len(held), _COLUMNS)], *held[:_MOST_TESTS]]
 
 
 def _write_head(head: Any, found: "Identification") -> None:
     count = len(found.histories)
     words = f"{found.system.bearing.name}: friction from {count} test{'' if count == 1 else 's'}"
-    title = head.text(0.012, 0.7, style.drawable(words), size=10, weight="bold", va="center")
-    title.set_parse_math(False)
-    intervals = [_interval(found, one.name) for one in found.estimates]
+    head.text(0.012, 0.7, style.drawable(words), size=10, weight="bold", va="center", parse_math=False)
+    intervals = [_interval(one) for one in found.estimates]
     first = math.ceil(len(intervals) / 2) if len(intervals) > _IN_ONE_LINE else len(intervals)
     lines = [",  ".join(part) for part in (intervals[:first], intervals[first:]) if part]
     head.text(0.012, 0.24, "95 % intervals:  " + ",\n".join(lines), va="center", size=6.5)
 
 
-def _interval(found: "Identification", name: str) -> str:
+def _interval(one: "Estimate") -> str:
     """Return the words, the symbol and the interval of a parameter."""
-    one = found.estimate(name)
     from dcfp.inference.identification import PARAMETERS  # late: it imports the kernels
 
-    symbol = PARAMETERS[name].symbol
-    named = "" if name == "mu_0" else f"{name.replace('_', ' ')} "
+    symbol = PARAMETERS[one.name].symbol
+    named = "" if one.name == "mu_0" else f"{one.name.replace('_', ' ')} "
     decimals = min(5, max(0, 1 - math.floor(math.log10(max(one.upper - one.lower, 1e-12)))))
     unit = {"": "", "1/degC": "/°C", "N/(s degC)": " N/(s °C)"}.get(one.unit, f" {one.unit}")
     return f"{named}${symbol}$ {typeset(one.lower, decimals)} to {typeset(one.upper, decimals)}{unit}"
@@ -123,15 +120,13 @@ def _draw_histories(drawn: list[_Drawn], panels: "Sequence[Axes]", columns: int)
 
 def _title_of(test: _Drawn, axes: "Axes") -> None:
     history, used = test.history, test.history.used
-    name = history.name if len(history.name) <= _LONGEST_NAME else f"{history.name[: _LONGEST_NAME - 1]}…"
+    name = style.drawable(history.name, _LONGEST_NAME)
     pressure, speed = float(history.pressure[used].mean()), float(history.speed[used].max())
     words = f"{name}{' (held out)' if test.held_out else ''}: {pressure:.0f} N/mm², {speed:.0f} mm/s"
     if not test.held_out:
         words += f", to {float(test.temperature.max()):.0f} °C"
-    title = axes.set_title(
-        style.drawable(words), loc="left", size=6.5, color=style.RED if test.held_out else style.INK
-    )
-    title.set_parse_math(False)
+    colour = style.RED if test.held_out else style.INK
+    axes.set_title(words, loc="left", size=6.5, color=colour, parse_math=False)
 
 
 def _draw_factors(found: "Identification", panels: "Sequence[Axes]") -> None:
@@ -209,9 +204,5 @@ def _means(axes: "Axes", places: "FloatArray", values: "FloatArray", reach: tupl
     edges = np.linspace(*reach, _GROUPS + 1)[1:-1]
     groups = [part for part in np.split(order, np.searchsorted(places[order], edges)) if part.size >= 10]
     at, means = ([float(one[part].mean()) for part in groups] for one in (places, values))
-    look: dict[str, Any] = {
-        "markerfacecolor": style.OCHRE,
-        "markeredgecolor": style.INK,
-        "markeredgewidth": 0.4,
-    }
-    style.draw_marks(axes, at, means, "o", 3.0, style.OCHRE, **look, label="mean of neighbours", zorder=4)
+    look: dict[str, Any] = {"markeredgecolor": style.INK, "markeredgewidth": 0.4, "zorder": 4}
+    style.draw_marks(axes, at, means, "o", 3.0, style.OCHRE, **look, label="mean of neighbours")

@@ -1,7 +1,6 @@
 """The figures of Li et al. (2020) about ground motions and predictions, drawn from our own analyses, and all of them on one sheet."""
 
 import io
-import math
 import textwrap
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -19,12 +18,13 @@ from dcfp.schema.formulas import metres_per_second
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Mapping, Sequence
 
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from dcfp.analysis import Response
+    from dcfp.arrays import FloatArray
     from dcfp.inference import Case
     from dcfp.methods.li_2020 import Constants
 
@@ -36,23 +36,17 @@ _LOOP_RECORDS = ("JKB", "KNA")
 _DASHED, _DOTTED = (0, (5, 2)), (0, (1.5, 1.5))
 #: Values of eps that Figure 19 compares [-], with their colours and lines.
 _FALL_RATIOS = ((0.1, style.OCHRE, _DOTTED), (0.25, style.INK, "-"), (0.5, style.BLUE, _DASHED))
+#: Characters of a legend in an inch of a figure's width, and those that a mark takes.
+_CHARACTERS, _MARK_WIDTH = 16.5, 6
+#: Width of the sheet, the gap between two figures, and the height of a title [in].
+_WIDTH, _GAP, _TITLE = 14.8, 0.2, 0.4
+#: Characters of a title in an inch.
+_TITLE_CHARACTERS = 14
 
 
 @dataclass(frozen=True, eq=False)
 class PaperFigure:
-    """A figure after one of Li et al. (2020).
-
-    Attributes
-    ----------
-    number
-        In the paper.
-    title
-        What it shows, in a few words.
-    words
-        The same in a sentence, for a caption.
-    figure
-        As drawn.
-    """
+    """A figure after one of Li et al. (2020): its number there, what it shows in a few words, and in a sentence for a caption."""
 
     number: str
     title: str
@@ -159,9 +153,6 @@ def _histories(cases: "Sequence[Case]") -> list[PaperFigure]:
     return [PaperFigure(*words, figure) for words, figure in zip(described, figures, strict=True)]
 
 
-# A point for each record and PGV: Figures 11, 18 to 20 and 22 to 27.
-
-
 class _Line(NamedTuple):
     """A line of a panel, with its place among the others."""
 
@@ -176,11 +167,11 @@ class _Line(NamedTuple):
 
 @dataclass(frozen=True)
 class _Panel:
-    """What a panel shows: the names of its axes, a point for each case, lines, the ends of the axes, and where the legend stands."""
+    """What a panel shows: the names of its axes, a point for each case, not a number where there is none, lines, the ends of the axes, and where the legend stands."""
 
     x: str
     y: str
-    points: "list[tuple[float, float] | None]"
+    points: "FloatArray"
     lines: "Sequence[_Line]"
     across: float
     up: float | None = None
@@ -200,7 +191,8 @@ def _described(
     left_out = f" Left out of {len(cases)} analyses: {without} without a pulse behind the largest swing."
     informed = f"of the pulse that the analysis found to govern.{left_out if without else ''}"
     change, put_in, absorbed = "displacement_change", "swing_input_velocity", "swing_hysteretic_velocity"
-    largest = _against_pgv(cases, "peak_displacement", lambda case: case.analysed.whole.bound, ())
+    bounds = [case.analysed.whole.bound for case in cases]
+    largest = _against_pgv(cases, "peak_displacement", bounds, ())
     energies = (
         _design(cases, constants, put_in, "input_velocity", "Eq. (31)"),
         _design(cases, constants, absorbed, "hysteretic_velocity", "Eq. (32)"),
@@ -225,12 +217,14 @@ def _velocity_change(cases: "Sequence[Case]", constants: "Constants") -> _Panel:
     ends = quantity("peak_ground_velocity").display(np.array([0.0, _largest_pgv(cases)]))
     line = _Line(ends, zeta * ends, style.INK, _DASHED, rf"$\zeta={zeta:.3g}$, Eq. (29)")
     label = f"$|{entry.symbol}|$ [{entry.shown.name}]"
-    return _against_pgv(cases, "ground_velocity_change", _change, (line,), y=label, legend="lower right")
+    found = [_of_pulse(case, "changes") for case in cases]
+    return _against_pgv(cases, "ground_velocity_change", found, (line,), y=label, legend="lower right")
 
 
-def _change(case: "Case") -> float | None:
+def _of_pulse(case: "Case", name: str) -> float:
+    """Return the size of a quantity of the governing pulse; not a number where there is none."""
     pulse = case.analysed.pulse
-    return None if pulse is None else abs(float(case.pulses.changes[pulse]))
+    return np.nan if pulse is None else abs(float(getattr(case.pulses, name)[pulse]))
 
 
 def _design(cases: "Sequence[Case]", constants: "Constants", name: str, attribute: str, label: str) -> _Panel:
@@ -243,21 +237,21 @@ def _design(cases: "Sequence[Case]", constants: "Constants", name: str, attribut
         curve = np.array([getattr(predict_from_pgv(float(pgv), constants), attribute) for pgv in pgvs])
         shown = quantity("peak_ground_velocity").display(pgvs), quantity(name).display(curve)
         lines = [_Line(*shown, style.RED, _DASHED, label, 1.0)]
-    return _against_pgv(cases, name, lambda case: getattr(case.analysed.whole, attribute), lines)
+    return _against_pgv(cases, name, [getattr(case.analysed.whole, attribute) for case in cases], lines)
 
 
 def _against_pgv(
     cases: "Sequence[Case]",
     name: str,
-    value: "Callable[[Case], float | None]",
+    values: "Sequence[float | None]",
     lines: "Sequence[_Line]",
     *,
     y: str = "",
     legend: str = "upper left",
 ) -> _Panel:
     velocity, entry = quantity("peak_ground_velocity"), quantity(name)
-    found = [(case.pgv, value(case)) for case in cases]
-    points = [None if one is None else (velocity.display(pgv), entry.display(one)) for pgv, one in found]
+    found = np.array([[case.pgv for case in cases], values], dtype=np.float64)
+    points = np.column_stack((velocity.display(found[0]), entry.display(found[1])))
     across = 1.08 * velocity.display(_largest_pgv(cases))
     return _Panel(velocity.label, y or entry.label, points, lines, across, legend=legend)
 
@@ -271,14 +265,13 @@ def _absorbed_ratio(cases: "Sequence[Case]", constants: "Constants") -> _Panel:
     # late: predictions import the kernels
     from dcfp.methods.li_2020.simplified_method import absorbed_velocity_ratio
 
-    def point(case: "Case") -> tuple[float, float] | None:
-        pulse, swing = case.analysed.pulse, case.analysed.governing
-        if pulse is None or swing.input_velocity == 0.0:
-            return None
-        slope = abs(float(case.pulses.mean_accelerations[pulse]))
+    def point(case: "Case") -> tuple[float, float]:
+        slope, swing = _of_pulse(case, "mean_accelerations"), case.analysed.governing
+        if swing.input_velocity == 0.0:
+            return np.nan, np.nan
         return constants.friction_deceleration / slope, swing.hysteretic_velocity / swing.input_velocity
 
-    points = [point(case) for case in cases]
+    points = np.array([point(case) for case in cases])
     across = 1.06 * max(1.1, _farthest(points, 0))
     ratio = np.linspace(0.0, across, 400)
     lines = [
@@ -296,11 +289,9 @@ def _input_over_change(cases: "Sequence[Case]", constants: "Constants") -> _Pane
     from dcfp.methods.li_2020.simplified_method import input_velocity
 
     change, put_in = quantity("ground_velocity_change"), quantity("swing_input_velocity")
-    found = [(_change(case), case.analysed) for case in cases]
-    points = [
-        None if across is None else (change.display(across), put_in.display(one.governing.input_velocity))
-        for across, one in found
-    ]
+    changes = np.array([_of_pulse(case, "changes") for case in cases])
+    inputs = np.array([case.analysed.governing.input_velocity for case in cases])
+    points = np.column_stack((change.display(changes), put_in.display(inputs)))
     across, up = 1.06 * (_farthest(points, 0) or 1.0), None
     lines: list[_Line] = []
     if constants.slides_on_average:
@@ -316,19 +307,13 @@ def _accuracy(cases: "Sequence[Case]", method: str, name: str) -> _Panel:
     """Show what a blind method predicts against the analysis, with the range of their ratio that the paper prints: Figures 18 and 22 to 24."""
     from dcfp.methods.li_2020.constants import PRINTED_RANGES  # late: the package imports the kernels
     from dcfp.methods.method import Information, Variant
-    from dcfp.methods.pulses import PREDICTION_QUANTITIES, value_of
+    from dcfp.methods.pulses import NOTHING, PREDICTION_QUANTITIES, value_of
 
     entry, which, variant = quantity(name), PREDICTION_QUANTITIES[name], Variant(method, Information.BLIND)
     least, largest, _ = PRINTED_RANGES[variant, which]
 
-    def point(case: "Case") -> tuple[float, float] | None:
-        if variant not in case.predicted:
-            return None
-        analysed = entry.display(value_of(case.analysed.whole, which))
-        predicted = entry.display(value_of(case.predicted[variant], which))
-        return (analysed, predicted) if np.isfinite(predicted) else None
-
-    points = [point(case) for case in cases]
+    both = [(case.analysed.whole, case.predicted.get(variant, NOTHING)) for case in cases]
+    points = entry.display(np.array([[value_of(one, which) for one in pair] for pair in both]))
     across, up = (1.08 * (_farthest(points, along) or 1.0) for along in (0, 1))
     ends = np.array([0.0, across])
     lines = [_Line(ends, ends, style.GREY, "-", None, 0.6, 1)] if least != 1.0 else []
@@ -339,24 +324,21 @@ def _accuracy(cases: "Sequence[Case]", method: str, name: str) -> _Panel:
     return _Panel(x, y, points, lines, across, max(up, across))
 
 
-def _farthest(points: "list[tuple[float, float] | None]", along: int) -> float:
-    """Return the largest coordinate of some points along an axis, 0 without any."""
-    return max((place[along] for place in points if place is not None), default=0.0)
+def _farthest(points: "FloatArray", along: int) -> float:
+    """Return the largest coordinate along an axis of the points that there are, 0 without any."""
+    there = np.isfinite(points).all(axis=1)
+    return float(points[there, along].max(initial=0.0))
 
 
 def _draw(axes: "Axes", panel: _Panel, cases: "Sequence[Case]", marks: "Mapping[str, Mark]") -> None:
     """Draw a point for each case that has one, hollow where its ordinate is zero, and the lines."""
     for record, mark in marks.items():
-        of_record = zip(cases, panel.points, strict=True)
-        found = [place for case, place in of_record if case.record == record and place is not None]
-        drawn = np.array(found, dtype=np.float64).reshape(-1, 2)
-        zero = drawn[:, 1] == 0.0
-        (x, y), nothing = drawn[~zero].T, drawn[zero, 0]
-        full: dict[str, Any] = {"markeredgewidth": 0.0, "alpha": 0.85 if mark.size > 3.0 else 0.55}
-        style.draw_marks(axes, x, y, *mark, **full, zorder=3)
-        if nothing.size:
-            hollow: dict[str, Any] = {"markerfacecolor": "white", "markeredgewidth": 0.8, "clip_on": False}
-            style.draw_marks(axes, nothing, np.zeros_like(nothing), *mark, **hollow, zorder=3)
+        x, y = panel.points[[case.record == record for case in cases]].T
+        full, empty = np.isfinite(x + y) & (y != 0.0), np.isfinite(x) & (y == 0.0)
+        alpha = 0.85 if mark.size > 3.0 else 0.55
+        style.draw_marks(axes, x[full], y[full], *mark, markeredgewidth=0.0, alpha=alpha, zorder=3)
+        if empty.any():
+            style.draw_marks(axes, x[empty], y[empty], *mark, **style.HOLLOW, zorder=3)
     ends: dict[str, Any] = {"xlim": (0.0, panel.across), "ylim": (0.0, panel.up)}
     style.label_axes(axes, panel.x, panel.y, 6, panel.ticks, **ends)
     for one in panel.lines:
@@ -364,9 +346,6 @@ def _draw(axes: "Axes", panel: _Panel, cases: "Sequence[Case]", marks: "Mapping[
         style.draw_line(axes, one.x, one.y, one.colour, one.width, **look)
     if panel.lines:
         axes.legend(loc=panel.legend, borderaxespad=0.7)
-
-
-# One mark for each record, the same in every figure.
 
 
 class Mark(NamedTuple):
@@ -377,21 +356,17 @@ class Mark(NamedTuple):
     colour: str
 
 
-#: Records of Li et al. (2020), Table 3, in its order; each has the mark of its place.
-_PAPER_RECORDS = ("JKB", "KNA", "TC1", "NCC", "LPG", "IVD", "TSD", "TIM")
-#: Paul Tol's muted colours, which stay apart for colour-blind eyes; the marks differ too.
-_MARKS = (
-    Mark("o", 4.2, "#332288"),
-    Mark("s", 4.2, "#CC6677"),
-    Mark("v", 4.2, "#117733"),
-    Mark("^", 4.2, "#882255"),
-    Mark("D", 4.2, "#999933"),
-    Mark("P", 5.2, "#44AA99"),
-    Mark("X", 5.2, "#AA4499"),
-    Mark("<", 4.2, "#88CCEE"),
-)
-#: Characters of a legend in an inch of a figure's width, and those that a mark takes.
-_CHARACTERS, _MARK_WIDTH = 16.5, 6
+#: Marks of the records of Li et al. (2020), Table 3, in its order, in Paul Tol's muted colours, which stay apart for colour-blind eyes.
+_MARKS = {
+    "JKB": Mark("o", 4.2, "#332288"),
+    "KNA": Mark("s", 4.2, "#CC6677"),
+    "TC1": Mark("v", 4.2, "#117733"),
+    "NCC": Mark("^", 4.2, "#882255"),
+    "LPG": Mark("D", 4.2, "#999933"),
+    "IVD": Mark("P", 5.2, "#44AA99"),
+    "TSD": Mark("X", 5.2, "#AA4499"),
+    "TIM": Mark("<", 4.2, "#88CCEE"),
+}
 
 
 def marks_of(cases: "Sequence[Case]") -> dict[str, Mark]:
@@ -399,10 +374,8 @@ def marks_of(cases: "Sequence[Case]") -> dict[str, Mark]:
     records = list(dict.fromkeys(case.record for case in cases))
     if len(records) > len(_MARKS):
         return dict.fromkeys(records, Mark("o", 2.4, style.BLUE))
-    taken = {name: _PAPER_RECORDS.index(name) for name in records if name in _PAPER_RECORDS}
-    free = iter([place for place in range(len(_MARKS)) if place not in taken.values()])
-    places = {name: taken[name] if name in taken else next(free) for name in records}
-    return {name: _MARKS[place] for name, place in places.items()}
+    free = iter([mark for name, mark in _MARKS.items() if name not in records])
+    return {name: _MARKS[name] if name in _MARKS else next(free) for name in records}
 
 
 def _name_records(figure: "Figure", marks: "Mapping[str, Mark]") -> None:
@@ -414,56 +387,36 @@ def _name_records(figure: "Figure", marks: "Mapping[str, Mark]") -> None:
         Line2D([], [], marker=mark.marker, markersize=mark.size, color=mark.colour, linestyle="none", markeredgewidth=0.0, label=name)
         for name, mark in entries.items()
     ]  # fmt: skip
-    longest = max((len(name) for name in entries), default=1)
+    longest = max(len(name) for name in entries)
     columns = max(1, int(_CHARACTERS * figure.get_figwidth() / (longest + _MARK_WIDTH)))
-    place: dict[str, Any] = {"loc": "outside upper left", "borderaxespad": 0.4}
-    legend = figure.legend(handles=handles, ncols=columns, handlelength=0.9, columnspacing=1.0, **place)
+    look: dict[str, Any] = {"borderaxespad": 0.4, "handlelength": 0.9, "columnspacing": 1.0}
+    legend = figure.legend(handles=handles, loc="outside upper left", ncols=columns, **look)
     for text in legend.get_texts():
         text.set_parse_math(False)
-
-
-# Figures of any size on one sheet.
-
-
-#: Width of the sheet, the gap between two figures, and the height of a title [in].
-_WIDTH, _GAP, _TITLE = 14.8, 0.2, 0.4
-#: Characters of a title in an inch.
-_TITLE_CHARACTERS = 14
 
 
 @style.styled
 def contact_sheet(figures: "Sequence[PaperFigure]") -> "Figure":
     """Return a new figure that shows all others as images, in rows and in their order, each at its own size below its title."""
-    rows: list[list[PaperFigure]] = [[]]
+    places: list[tuple[float, float, float, float]] = []
+    left = top = lowest = 0.0
     for one in figures:
-        widths = [_GAP + other.figure.get_figwidth() for other in rows[-1]]
-        if widths and math.fsum(widths) + one.figure.get_figwidth() > _WIDTH:
-            rows.append([])
-        rows[-1].append(one)
-    heights = [_TITLE + max((one.figure.get_figheight() for one in row), default=1.0) for row in rows]
-    height = sum(heights) + _GAP * (len(rows) - 1)
-    sheet = style.new_figure(height, _WIDTH)
+        width, tall = one.figure.get_size_inches().tolist()
+        if left > 0.0 and left + width > _WIDTH:
+            left, top = 0.0, lowest + _GAP
+        places.append((left, top + _TITLE, width, tall))
+        left, lowest = left + width + _GAP, max(lowest, top + _TITLE + tall)
+    sheet = style.new_figure(lowest, _WIDTH)
     sheet.set_layout_engine("none")
-    top = height
-    for row, tallest in zip(rows, heights, strict=True):
-        left = 0.0
-        for one in row:
-            width, tall = one.figure.get_size_inches().tolist()
-            title = f"Figure {one.number}. {one.title}"
-            words = textwrap.fill(title, max(12, int(_TITLE_CHARACTERS * width)))
-            below = top - _TITLE
-            sheet.text(left / _WIDTH, below / height, words, weight="bold", va="bottom", size=8.0)
-            place = (left / _WIDTH, (below - tall) / height, width / _WIDTH, tall / height)
-            axes = sheet.add_axes(place)
-            axes.imshow(_drawn(one.figure), aspect="auto", interpolation="none")
-            axes.set_axis_off()
-            left += width + _GAP
-        top -= tallest + _GAP
+    for one, (left, top, width, tall) in zip(figures, places, strict=True):
+        title = f"Figure {one.number}. {one.title}"
+        words = textwrap.fill(title, max(12, int(_TITLE_CHARACTERS * width)))
+        up = lowest - top
+        sheet.text(left / _WIDTH, up / lowest, words, weight="bold", va="bottom", size=8.0)
+        place = (left / _WIDTH, (up - tall) / lowest, width / _WIDTH, tall / lowest)
+        image = io.BytesIO()
+        style.save_figure(one.figure, image)
+        axes = sheet.add_axes(place)
+        axes.imshow(imread(io.BytesIO(image.getvalue())), aspect="auto", interpolation="none")
+        axes.set_axis_off()
     return sheet
-
-
-def _drawn(figure: "Figure") -> Any:
-    stream = io.BytesIO()
-    style.save_figure(figure, stream, "png")
-    stream.seek(0)
-    return imread(stream, format="png")

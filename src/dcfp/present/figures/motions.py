@@ -14,7 +14,7 @@ from dcfp.schema.formulas import metres_per_second, millimetres
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
@@ -24,12 +24,20 @@ if TYPE_CHECKING:
     from dcfp.motion.ground_motion import GroundMotion
 
 #: Most motions beside each other, and on a page.
-_COLUMNS, MOST = 4, 12
+_COLUMNS, _MOST = 4, 12
 _ROW_HEIGHT, _HEAD_HEIGHT = 0.95, 0.5
 #: Characters of a head in the width of the page.
 _HEAD_WIDTH = 108
 #: Peaks that differ by more than this factor do not share an axis [-].
 _COMPARABLE = 4.0
+_COLOURS = (style.BLUE, style.RED, style.OCHRE, style.INK, style.GREY, "#6699CC", "#228833", "#AA3377")
+#: Periods that are named on the axis [s].
+_TICKS = (0.1, 1.0, 10.0)
+#: Periods at which a spectrum is drawn [s].
+_PERIODS = np.geomspace(0.05, 10.0, 300)
+_COLOURS_OF_METHODS = (style.BLUE, style.OCHRE, style.RED, style.INK, style.GREY, "#6699CC")
+#: Height of a row of panels, and of the legend above [in].
+_ROW, _HEAD = 2.3, 0.5
 
 
 @style.styled
@@ -44,7 +52,9 @@ def plot_motions(motions: "Sequence[GroundMotion]") -> "Figure":
     InputError
         If there are more than a page can hold.
     """
-    check_count(len(motions))
+    if len(motions) > _MOST:
+        msg = f"a figure holds at most {_MOST} motions, not {len(motions)}; name fewer records."
+        raise InputError(msg)
     columns = min(len(motions), _COLUMNS)
     blocks = [motions[first : first + columns] for first in range(0, len(motions), columns)]
     figure = style.new_figure((3.0 * _ROW_HEIGHT + _HEAD_HEIGHT) * len(blocks))
@@ -53,19 +63,6 @@ def plot_motions(motions: "Sequence[GroundMotion]") -> "Figure":
         _draw_block(panels[3 * number : 3 * number + 3], block)
     figure.align_ylabels(list(panels[:, 0]))
     return figure
-
-
-def check_count(count: int) -> None:
-    """Check that a page can hold so many motions.
-
-    Raises
-    ------
-    InputError
-        If not.
-    """
-    if count > MOST:
-        msg = f"a figure holds at most {MOST} motions, not {count}; name fewer records."
-        raise InputError(msg)
 
 
 def _draw_block(panels: "np.ndarray", motions: "Sequence[GroundMotion]") -> None:
@@ -83,12 +80,12 @@ def _draw_block(panels: "np.ndarray", motions: "Sequence[GroundMotion]") -> None
 
 def _draw_column(panels: "np.ndarray", motion: "GroundMotion", columns: int) -> None:
     width = 0.5 if motion.duration * columns > 60.0 else 0.7
-    for axes, name, words in zip(
-        panels,
-        ("acceleration", "velocity", "displacement"),
-        (lambda value: f"{metres_per_second(value)}²", metres_per_second, millimetres),
-        strict=True,
-    ):
+    histories: dict[str, Callable[[float], str]] = {
+        "acceleration": lambda value: f"{metres_per_second(value)}²",
+        "velocity": metres_per_second,
+        "displacement": millimetres,
+    }
+    for axes, (name, words) in zip(panels, histories.items(), strict=True):
         entry, values = quantity(f"ground_{name}"), getattr(motion, name)
         heights = entry.display(values)
         style.draw_line(axes, motion.time, heights, style.BLUE, width)
@@ -114,23 +111,13 @@ def _share_limits(row: "list[Axes]") -> None:
 
 def _write_head(axes: "Axes", motion: "GroundMotion", width: int) -> None:
     origin = motion.origin
-    words = [origin.station, origin.event, origin.component]
-    lines = textwrap.wrap(
-        ", ".join(style.drawable(word) for word in words if word), width, max_lines=3, placeholder=" …"
-    )
+    words = [style.drawable(word) for word in (origin.station, origin.event, origin.component) if word]
+    lines = textwrap.wrap(", ".join(words), width, max_lines=3, placeholder=" …")
     name = textwrap.shorten(style.drawable(motion.name), max(width - 4, 12), placeholder=" …")
     place: dict[str, Any] = {"xytext": (0.0, 4.0), "xycoords": "axes fraction", "textcoords": "offset points"}
     look: dict[str, Any] = {"va": "bottom", "size": 6.5, "color": "#555555", "parse_math": False}
     axes.annotate("\n".join(lines), (0.0, 1.0), **place, **look)
     axes.set_title(name, loc="left", weight="bold", pad=6.0 + 9.0 * len(lines), parse_math=False)
-
-
-# Response and input energy spectra.
-
-
-_COLOURS = (style.BLUE, style.RED, style.OCHRE, style.INK, style.GREY, "#6699CC", "#228833", "#AA3377")
-#: Periods that are named on the axis [s].
-_TICKS = (0.1, 1.0, 10.0)
 
 
 @style.styled
@@ -149,11 +136,10 @@ def plot_spectra(spectra: "Sequence[EnergySpectrum]", velocities: "Sequence[floa
         colour, width = (style.GREY, 0.3) if many else (_COLOURS[place], 0.9)
         for panel, values in zip(axes, every[place], strict=True):
             style.draw_line(panel, one.periods, values, colour, width, label=label)
-    for place, (panel, label) in enumerate(
-        zip(axes, ("$S_d$ [mm]", "$S_a$ [m/s²]", "$V_E$ [m/s]"), strict=True)
-    ):
+    labels = ("$S_d$ [mm]", "$S_a$ [m/s²]", "$V_E$ [m/s]")
+    for place, (panel, label) in enumerate(zip(axes, labels, strict=True)):
         if many and all(np.array_equal(one.periods, spectra[0].periods) for one in spectra):
-            mean = np.exp(np.log(np.maximum(np.array([one[place] for one in every]), 1e-12)).mean(axis=0))
+            mean = np.exp(np.log(np.maximum([one[place] for one in every], 1e-12)).mean(axis=0))
             words = f"geometric mean of {len(spectra)}"
             style.draw_line(panel, spectra[0].periods, mean, style.BLUE, 1.4, label=words)
         panel.set(xscale="log", xlabel="$T$ [s]", ylabel=label, ylim=(0.0, None))
@@ -165,16 +151,6 @@ def plot_spectra(spectra: "Sequence[EnergySpectrum]", velocities: "Sequence[floa
 def _values(one: "EnergySpectrum") -> "tuple[np.ndarray, ...]":
     omega = 2.0 * np.pi / one.periods
     return one.displacement, one.displacement * omega**2 / 1e3, np.sqrt(2.0 * one.relative) / 1e3
-
-
-# What the methods of codes say beside the analysis, and the spectrum that they look at.
-
-
-#: Periods at which a spectrum is drawn [s].
-_PERIODS = np.geomspace(0.05, 10.0, 300)
-_COLOURS_OF_METHODS = (style.BLUE, style.OCHRE, style.RED, style.INK, style.GREY, "#6699CC")
-#: Height of a row of panels, and of the legend above [in].
-_ROW, _HEAD = 2.3, 0.5
 
 
 @style.styled

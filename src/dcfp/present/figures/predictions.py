@@ -22,13 +22,25 @@ if TYPE_CHECKING:
     from dcfp.inference.forecast import Forecast
     from dcfp.inference.statistics import Scatter
     from dcfp.methods import Prediction
-    from dcfp.methods.method import Look, Variant
+    from dcfp.methods.method import Variant
     from dcfp.schema.quantities import Quantity
 
 #: Limits of the axes beyond the data [-].
 _ROOM = 1.35
 #: Numbers of cases up to which marks are large, and from which on they are small.
 _FEW, _MANY = 20, 200
+#: The method whose intervals are drawn, beside those from the PGV alone.
+_WITH_INTERVAL = "pulse march"
+#: Edge of a band of intervals.
+_EDGE = "#C5D0DC"
+#: Heights of a row and of what is around the rows, and the largest of a figure, in which rows get narrower and lose their names [in].
+_ROW, _FRAME, _TALLEST = 0.21, 1.1, 11.0
+#: Quantities of the panels, with what they are called in the nomenclature and of a prediction.
+DRAWN = {
+    "dy": ("displacement_change", "displacement_change"),
+    "V_dE": ("swing_input_velocity", "input_velocity"),
+    "V_dEhr": ("swing_hysteretic_velocity", "hysteretic_velocity"),
+}
 
 
 @dataclass(frozen=True)
@@ -49,11 +61,6 @@ def plot_comparison(cases: "Sequence[Case]") -> "Figure":
     standard deviation of its natural logarithm; cases in which a method predicts nothing lie as hollow marks on the lower
     edge, and are counted. Where the methods of codes were asked, a panel of their own shows their y_max; a case outside of the limits of a
     method is hollow there.
-
-    Parameters
-    ----------
-    cases
-        What was analysed and predicted.
 
     Raises
     ------
@@ -115,28 +122,27 @@ def _draw_panel(axes: "Axes", cases: "Sequence[Case]", drawn: _Drawn) -> None:
     ends = np.array([low, high])
     axes.fill_between(ends, 0.5 * ends, 2.0 * ends, color=style.PALE, linewidth=0.0, zorder=0)
     style.draw_line(axes, ends, ends, style.INK, zorder=1)
+    full: dict[str, Any] = {"markeredgewidth": 0.0, "alpha": 0.9 if few else 0.6}
+    unfilled: dict[str, Any] = {"markerfacecolor": "none", "markeredgewidth": 0.5, "alpha": 0.8}
     for variant, values in zip(drawn.variants, predicted, strict=True):
-        look = known[variant.method]
-        outside = np.array([_is_outside(case, variant.method) for case in cases])
+        look, edge = known[variant.method], np.full_like(values, low)
+        codes = [case.codes.get(variant.method) for case in cases]
+        outside = np.array([code is not None and code.valid is False for code in codes])
         inside = (analysed > 0.0) & ~outside
-        full: dict[str, Any] = {"markeredgewidth": 0.0, "alpha": 0.9 if few else 0.6}
-        _draw_marks(axes, look, size, analysed, values, inside & (values > 0.0), **full)
-        hollow: dict[str, Any] = {"markerfacecolor": "white", "markeredgewidth": 0.8, "clip_on": False}
-        edge = np.full_like(values, low)
-        _draw_marks(axes, look, size + 1.5, analysed, edge, inside & (values == 0.0), **hollow)
-        open_: dict[str, Any] = {"markerfacecolor": "none", "markeredgewidth": 0.5, "alpha": 0.8}
-        _draw_marks(axes, look, size, analysed, values, outside & np.isfinite(analysed + values), **open_)
+        for there, heights, more, how in (
+            (inside & (values > 0.0), values, 0.0, full),
+            (inside & (values == 0.0), edge, 1.5, style.HOLLOW),
+            (outside & np.isfinite(analysed + values), values, 0.0, unfilled),
+        ):
+            if there.any():
+                mark = look.marker, look.scale * (size + more), look.colour
+                style.draw_marks(axes, analysed[there], heights[there], *mark, zorder=look.order, **how)
     style.calm_ticks(axes)
     axes.set(xscale="log", yscale="log", xlim=(low, high), ylim=(low, high), box_aspect=1.0)
-    axes.set_xlabel(f"${entry.symbol}$ analysed [{entry.shown.name}]")
-    axes.set_ylabel(f"${entry.symbol}$ predicted [{entry.shown.name}]")
+    x, y = (f"${entry.symbol}$ {how} [{entry.shown.name}]" for how in ("analysed", "predicted"))
+    axes.set(xlabel=x, ylabel=y)
     style.plain_numbers(axes)
     _add_legend(axes, cases, drawn)
-
-
-def _is_outside(case: "Case", method: str) -> bool:
-    """Whether a case is outside of the limits of a method of a code."""
-    return method in case.codes and case.codes[method].valid is False
 
 
 def _limits(analysed: "FloatArray", predicted: "Sequence[FloatArray]") -> tuple[float, float]:
@@ -146,15 +152,6 @@ def _limits(analysed: "FloatArray", predicted: "Sequence[FloatArray]") -> tuple[
     if good.size == 0:
         return 0.1, 10.0
     return float(good.min()) / _ROOM, float(good.max()) * _ROOM
-
-
-def _draw_marks(
-    axes: "Axes", look: "Look", size: float, x: "FloatArray", y: "FloatArray", where: Any, **more: Any
-) -> None:
-    if where.any():
-        style.draw_marks(
-            axes, x[where], y[where], look.marker, look.scale * size, look.colour, zorder=look.order, **more
-        )
 
 
 def _add_legend(axes: "Axes", cases: "Sequence[Case]", drawn: _Drawn) -> None:
@@ -168,17 +165,11 @@ def _add_legend(axes: "Axes", cases: "Sequence[Case]", drawn: _Drawn) -> None:
             mark: Any = {"marker": look.marker, "markersize": 4.0 * look.scale, "color": look.colour}
             label = f"{variant.method}: {_words(found[variant, drawn.quantity])}"
             handles.append(Line2D([], [], **mark, linestyle="none", label=label))
-    limits = "; hollow: outside of its limits" if drawn.of_codes else ""
-    axes.legend(
-        handles=handles,
-        title=("bias, dispersion" if len(cases) > 1 else "predicted / analysed") + limits,
-        title_fontsize=7.0,
-        alignment="left",
-        loc="lower left",
-        bbox_to_anchor=(0.0, 1.01),
-        ncols=1 if drawn.of_codes else 2,
-        handlelength=0.8,
-    )
+    title = "bias, dispersion" if len(cases) > 1 else "predicted / analysed"
+    title += "; hollow: outside of its limits" if drawn.of_codes else ""
+    how: dict[str, Any] = {"title_fontsize": 7.0, "alignment": "left", "handlelength": 0.8}
+    place: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.01)}
+    axes.legend(handles=handles, title=title, ncols=1 if drawn.of_codes else 2, **place, **how)
 
 
 def _words(measures: "Scatter") -> str:
@@ -187,17 +178,6 @@ def _words(measures: "Scatter") -> str:
     dispersion = f", {typeset(measures.dispersion, 2)}" if measures.number > 1 else ""
     without = f" ({measures.without} none)" if measures.without else ""
     return f"{typeset(measures.bias, 2)}{dispersion}{without}"
-
-
-# Predictions of several records beside each other.
-
-
-#: The method whose intervals are drawn, beside those from the PGV alone.
-_WITH_INTERVAL = "pulse march"
-#: Edge of a band of intervals.
-_EDGE = "#C5D0DC"
-#: Heights of a row and of what is around the rows, and the largest of a figure, in which rows get narrower and lose their names [in].
-_ROW, _FRAME, _TALLEST = 0.21, 1.1, 11.0
 
 
 @style.styled
@@ -211,8 +191,10 @@ def plot_forecasts(forecasts: "Sequence[Forecast]") -> "Figure":
     _draw_forecasts(displacement, forecasts, "y")
     change.set_xlabel(f"{quantity('displacement_change').label}, largest")
     displacement.set_xlabel(f"{quantity('displacement').label}, largest")
-    records = [style.drawable(one.motion.name) if one.motion else "" for one in forecasts]
-    names = [f"{name}  {metres_per_second(one.pgv)}" for name, one in zip(records, forecasts, strict=True)]
+    names = [
+        f"{style.drawable(one.motion.name) if one.motion else ''}  {metres_per_second(one.pgv)}"
+        for one in forecasts
+    ]
     change.set_yticks(np.arange(len(forecasts)) if few else [], names if few else [], parse_math=False)
     change.invert_yaxis()
     style.legend_outside(change, 6)
@@ -220,20 +202,18 @@ def plot_forecasts(forecasts: "Sequence[Forecast]") -> "Figure":
 
 
 def _draw_forecasts(axes: "Axes", forecasts: "Sequence[Forecast]", shown: str) -> None:
+    name = "displacement_change" if shown == "dy" else "displacement"
+    said = [(place, *told) for place, one in enumerate(forecasts) for told in one.predicted.items()]
     for method, look in style.looks().items():
-        places: list[int] = []
-        values: list[float] = []
-        for place, one in enumerate(forecasts):
-            for variant, said in one.predicted.items():
-                value = said.displacement_change if shown == "dy" else said.displacement
-                if variant.method == method and value is not None and value > 0.0:
-                    places.append(place)
-                    values.append(value)
-        if values:
-            size = 3.5 * look.scale
-            style.draw_marks(
-                axes, values, places, look.marker, size, look.colour, markeredgewidth=0.0, label=method
-            )
+        known = [
+            (getattr(one, name), place)
+            for place, variant, one in said
+            if variant.method == method and (getattr(one, name) or 0.0) > 0.0
+        ]
+        if known:
+            mark = look.marker, 3.5 * look.scale, look.colour
+            x, y = zip(*known, strict=True)
+            style.draw_marks(axes, x, y, *mark, markeredgewidth=0.0, label=method)
     _draw_intervals(axes, forecasts, shown)
     axes.set_xscale("log")
     axes.grid(visible=True, axis="y", linewidth=0.3, color="#DDDDDD")
@@ -252,17 +232,6 @@ def _draw_intervals(axes: "Axes", forecasts: "Sequence[Forecast]", shown: str) -
             for kind, interval in intervals.items():
                 if kind.name == shown:
                     style.draw_line(axes, [interval.low, interval.high], [place + shift] * 2, colour, 1.0)
-
-
-# What the PGV alone tells, with how far the analyses of a set of records lie apart.
-
-
-#: Quantities of the panels, with what they are called in the nomenclature and of a prediction.
-DRAWN = {
-    "dy": ("displacement_change", "displacement_change"),
-    "V_dE": ("swing_input_velocity", "input_velocity"),
-    "V_dEhr": ("swing_hysteretic_velocity", "hysteretic_velocity"),
-}
 
 
 @style.styled

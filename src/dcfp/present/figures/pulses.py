@@ -9,7 +9,7 @@ from matplotlib.patches import Patch
 from dcfp.errors import InputError
 from dcfp.present.figures import style
 from dcfp.present.figures.drawing import between_equal_limits
-from dcfp.present.panels import shown, values_of
+from dcfp.present.panels import shown
 from dcfp.schema.formulas import metres_per_second, millimetres
 from dcfp.schema.nomenclature import quantity
 
@@ -70,15 +70,13 @@ def plot_pulses(
     style.legend_above(panels[1])
     if march is not None:
         label = rf"pulse march, $\Delta y$ {millimetres(march.prediction.displacement_change)}"
-        style.draw_line(
-            panels[2], march.time, march.displacement, style.RED, 0.8, linestyle=(0, (4, 2)), label=label
-        )
+        look: dict[str, Any] = {"linestyle": (0, (4, 2)), "label": label}
+        style.draw_line(panels[2], march.time, march.displacement, style.RED, 0.8, **look)
         between_equal_limits(panels[2], part.response.displacement, march.displacement)
         style.legend_above(panels[2])
     part.limit_time(list(panels))
-    style.write_title(
-        figure, f"{style.drawable(case.record)},  PGV {metres_per_second(case.pgv)}", weight="bold"
-    )
+    title = f"{style.drawable(case.record)},  PGV {metres_per_second(case.pgv)}"
+    style.write_title(figure, title, weight="bold")
     return figure
 
 
@@ -89,13 +87,10 @@ def _name_pulses(axes: "Axes", case: "Case", constants: "Constants | None") -> N
     used = li_2020.LI_2020 if constants is None else constants
     predicted = li_2020.predict_from_pulses(case.pulses, used)
     governs, found = predicted.governing, case.analysed.pulse
-    if governs is not None and governs == found:
-        marked = [(governs, style.BLUE, "governs by the pulse method and in the analysis")]
-    else:
-        marked = [
-            (governs, style.BLUE, "governs by the pulse method"),
-            (found, style.OCHRE, "behind the largest swing of the analysis"),
-        ]
+    both = governs is not None and governs == found
+    marked = [(governs, style.BLUE, f"governs by the pulse method{' and in the analysis' if both else ''}")]
+    if not both:
+        marked.append((found, style.OCHRE, "behind the largest swing of the analysis"))
     handles: list[Patch] = []
     for number, colour, what in marked:
         if number is None:
@@ -108,18 +103,15 @@ def _name_pulses(axes: "Axes", case: "Case", constants: "Constants | None") -> N
 
 
 def _words(predicted: "PulsePrediction", number: int, friction: float) -> str:
-    pulses = predicted.pulses
+    pulses, moved = predicted.pulses, float(predicted.displacement_change[number])
     change, slope = abs(float(pulses.changes[number])), abs(float(pulses.mean_accelerations[number]))
-    moved = float(predicted.displacement_change[number])
-    slope_shown = quantity("ground_velocity_slope").display(slope)
-    return ",  ".join(
-        (
-            rf"$|\Delta v_g|$ {metres_per_second(change)}",
-            rf"$k_g$ {slope_shown:.2f} m/s²",
-            rf"$k_u/k_g$ {friction / slope:.2f}",
-            rf"$\Delta y_{{\mathrm{{pre}}}}$ {millimetres(moved)}",
-        )
+    words = (
+        rf"$|\Delta v_g|$ {metres_per_second(change)}",
+        rf"$k_g$ {quantity('ground_velocity_slope').display(slope):.2f} m/s²",
+        rf"$k_u/k_g$ {friction / slope:.2f}",
+        rf"$\Delta y_{{\mathrm{{pre}}}}$ {millimetres(moved)}",
     )
+    return ",  ".join(words)
 
 
 def mark_pulse(axes: "Axes", pulses: "Pulses", number: int, colour: str) -> None:
@@ -133,9 +125,6 @@ def mark_pulse(axes: "Axes", pulses: "Pulses", number: int, colour: str) -> None
 
 def _shade(axes: "Axes", start: float, end: float, colour: str) -> None:
     axes.axvspan(start, end, color=colour, alpha=_SHADES[colour], linewidth=0.0, zorder=0)
-
-
-# What several figures show over the same time.
 
 
 def response_of(case: "Case") -> "Response":
@@ -154,15 +143,7 @@ def response_of(case: "Case") -> "Response":
 
 @dataclass(frozen=True, eq=False)
 class StrongPart:
-    """The part of an analysis in which nearly all of the energy is dissipated, and its largest swing.
-
-    Attributes
-    ----------
-    response, swing
-        The analysis and the swing; None where the response never turns.
-    limits
-        First and last time [s].
-    """
+    """The part of an analysis in which nearly all of the energy is dissipated, from its first to its last time [s], and its largest swing; None where it never turns."""
 
     response: "Response"
     swing: "Swing | None"
@@ -183,17 +164,18 @@ class StrongPart:
         return cls(response, swing, (max(0.0, first - margin), min(float(time[-1]), last + margin)))
 
     def draw(
-        self, axes: "Axes", label: str, colours: "Mapping[str, str]", words: str = "", *, middle: bool = True
+        self, axes: "Axes", along: str, colours: "Mapping[str, str]", words: str = "", *, middle: bool = True
     ) -> "list[FloatArray]":
         """Draw histories by their names in a width at which their waves stay apart, with zero in the middle; return their values as they are shown."""
         span = self.limits[1] - self.limits[0]
         width = 0.9 if span < 15.0 else 0.7 if span < 40.0 else 0.5
         drawn: list[FloatArray] = []
         for name, colour in colours.items():
-            drawn.append(quantity(name).display(values_of(self.response, name)))
-            symbol = f"${quantity(name).symbol}$"
-            style.draw_line(axes, self.response.time, drawn[-1], colour, width, label=words or symbol)
-        axes.set_ylabel(quantity(label).label)
+            entry = self.response.histories[name]
+            drawn.append(entry.display(entry.of(self.response)))
+            label = words or f"${entry.symbol}$"
+            style.draw_line(axes, self.response.time, drawn[-1], colour, width, label=label)
+        axes.set_ylabel(quantity(along).label)
         if middle:
             between_equal_limits(axes, *drawn)
         return drawn
@@ -218,21 +200,20 @@ class StrongPart:
         """Draw the displacement, with the change of the swing from peak to peak."""
         (displacement,) = self.draw(axes, "displacement", {"displacement": style.BLUE}, "analysis")
         if self.swing is not None:
-            swing = self.swing
-            ends = np.interp((swing.start, swing.end), self.response.time, displacement)
-            mark_change(axes, (swing.start, swing.end), (float(ends[0]), float(ends[1])))
-            self.name_swing(axes, rf"$\Delta y$ {millimetres(abs(swing.change))}")
+            time, inside = self._during(displacement)
+            _mark_change(axes, time[[0, -1]].tolist(), inside[[0, -1]].tolist())
+            self._name_swing(axes, rf"$\Delta y$ {millimetres(abs(self.swing.change))}")
 
     def draw_energy(self, axes: "Axes") -> None:
         """Draw hysteretic and input energy, with what is put in from the start of the swing to its largest."""
         names = {"hysteretic_energy": style.GREY, "input_energy": style.INK}
         _, energy = self.draw(axes, "input_energy", names, middle=False)
         if self.swing is not None:
-            time, inside = self.during(energy)
-            place = int(inside.argmax())
-            mark_change(axes, (float(time[0]), float(time[place])), (float(inside[0]), float(inside[place])))
+            time, inside = self._during(energy)
+            ends = [0, int(inside.argmax())]
+            _mark_change(axes, time[ends].tolist(), inside[ends].tolist())
             symbol = quantity("swing_input_velocity").symbol
-            self.name_swing(axes, rf"$\Delta E$:  ${symbol}$ {metres_per_second(self.swing.input_velocity)}")
+            self._name_swing(axes, rf"$\Delta E$:  ${symbol}$ {metres_per_second(self.swing.input_velocity)}")
         lowest = min(0.0, float(energy.min()))
         axes.set_ylim(lowest, max(1.25 * float(energy.max()), lowest + 1e-3))
         axes.legend(loc="upper left", borderaxespad=0.7)
@@ -240,10 +221,10 @@ class StrongPart:
     def _fill(self, axes: "Axes", below: "FloatArray", above: "FloatArray") -> None:
         if self.swing is not None:
             area = rf"area $=\Delta y=$ {millimetres(abs(self.swing.change))}"
-            time, low, high = self.during(below, above)
+            time, low, high = self._during(below, above)
             axes.fill_between(time, low, high, color=style.OCHRE, alpha=0.7, linewidth=0.0, label=area)
 
-    def during(self, *histories: "FloatArray") -> "tuple[FloatArray, ...]":
+    def _during(self, *histories: "FloatArray") -> "tuple[FloatArray, ...]":
         """Return time and histories from the start of the swing to its end, both of which lie between samples."""
         time, swing = self.response.time, self.swing
         assert swing is not None
@@ -256,12 +237,12 @@ class StrongPart:
         if self.swing is not None:
             _shade(axes, self.swing.start, self.swing.end, style.OCHRE)
 
-    def name_swing(self, axes: "Axes", words: str) -> None:
+    def _name_swing(self, axes: "Axes", words: str) -> None:
         """Write words at the top of the panel, above the swing."""
-        if self.swing is not None:
-            place = (0.5 * (self.swing.start + self.swing.end), 0.985)
-            look: dict[str, Any] = {"ha": "center", "va": "top", "annotation_clip": True, "zorder": 5}
-            axes.annotate(words, place, xycoords=axes.get_xaxis_transform(), **look)
+        assert self.swing is not None
+        place = (0.5 * (self.swing.start + self.swing.end), 0.985)
+        look: dict[str, Any] = {"ha": "center", "va": "top", "annotation_clip": True, "zorder": 5}
+        axes.annotate(words, place, xycoords=axes.get_xaxis_transform(), **look)
 
     def limit_time(self, panels: "Sequence[Axes]") -> None:
         """Give panels above each other the same times, and only the lowest the name of the axis."""
@@ -273,7 +254,7 @@ class StrongPart:
         figure.align_ylabels(list(panels))
 
 
-def mark_change(axes: "Axes", times: tuple[float, float], values: tuple[float, float]) -> None:
+def _mark_change(axes: "Axes", times: list[float], values: list[float]) -> None:
     """Mark two points of a history, and with an arrow the difference of their values."""
     (_, end), (first, last) = times, values
     style.draw_marks(axes, times, values, "o", 2.6, style.INK, zorder=4)

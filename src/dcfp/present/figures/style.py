@@ -26,12 +26,10 @@ if TYPE_CHECKING:
 
 P = ParamSpec("P")
 T = TypeVar("T")
-
 #: Width of the text on an A4 page, in inches as Matplotlib wants it.
 PAGE_WIDTH = 7.2
 #: Resolution of a PNG, and of what is drawn as an image inside a PDF [dots per inch].
 RESOLUTION = 250
-
 # Blue, ochre and red of Paul Tol's high-contrast set, which stay apart for colour-blind eyes and in grey.
 BLUE = "#004488"
 OCHRE = "#DDAA33"
@@ -53,15 +51,14 @@ COLOURS = {
 }
 #: Dashes of a limit.
 DASHED = (0, (5, 3))
-
+#: Look of a mark for nothing, on an edge of its axes.
+HOLLOW: "dict[str, Any]" = {"markerfacecolor": "white", "markeredgewidth": 0.8, "clip_on": False}
 _FAMILIES = (
-    "DejaVu Sans",
-    "Noto Sans CJK JP",
-    "IPAexGothic",
-    "Hiragino Sans",
-    "Yu Gothic",
-    "Microsoft JhengHei",
-)
+    "DejaVu Sans", "Noto Sans CJK JP", "IPAexGothic", "Hiragino Sans", "Yu Gothic", "Microsoft JhengHei",
+)  # fmt: skip
+#: Colours and markers of methods that ask for none.
+_FREE_COLOURS = ("#6699CC", "#228833", "#AA3377", INK)
+_FREE_MARKERS = ("<", ">", "d", "H", "8", "p")
 
 
 @cache
@@ -102,9 +99,10 @@ def _covers(character: str) -> bool:
     return any(font_manager.get_font(path).get_char_index(ord(character)) for path in paths)
 
 
-def drawable(text: str) -> str:
-    """Return a text without the characters that no installed font can draw."""
-    return " ".join("".join(c for c in text if c.isspace() or _covers(c)).split())
+def drawable(text: str, longest: int | None = None) -> str:
+    """Return a text without the characters that no installed font can draw, cut where it is longer than allowed."""
+    drawn = " ".join("".join(c for c in text if c.isspace() or _covers(c)).split())
+    return drawn if longest is None or len(drawn) <= longest else f"{drawn[: longest - 1].rstrip()}…"
 
 
 def new_figure(height: float, width: float = PAGE_WIDTH) -> Figure:
@@ -139,13 +137,10 @@ def _keep_ticks(axes: Axes) -> None:
     """Fix the look of ticks that are yet to be made: they are made when a figure is drawn, in the style of then."""
     now: Any = mpl.rcParams
     for name in ("x", "y"):
-        axes.tick_params(
-            axis=name,
-            labelsize=now[f"{name}tick.labelsize"],
-            length=now[f"{name}tick.major.size"],
-            width=now[f"{name}tick.major.width"],
-            color=now[f"{name}tick.color"],
+        size, length, width, colour = (
+            now[f"{name}tick.{what}"] for what in ("labelsize", "major.size", "major.width", "color")
         )
+        axes.tick_params(axis=name, labelsize=size, length=length, width=width, color=colour)
 
 
 def draw_line(axes: Axes, x: Any, y: Any, colour: str, width: float = 0.7, **look: Any) -> None:
@@ -208,8 +203,7 @@ def time_colours() -> "Colormap":
 
 
 def _middle(name: str, first: float, last: float) -> "Colormap":
-    whole = mpl.colormaps[name]
-    parts = [whole(first + (last - first) * i / 255.0) for i in range(256)]
+    parts = mpl.colormaps[name](np.linspace(first, last, 256))
     return LinearSegmentedColormap.from_list(f"{name}_middle", parts)
 
 
@@ -222,11 +216,6 @@ def plain_numbers(axes: Axes) -> None:
         axis.set_major_locator(LogLocator(subs=steps, numticks=20))
         axis.set_major_formatter(FormatStrFormatter("%g"))
         axis.set_minor_formatter(NullFormatter())
-
-
-#: Colours and markers of methods that ask for none.
-_FREE_COLOURS = ("#6699CC", "#228833", "#AA3377", INK)
-_FREE_MARKERS = ("<", ">", "d", "H", "8", "p")
 
 
 def looks() -> "dict[str, Look]":
