@@ -24,8 +24,8 @@ for record in records:
             dcfp.respond(motion, heating=dcfp.PreciseHeating()),
         )
 
-drawn = {one.number: one for one in paper_figures(cases, loops)}
-figure = drawn["10"].figure
+(drawn,) = paper_figures(cases, loops, numbers=["10"])
+figure = drawn.figure
 
 for (name, pgv), (simplified, precise) in loops.items():
     ratio = simplified.peak_displacement / precise.peak_displacement

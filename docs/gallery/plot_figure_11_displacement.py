@@ -17,8 +17,8 @@ cases = [
     for record in records
     for pgv in VELOCITIES
 ]
-drawn = {one.number: one for one in paper_figures(cases, {})}
-figure = drawn["11"].figure
+(drawn,) = paper_figures(cases, {}, numbers=["11"])
+figure = drawn.figure
 
 for pgv in VELOCITIES:
     found = [case.analysed.whole.bound for case in cases if abs(case.pgv - pgv) < 1.0]

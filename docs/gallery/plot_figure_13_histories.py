@@ -17,8 +17,8 @@ cases = [
     for record in records
     for pgv in VELOCITIES
 ]
-drawn = {one.number: one for one in paper_figures(cases, {})}
-figure = drawn["13"].figure
+(drawn,) = paper_figures(cases, {}, numbers=["13"])
+figure = drawn.figure
 
 case = next(case for case in cases if case.record == "NCC" and case.pgv < 300.0)
 swing, pulse = case.analysed.swing, case.analysed.pulse

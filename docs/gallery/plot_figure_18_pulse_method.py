@@ -22,8 +22,8 @@ cases = [
     for record in records
     for pgv in VELOCITIES
 ]
-drawn = {one.number: one for one in paper_figures(cases, {})}
-figure = drawn["18"].figure
+(drawn,) = paper_figures(cases, {}, numbers=["18"])
+figure = drawn.figure
 
 variant = Variant(PULSE, Information.BLIND)
 low, high, _ = PRINTED_RANGES[variant, CHANGE]

@@ -18,7 +18,7 @@ cases = [
     for record in records
     for pgv in VELOCITIES
 ]
-drawn = {one.number: one for one in paper_figures(cases, {})}
-figure = drawn["19"].figure
+(drawn,) = paper_figures(cases, {}, numbers=["19"])
+figure = drawn.figure
 
 print(f"ε by least squares {fall_ratio(cases):.2f}, paper 0.25")

@@ -18,8 +18,8 @@ cases = [
     for record in records
     for pgv in VELOCITIES
 ]
-drawn = {one.number: one for one in paper_figures(cases, {})}
-figure = drawn["20"].figure
+(drawn,) = paper_figures(cases, {}, numbers=["20"])
+figure = drawn.figure
 
 print(
     f"kg_ave of our four {average_slope(cases):.0f} mm/s², paper 930 mm/s² of its eight"

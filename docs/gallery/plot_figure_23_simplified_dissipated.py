@@ -21,8 +21,8 @@ cases = [
     for record in records
     for pgv in VELOCITIES
 ]
-drawn = {one.number: one for one in paper_figures(cases, {})}
-figure = drawn["23"].figure
+(drawn,) = paper_figures(cases, {}, numbers=["23"])
+figure = drawn.figure
 
 variant = Variant(SIMPLIFIED, Information.BLIND)
 low, high, _ = PRINTED_RANGES[variant, HYSTERETIC]

@@ -18,7 +18,7 @@ cases = [
     for record in records
     for pgv in VELOCITIES
 ]
-drawn = {one.number: one for one in paper_figures(cases, {})}
-figure = drawn["25"].figure
+(drawn,) = paper_figures(cases, {}, numbers=["25"])
+figure = drawn.figure
 
 print(f"ζ of our cases {change_ratio(cases):.2f}, paper 1.5")

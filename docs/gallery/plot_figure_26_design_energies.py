@@ -20,8 +20,8 @@ cases = [
     for record in records
     for pgv in VELOCITIES
 ]
-drawn = {one.number: one for one in paper_figures(cases, {})}
-figure = drawn["26"].figure
+(drawn,) = paper_figures(cases, {}, numbers=["26"])
+figure = drawn.figure
 
 for pgv, known in PRINTED_DESIGN.items():
     said = predict_from_pgv(pgv)

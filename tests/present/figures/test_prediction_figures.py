@@ -237,6 +237,7 @@ def test_one_case_no_pulse_and_many_records(cases: list[Case], still: Case, sile
     assert "of 3 analyses: 1 without" in words["19"]
     with pytest.raises(InputError, match="at least one case"):
         paper_figures([], {})
+    assert [one.number for one in paper_figures([cases[0]], {}, numbers=["26", "14", "10"])] == ["14", "26"]
 
 
 def test_constants_without_a_simplified_method_draw_no_line_for_it(cases: list[Case]) -> None:

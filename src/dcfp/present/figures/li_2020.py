@@ -18,7 +18,7 @@ from dcfp.schema.formulas import metres_per_second
 from dcfp.schema.nomenclature import quantity
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Collection, Mapping, Sequence
 
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
@@ -28,7 +28,8 @@ if TYPE_CHECKING:
     from dcfp.inference import Case
     from dcfp.methods.li_2020 import Constants
 
-#: Record and PGV [mm/s] of Figures 13 to 15.
+#: Figures with histories, and their record and PGV [mm/s].
+_HISTORIES = ("13", "14", "15")
 _HISTORY_RECORD, _HISTORY_PGV = "NCC", 250.0
 #: Record of Figure 10, which no open data set has, and the other one of that earthquake.
 _LOOP_RECORDS = ("JKB", "KNA")
@@ -59,6 +60,7 @@ def paper_figures(
     cases: "Sequence[Case]",
     loops: "Mapping[tuple[str, float], tuple[Response, Response]]",
     constants: "Constants | None" = None,
+    numbers: "Collection[str] | None" = None,
 ) -> list[PaperFigure]:
     """Draw Figures 10, 11, 13 to 15, 18 to 20 and 22 to 27 of Li et al. (2020) from our own analyses.
 
@@ -70,6 +72,8 @@ def paper_figures(
         Analyses with the simplified and with the precise heating model, by record and PGV [mm/s]; without any there is no Figure 10.
     constants
         Of the predictions; by default those of the paper.
+    numbers
+        Of the figures that are wanted, such as ``["26"]``; by default all.
 
     Raises
     ------
@@ -81,9 +85,16 @@ def paper_figures(
         raise InputError(msg)
     from dcfp.methods.li_2020 import LI_2020  # late: the package of predictions imports the kernels
 
+    def is_wanted(number: str) -> bool:
+        return numbers is None or number in numbers
+
     marks = marks_of(cases)
-    drawn = [*([_loops(loops)] if loops else ()), *_histories(cases)]
+    drawn = [_loops(loops)] if loops and is_wanted("10") else []
+    if any(is_wanted(number) for number in _HISTORIES):
+        drawn += [one for one in _histories(cases) if is_wanted(one.number)]
     for number, title, words, panels in _described(cases, LI_2020 if constants is None else constants):
+        if not is_wanted(number):
+            continue
         figure = _small_figure(len(panels))
         for place, panel in enumerate(panels):
             _draw(figure.add_subplot(1, len(panels), place + 1), panel, cases, marks)
