@@ -2,7 +2,6 @@
 
 import platform
 import re
-from dataclasses import asdict
 from functools import cache
 from importlib.metadata import PackageNotFoundError
 from importlib.metadata import version as installed
@@ -152,17 +151,17 @@ class Findings(SphinxDirective):
         rows = [
             [
                 [
-                    _small(one["name"], "name"),
-                    _small(f"Printed in: {one['place']}.", "source"),
-                    *([_small(one["words"], "note")] if one["words"] else []),
-                    *(_small(str(case), "note") for case in one["outside"]),
+                    _small(one.name, "name"),
+                    _small(f"Printed in: {one.place}.", "source"),
+                    *([_small(one.words, "note")] if one.words else []),
+                    *(_small(str(case), "note") for case in one.outside),
                 ],
-                [_small(one["paper"])],
-                [_small(one["ours"])],
-                [_small(one["hundred"] or "–")],
-                [_small(_SIGNS[one["agrees"]], f"verdict-{one['agrees']}".lower())],
+                [_small(one.paper)],
+                [_small(one.ours)],
+                [_small(one.hundred or "–")],
+                [_small(_SIGNS[one.agrees], f"verdict-{one.agrees}".lower())],
             ]
-            for one in (asdict(finding) for finding in findings_of(analyse(paper_motions())))
+            for one in findings_of(analyse(paper_motions()))
         ]
         return [
             table(["Finding", "Printed", "Ours", "100 components", ""], rows, [40, 16, 16, 18, 10], "checks")

@@ -1,9 +1,10 @@
-"""The findings and figures of Li et al. (2020), section 6, made again and put beside what the paper prints."""
+"""The findings and figures of Li et al. (2020), section 6, made again and put beside what the paper prints; and all of them as one page."""
 
 import tomllib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from importlib.resources import files
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
@@ -21,16 +22,21 @@ from dcfp.methods.method import Information, Variant
 from dcfp.methods.pulses import CHANGE, HYSTERETIC, INPUT, value_of
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.named import ALIASES, VELOCITIES, named_motion
+from dcfp.present.report import document as doc
+from dcfp.present.report.forms import page_with
+from dcfp.schema.check import Verdict
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.quantities import Quantity as Column
 from dcfp.schema.table import Table
 from dcfp.schema.units import M_PER_S, NONE
 from dcfp.system import LI_2020 as BEARING
 from dcfp.system import ConstantFriction, Li2020, NoHeating, PreciseHeating
+from dcfp.version import version
 
-# What the reproduction rests on: the paper's records at its four PGVs, and the hundred components beside
-# them.
+if TYPE_CHECKING:
+    from dcfp.present.figures.li_2020 import PaperFigure
 
+T = TypeVar("T")
 
 #: Analyses of one record at one PGV: with simplified and precise heating, and with the constant coefficient.
 _MODELS = 3
@@ -68,45 +74,26 @@ def paper_motions(others: Sequence[GroundMotion] = ()) -> list[GroundMotion]:
     return [*(named_motion(alias) for alias in ALIASES), *others]
 
 
-def analyse(motions: Sequence[GroundMotion], report: Callable[[], None] | None = None) -> Analyses:
+def analyse(motions: Sequence[GroundMotion], report: Callable[[], None] = lambda: None) -> Analyses:
     """Analyse the paper's bearing under every motion at every PGV; `report` is called after each analysis."""
 
-    def done() -> None:
-        if report is not None:
-            report()
+    def told(one: T) -> T:
+        report()
+        return one
 
-    cases: list[Case] = []
-    precise: list[Response] = []
-    constant: list[Response] = []
-    for motion in motions:
-        for velocity in VELOCITIES:
-            scaled = motion.scaled_to_pgv(velocity)
-            cases.append(compare(scaled, keep_response=True))
-            done()
-            precise.append(respond(scaled, BEARING, Li2020(), PreciseHeating()))
-            done()
-            constant.append(respond(scaled, BEARING, ConstantFriction(), NoHeating()))
-            done()
     methods = Methods()
-    hundred = [case for velocity in VELOCITIES for case in cases_at(velocity, methods, done)]
-    return Analyses(tuple(cases), tuple(precise), tuple(constant), tuple(hundred))
+    scaled = [motion.scaled_to_pgv(velocity) for motion in motions for velocity in VELOCITIES]
+    return Analyses(
+        tuple(told(compare(motion, keep_response=True)) for motion in scaled),
+        tuple(told(respond(motion, BEARING, Li2020(), PreciseHeating())) for motion in scaled),
+        tuple(told(respond(motion, BEARING, ConstantFriction(), NoHeating())) for motion in scaled),
+        tuple(case for velocity in VELOCITIES for case in cases_at(velocity, methods, report)),
+    )
 
 
 @dataclass(frozen=True)
 class Outside:
-    """A case outside a printed range.
-
-    Attributes
-    ----------
-    record
-        Its name.
-    pgv
-        [mm/s].
-    ratio
-        Prediction over analysis [-].
-    words
-        What sets it apart.
-    """
+    """A case outside a printed range: its PGV [mm/s], prediction over analysis [-], and what sets it apart."""
 
     record: str
     pgv: float
@@ -149,8 +136,8 @@ class Finding:
     outside: tuple[Outside, ...] = ()
 
 
-#: Whether a finding is as printed, in a word.
-SIGNS = {True: "", False: "differs", None: "not comparable"}
+#: Whether a finding is as printed, in words.
+_SIGNS = {True: "as printed", False: "differs", None: "not comparable"}
 #: What is told of a finding.
 FINDINGS = [
     Column("Finding", "what is found, and where the paper prints it", get=lambda one: f"{one.name} ({one.place})", stored=False),
@@ -161,7 +148,7 @@ FINDINGS = [
     Column("100 components", "of the components of FEMA P-695", get="hundred", stored=False),
     Column("hundred_components", "of the components of FEMA P-695", get=lambda one: one.hundred or None, printed=False),
     Column("agrees", "whether it is as printed", get="agrees", printed=False),
-    Column(" ", "whether it is as printed", get=lambda one: SIGNS[one.agrees], stored=False),
+    Column(" ", "whether it is as printed", get=lambda one: "" if one.agrees else _SIGNS[one.agrees], stored=False),
     Column("words", "why it differs, or how it was found", get="words", printed=False),
     Column("outside", "cases outside a printed range", get=lambda one: Table(tuple(OUTSIDE), one.outside).objects(), flat=False, printed=False),
 ]  # fmt: skip
@@ -252,7 +239,12 @@ def _constant_of_design(
 
 
 def _average_slope(analyses: Analyses) -> list[_Found]:
-    records, slopes = _records(analyses), _slopes(analyses.cases)
+    slopes = ", ".join(
+        f"{case.record} {abs(float(case.pulses.mean_accelerations[case.analysed.pulse])):.0f}"
+        for case in _weak(analyses.cases)
+        if case.analysed.pulse is not None
+    )
+    records = ", ".join(dict.fromkeys(case.record for case in analyses.cases))
     return _constant_of_design(
         LI_2020.average_slope, average_slope, 5.0, analyses, records=records, slopes=slopes
     )
@@ -265,6 +257,10 @@ def _fall_ratio(analyses: Analyses) -> list[_Found]:
 
 def _change_ratio(analyses: Analyses) -> list[_Found]:
     return _constant_of_design(LI_2020.change_ratio, change_ratio, 0.05, analyses)
+
+
+def _weak(cases: Sequence[Case]) -> list[Case]:
+    return [case for case in cases if np.isclose(case.pgv, VELOCITIES[0])]
 
 
 def _design(analyses: Analyses) -> list[_Found]:
@@ -311,24 +307,7 @@ def _constant(analyses: Analyses) -> list[_Found]:
     return [_Found(None, {"span": _span(over), "middle": middle})]
 
 
-def _weak(cases: Sequence[Case]) -> list[Case]:
-    return [case for case in cases if np.isclose(case.pgv, VELOCITIES[0])]
-
-
-def _records(analyses: Analyses) -> str:
-    return ", ".join(dict.fromkeys(case.record for case in analyses.cases))
-
-
-def _slopes(cases: Sequence[Case]) -> str:
-    return ", ".join(
-        f"{case.record} {abs(float(case.pulses.mean_accelerations[case.analysed.pulse])):.0f}"
-        for case in _weak(cases)
-        if case.analysed.pulse is not None
-    )
-
-
-# Why a prediction is where it is: the facts of a case that the methods of Li et al. (2020) leave out.
-
+# ----- why a prediction is where it is: the facts of a case that the methods of Li et al. (2020) leave out -----
 
 #: Mean coefficient in a swing over mu_n, up or down, from which on it is said to differ [-].
 _OTHER_FRICTION = 1.5
@@ -339,7 +318,7 @@ _FLAT = 1e6
 
 
 def explain(case: Case, precise: Response, constant: Response, variant: Variant, quantity: Quantity) -> str:
-    """Return in a sentence what sets a case apart, each clause with its number.
+    """Return in a sentence what sets a case apart from one that a blind method predicts well, each clause with its number.
 
     Parameters
     ----------
@@ -347,10 +326,8 @@ def explain(case: Case, precise: Response, constant: Response, variant: Variant,
         Of the paper's bearing, with its response.
     precise, constant
         The same analysis with precise heating, and with the constant mu_n.
-    variant
-        The pulse or the simplified method, blind.
-    quantity
-        dy or one of the two energies.
+    variant, quantity
+        The pulse or the simplified method, and dy or one of the two energies.
     """
     swing, method = case.analysed.swing, variant.method
     if swing is None:
@@ -415,3 +392,50 @@ def _pulse(case: Case, method: str, place: int, quantity: Quantity) -> str:
                 f" {with_own / value_of(case.analysed.whole, quantity):.2f} of the analysis"
             )
     return words
+
+
+# ----- the page -----
+
+
+def reproduction_page(
+    findings: Sequence[Finding],
+    figures: "Sequence[PaperFigure]",
+    records: Sequence[str],
+    missing: Sequence[str],
+) -> str:
+    """Return findings and figures as a page of HTML that needs no other file, with the names of the records that were analysed and of those that were missing."""
+    agreed = sum(one.agrees is True for one in findings)
+    lacking = (
+        f" Not at hand are {', '.join(missing)}; ranges and means of the paper are of all eight records."
+    )
+    head = doc.cells("Finding", "Printed", "Ours", "100 components of FEMA P-695", "")
+    rows = [row for one in findings for row in _rows(one)]
+    front = (
+        "Li et al. (2020), section 6. Applied Sciences 10(15), 5259, doi:10.3390/app10155259",
+        f"Records: {', '.join(records)}, each at a PGV of 0.25, 0.50, 0.75 and 1.00 m/s, under the paper's bearing with its friction law"
+        f" and simplified heating.{lacking if missing else ''} Made by dcfp {version()} with dcfp reproduce.",
+    )
+    agreement = f"{agreed} of {len(findings)} are found as printed. Where ours differs, the line says by how much and why."
+    table = doc.Table(head, tuple(rows), "lllll", (1.0,) * 5)
+    drawings = [_drawing(one) for one in figures]
+    return page_with(
+        "Energy-based prediction of the displacement of DCFP bearings, made again",
+        [doc.words(sentence) for sentence in front],
+        (
+            doc.Section("Findings", (doc.words(agreement), table)),
+            doc.Section("Figures", (doc.words("In the form of the paper's, with its numbers."), *drawings)),
+        ),
+    )
+
+
+def _rows(finding: Finding) -> tuple[tuple[doc.Cell, ...], ...]:
+    """Return what is found in one row, and why it is so in another one below it."""
+    found = doc.cells(f"{finding.name}\n{finding.place}", finding.paper, finding.ours, finding.hundred)
+    sign = doc.Cell((_SIGNS[finding.agrees],), Verdict.of(finding.agrees))
+    why = "\n".join([finding.words, *(str(one) for one in finding.outside)])
+    return (*found, sign), (doc.Cell((why,), span=5),)
+
+
+def _drawing(figure: "PaperFigure") -> doc.Drawing:
+    title = f"Figure {figure.number}. {figure.title}"
+    return doc.Drawing(lambda: figure.figure, title, f"{title}. {figure.words}")

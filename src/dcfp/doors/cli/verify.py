@@ -17,8 +17,7 @@ from dcfp.motion.load import load_motion
 from dcfp.motion.measures import baseline_warning
 from dcfp.motion.named import MISSING
 from dcfp.schema.table import Table
-from dcfp.verify import CHECKS, run_checks
-from dcfp.verify.reproduction import FINDINGS, analyse, findings_of, number_of, paper_motions
+from dcfp.verify import CHECKS, reproduction, run_checks
 
 
 def run(chosen: argparse.Namespace) -> Answer:
@@ -68,14 +67,16 @@ def reproduce(chosen: argparse.Namespace) -> Answer:
         if name not in MISSING:
             msg = f"{name} is no record of the paper that has to be supplied; these are {', '.join(MISSING)}."
             raise InputError(msg)
-    motions = paper_motions([replace(load_motion(file), name=name) for name, file in files.items()])
-    with progress("analyses", number_of(len(motions))) as advance:
-        analyses = analyse(motions, advance)
-    findings = findings_of(analyses)
+    motions = reproduction.paper_motions(
+        [replace(load_motion(file), name=name) for name, file in files.items()]
+    )
+    with progress("analyses", reproduction.number_of(len(motions))) as advance:
+        analyses = reproduction.analyse(motions, advance)
+    findings = reproduction.findings_of(analyses)
     missing = [name for name in MISSING if name not in files]
     names = [motion.name for motion in motions]
     remarks = _remarks(motions)
-    table = Table(tuple(FINDINGS), findings)
+    table = Table(tuple(reproduction.FINDINGS), findings)
 
     @cache
     def figures() -> "list[PaperFigure]":
@@ -92,11 +93,6 @@ def reproduce(chosen: argparse.Namespace) -> Answer:
         from dcfp.present.figures.li_2020 import contact_sheet
 
         return contact_sheet(figures())
-
-    def html() -> str:
-        from dcfp.verify.reproduction_page import reproduction_page
-
-        return reproduction_page(findings, figures(), names, missing)
 
     lines = [
         ("Paper", "Li et al. (2020), section 6, at PGV 0.25, 0.50, 0.75 and 1.00 m/s"),
@@ -115,7 +111,7 @@ def reproduce(chosen: argparse.Namespace) -> Answer:
             "remarks": remarks,
         },
         lambda: Page([lines, grid(table)], [*notes, *remarks]),
-        lambda part, kind: html(),
+        lambda part, kind: reproduction.reproduction_page(findings, figures(), names, missing),
         sheet,
     )
 
