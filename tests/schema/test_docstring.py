@@ -2,8 +2,7 @@
 
 from typing import Annotated
 
-from dcfp.schema.declared import Declared, declared
-from dcfp.schema.docstring import with_parameters
+from dcfp.schema.declared import Declared, declared, with_parameters
 from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import KN_PER_MM, MM
 from dcfp.system import SimplifiedHeating

@@ -29,27 +29,15 @@ NUMBER_FORMATS = {
     "kN m": "0.00",
     "–": "0.0000",
 }
-_OTHERWISE = "General"
 #: Numbers that count rather than measure.
 COUNT = "0"
 
 
 @dataclass(frozen=True)
 class Head:
-    """Head of a column.
+    """Head of a column: its name, unit (empty for words), width [characters] and number format (empty for that of the unit).
 
-    Attributes
-    ----------
-    text
-        Its name.
-    unit
-        Empty for words.
-    width
-        Of the column [characters].
-    number_format
-        Of its numbers; empty for the one of the unit.
-    get
-        Returns its value from a result, or the name of the attribute that is it.
+    `get` returns its value from a result, or is the name of the attribute that is it.
     """
 
     text: str
@@ -70,7 +58,7 @@ class Head:
     @property
     def shape(self) -> str:
         """How its numbers are shown."""
-        return self.number_format or NUMBER_FORMATS.get(self.unit, _OTHERWISE)
+        return self.number_format or NUMBER_FORMATS.get(self.unit, "General")
 
 
 #: Formats of words, by their names.
@@ -136,23 +124,10 @@ class Sheet:
         for sentence in found:
             self.note(sentence)
 
-    def table(
-        self,
-        heads: Sequence[Head],
-        rows: Iterable[Sequence[object]],
-        *,
-        frozen: int = 0,
-    ) -> None:
-        """Write a table below what is there.
+    def table(self, heads: Sequence[Head], rows: Iterable[Sequence[object]], *, frozen: int = 0) -> None:
+        """Write a table below what is there; the columns take the widths of the heads.
 
-        Parameters
-        ----------
-        heads
-            Of the columns, which take their widths.
-        rows
-            Cells in the order of the heads.
-        frozen
-            How many columns, and the rows down to the head, stay in sight; of the first table on a sheet that asks for it.
+        So many columns, `frozen`, and the rows down to the head stay in sight, for the first table on a sheet that asks for it.
         """
         for column, head in enumerate(heads):
             self.page.set_column(column, column, head.width)
@@ -184,9 +159,6 @@ def cut(text: str) -> str:
     return text if len(text) <= _LONGEST_TEXT else f"{text[: _LONGEST_TEXT - 3]}..."
 
 
-# Names of worksheets, as Excel allows them.
-
-
 #: Longest name of a worksheet, and characters that it must not have.
 LONGEST = 31
 _FORBIDDEN = re.compile(r"[\[\]:*?/\\\x00-\x1f]+")
@@ -195,15 +167,7 @@ _RESERVED = ("history",)
 
 
 def sheet_names(wanted: Iterable[str], taken: Iterable[str] = ()) -> list[str]:
-    """Return a name for each worksheet that Excel allows, and that no other has in any case of letters.
-
-    Parameters
-    ----------
-    wanted
-        What each is to be called.
-    taken
-        Names of the worksheets that are there already.
-    """
+    """Return for each worksheet a name near to the wanted one that Excel allows, and that none has, in any case of letters, of the others and of those that are taken."""
     seen = {name.lower() for name in (*taken, *_RESERVED)}
     names: list[str] = []
     for name in wanted:

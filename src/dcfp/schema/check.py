@@ -34,19 +34,11 @@ class Check:
     verdict
         Whether it is met; not known where what it would need is not given, or where it was skipped.
     found, limit
-        A number in `unit`, or words with their units; None where there is none.
-    source
-        Where it is asked: a clause, a paper.
-    confirmed
-        Whether this could be confirmed in its source; else it stands as remembered.
-    of
-        What asks it: a code, the analysis, a group of checks.
-    subject
-        What is looked at, where that is one of several: a test.
-    unit
-        Of numbers, or "-".
-    at_least
-        Whether the limit is a lower one.
+        A number in `unit` (or "-"), or words with their units; None where there is none. `at_least`: the limit is a lower one.
+    source, confirmed
+        Where it is asked, a clause or a paper; whether this could be confirmed there, else it stands as remembered.
+    of, subject
+        What asks it: a code, the analysis, a group of checks; what is looked at, where that is one of several tests.
     expected, difference
         For a number that ought to be another one, that number, and how far apart the two are, in words.
     ratio

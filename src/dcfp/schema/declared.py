@@ -6,6 +6,7 @@ forms, reports and documentation all loop over the same declarations, so that th
 
 import dataclasses
 import inspect
+import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import (
@@ -23,10 +24,15 @@ from typing import (
 )
 
 from dcfp.errors import InputError
-from dcfp.schema.docstring import with_parameters
 from dcfp.schema.parameters import Parameter, read_values
 
 T = TypeVar("T")
+
+#: The section, and where else it would stand: before the first section of another name, or at the end.
+_SECTION = re.compile(r"\n\nParameters\n-+\n(?P<body>.*?)(?=\n\n[A-Z]\w*\n-+\n|\Z)", re.DOTALL)
+_OTHER = re.compile(r"\n\n[A-Z]\w*\n-+\n")
+#: A parameter: its names on one line, words on deeper ones.
+_ENTRY = re.compile(r"^(?P<names>\w+(?:, \w+)*)(?: :[^\n]*)?\n(?P<words>(?:    .*(?:\n|$))+)", re.MULTILINE)
 
 
 class Declared:
@@ -100,24 +106,7 @@ class Declared:
 def read_table(
     kind: type[Declared], table: Mapping[str, Any], where: str, *, also: tuple[str, ...] = ()
 ) -> dict[str, Any]:
-    """Return the values of a table in the package's units by the names of the fields.
-
-    Parameters
-    ----------
-    kind
-        The declared class.
-    table
-        Values by their keys.
-    where
-        What to begin a complaint with.
-    also
-        What else such a file may hold, for the sentence.
-
-    Raises
-    ------
-    InputError
-        If there is an unknown key or a value that is not allowed.
-    """
+    """Return the values of a table as `Declared.from_table` takes them, by the names of the fields; `also` is what else such a file may hold."""
     return read_values(parameters(kind).values(), table, where, f"parameter of {described(kind)}", also=also)
 
 
@@ -193,3 +182,36 @@ def _bound(name: str, hint: Any, default: Any) -> Parameter:
         optional=type(None) in options,
         counts=counts,
     )
+
+
+def with_parameters(doc: str, known: Mapping[str, str | None]) -> str:
+    """Return a docstring whose section of parameters has all fields: by hand stands there only what the declarations do not say.
+
+    Parameters
+    ----------
+    doc
+        As it is written.
+    known
+        All fields in their order, each with a sentence that stands where the docstring has no entry of its own; None for none.
+    """
+    text = inspect.cleandoc(doc)
+    section = _SECTION.search(text)
+    written = {
+        name: entry
+        for entry in _ENTRY.finditer(section["body"] if section else "")
+        for name in entry["names"].split(", ")
+    }
+    lines = [one.group().rstrip() for name, one in written.items() if name not in known]
+    for name, sentence in known.items():
+        if name in written:
+            entry = written[name].group().rstrip()
+            lines += [entry] if entry not in lines else []
+        elif sentence is not None:
+            lines.append(f"{name}\n    {sentence}")
+    if not lines:
+        return text
+    whole = "\n\nParameters\n----------\n" + "\n".join(lines)
+    if section is not None:
+        return text[: section.start()] + whole + text[section.end() :]
+    place = min((found.start() for found in _OTHER.finditer(text)), default=len(text))
+    return text[:place] + whole + text[place:]

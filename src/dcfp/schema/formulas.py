@@ -18,16 +18,10 @@ class Formula:
         What it gives, in words.
     symbols, numbers
         Mathematics: in symbols from the left side on, and the right side in numbers; `numbers` is empty for a value that is taken as it is.
-    value
-        Its result.
-    decimals
-        With which the result is written.
-    unit
-        Of the result; empty for none.
-    source
-        Paper and equation, code and clause.
-    confirmed
-        Whether that could be confirmed in its source.
+    value, decimals, unit
+        Its result, how many decimals of it are written, and its unit; empty for none.
+    source, confirmed
+        Paper and equation, code and clause; whether that could be confirmed there.
     """
 
     name: str
@@ -60,14 +54,8 @@ class Formula:
 
     def as_numbers(self) -> dict[str, Any]:
         """Return it as JSON has it."""
-        return {
-            "name": self.name,
-            "value": self.value,
-            "unit": self.unit,
-            "decimals": self.decimals,
-            "source": self.source,
-            "confirmed": self.confirmed,
-        }
+        told = ("name", "value", "unit", "decimals", "source", "confirmed")
+        return {name: getattr(self, name) for name in told}
 
 
 @dataclass(frozen=True)
@@ -104,9 +92,6 @@ def number(value: float, decimals: int) -> str:
     """Return a number as mathematics has it: with a hyphen for minus, and none before a zero."""
     text = f"{value:.{decimals}f}"
     return text.removeprefix("-") if float(text) == 0.0 else text
-
-
-# Numbers as they are typeset, with a true minus sign.
 
 
 def true_minus(text: str) -> str:

@@ -4,16 +4,10 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
-from typing import (
-    Any,
-    TypeVar,
-    cast,
-)
+from typing import Any, cast
 
 from dcfp.errors import InputError
 from dcfp.schema.units import HERTZ, M_PER_S, NONE, SECOND, WORDS, Unit, convert, split_number
-
-T = TypeVar("T")
 
 #: TOML and JSON have whole numbers of any length: from here on they are no numbers to calculate with.
 _LARGEST_WHOLE = 10**15
@@ -25,36 +19,22 @@ class Parameter:
 
     Attributes
     ----------
-    words
-        What it is, in a few words without an article.
+    words, symbol
+        What it is, in a few words without an article; in LaTeX.
     unit
         In which a plain number is taken at every door but Python, where all is in the package's units.
-    least, most
-        Limits, in that unit: what a wrong unit would pass.
-    symbol
-        In LaTeX.
-    key
-        Name in files, options, factors and forms; by default that of the field.
-    aliases
-        Further names in files.
-    more
-        What else the help of an option says.
-    step
-        By how much the buttons of a field change it.
+    least, most, above
+        Limits, in that unit: what a wrong unit would pass; whether the least value itself is not allowed.
+    key, aliases
+        Name in files, options, factors and forms, by default that of the field; further names in files.
+    more, step, absent
+        What else the help of an option says; by how much the buttons of a form's field change it, and what it says when it is empty.
     choices
         Words of which it must be one.
-    counts
-        How many numbers it may be; empty for one number.
-    repeat
-        How many times a single number of several stands for; 1 where it is itself alone.
-    above
-        Whether the least value itself is not allowed.
-    option
-        Whether it is an option of the command line.
-    vary
-        Whether a study may vary it.
-    absent
-        What a form says of an empty field.
+    counts, repeat
+        How many numbers it may be, empty for one number; for how many of several a single one stands.
+    option, vary
+        Whether it is an option of the command line, and whether a study may vary it.
     difference
         Whether it is a difference, such as a standard deviation: 5 °C are then 9 °F.
     name, kind, default, optional
@@ -222,8 +202,6 @@ class Parameter:
             parts.append(f"default {written.lower() if self.kind is bool else written}")
         return "; ".join(parts)
 
-    # ----- parts -----
-
     def _with_unit(self, value: Any, label: str, unit: str | None) -> Any:
         """Return a number of that unit, or of a text such as ``"4.5 m"``, in the declared unit; what is neither is returned as it is."""
         number, own = value, ""
@@ -273,21 +251,23 @@ def read_values(
     *,
     also: tuple[str, ...] = (),
 ) -> dict[str, Any]:
-    """Return the values of a table in the package's units by the names of parameters.
+    """Return the values of a table in the package's units by the names of the parameters.
 
     Parameters
     ----------
     known
-        The parameters that it may hold.
-    table, where, also
-        As for `read_table`.
-    noun
-        What one of the parameters is called.
+        The parameters that it may hold; `noun` is what one of them is called.
+    table
+        Values by their keys.
+    where
+        What to begin a complaint with.
+    also
+        What else such a file may hold, for the sentence.
 
     Raises
     ------
     InputError
-        As for `read_table`.
+        If there is an unknown key or a value that is not allowed.
     """
     by_key = {key: one for one in known for key in (one.key, *one.aliases)}
     values: dict[str, Any] = {}
@@ -305,23 +285,12 @@ def read_values(
 
 
 def table_in(content: Mapping[str, Any], key: str, where: str = "", shown: str = "") -> dict[str, Any]:
-    """Return the table of a file under a key, empty where there is none.
-
-    Parameters
-    ----------
-    content
-        Of the file, or of a table in it.
-    key
-        Of the table.
-    where
-        What to begin a complaint with.
-    shown
-        How its head is written; by default the key.
+    """Return the table of a file, or of a table in it, under a key: empty where there is none.
 
     Raises
     ------
     InputError
-        If it is no table.
+        If it is no table; the sentence begins with `where`, and writes its head as `shown`, by default as the key.
     """
     table = content.get(key, {})
     if not isinstance(table, Mapping):

@@ -21,26 +21,16 @@ class Quantity:
 
     Attributes
     ----------
-    key
-        Name in JSON, with its unit at the end where it has one.
-    words
-        What it is, in full.
-    unit
-        Unit in JSON, CSV, data sets and workbooks; `WORDS` for what is no number.
-    shown
-        Unit in tables, on axes and in reports; by default the same.
-    decimals
-        Digits behind the point in tables; None for the shortest form.
-    digits
-        Significant digits in tables, where the decimals are not given.
+    key, name, head
+        Name in JSON, with its unit at the end where it has one; in CSV and data sets, by default the key; and over its column on a console.
+    words, symbol
+        What it is, in full; in LaTeX.
+    unit, shown
+        Unit in JSON, CSV, data sets and workbooks, `WORDS` for what is no number; in tables, on axes and in reports, by default the same.
+    decimals, digits
+        Digits behind the point in tables, or significant ones where these are not given; None for the shortest form.
     places, precision
         Digits behind the point, or significant ones, that data keep; None for all.
-    symbol
-        In LaTeX.
-    name
-        Name in CSV and data sets; by default the key.
-    head
-        Head of its column on a console; by default the name.
     get
         Returns the value from a result, in the units of the package; or the name of the attribute that is it.
     printed, stored

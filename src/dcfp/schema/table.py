@@ -18,24 +18,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Table:
-    """Results with the quantities that are to be shown of them.
-
-    Parameters
-    ----------
-    columns
-        The quantities, in their order.
-    results
-        One for each row.
-    title
-        What it is a table of.
-    remarks
-        Sentences that a reader must know.
-    """
+    """Results, one for each row, with the quantities that are to be shown of them."""
 
     columns: tuple[Quantity, ...]
     results: Sequence[Any]
     title: str = ""
-    remarks: tuple[str, ...] = ()
 
     @property
     def printed(self) -> tuple[Quantity, ...]:

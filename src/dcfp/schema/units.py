@@ -22,20 +22,14 @@ class Unit:
 
     Attributes
     ----------
-    name
-        As it is shown.
-    size
-        One of this unit in the units of the package.
-    udunits
-        As UDUNITS writes it, for data sets.
-    typed
-        As it is typed, in files and in sentences; empty where that is its name.
+    name, udunits, typed
+        As it is shown; as UDUNITS writes it, for data sets; as it is typed in files and sentences, empty where that is its name.
+    size, zero
+        One of this unit in the units of the package; what zero of the package's unit is in this one.
     meant
         Units that are probably meant where a number is out of range, with the size of one of them in this unit.
     base
         The package's own unit for the same quantity; None where it is this one.
-    zero
-        What zero of the package's unit is in this one.
     """
 
     name: str

@@ -15,20 +15,10 @@ from dcfp.errors import InputError
 from dcfp.inference.design_space import PARTS, DesignSpace, held_table
 from dcfp.schema.table import Table
 from dcfp.study import assessment
+from dcfp.study.assessment import told as tables
 from dcfp.study.assessment.bounds import NOMINAL, QUANTITIES
 from dcfp.study.assessment.design_chart import at_pgv
 from dcfp.study.assessment.selection import described, remarks_of, select
-from dcfp.study.assessment.told import (
-    bounds_table,
-    document,
-    fragility_curves,
-    fragility_observed,
-    fragility_table,
-    ida_table,
-    lines_of,
-    nested,
-    sensitivity_table,
-)
 from dcfp.study.results import INTENSITIES, open_store
 
 if TYPE_CHECKING:
@@ -58,11 +48,11 @@ def _answer(
     **more: Any,
 ) -> Answer:
     """Return an answer about a study: the lines above its table, the table with `repeated` first columns, what is below it or in its place as CSV."""
-    lines = [*lines_of(found), *question]
-    tables = [grid(table, repeated=repeated), *([] if below is None else [grid(below)])]
+    lines = [*tables.lines_of(found), *question]
+    grids = [grid(table, repeated=repeated), *([] if below is None else [grid(below)])]
     return Answer(
-        lambda: document(found, nested(table.objects()), **more),
-        lambda: Page([lines, *tables], [*remarks_of(found), *remarks]),
+        lambda: tables.document(found, tables.nested(table.objects()), **more),
+        lambda: Page([lines, *grids], [*remarks_of(found), *remarks]),
         lambda part, kind: (csv or table).csv(),
         draw,
     )
@@ -72,7 +62,7 @@ def ida(chosen: argparse.Namespace) -> Answer:
     """Make the curves of the records, and their quantiles."""
     parts = {} if chosen.quantiles is None else {"quantiles": chosen.quantiles}
     found = assessment.ida(_opened(chosen), chosen.quantity, **parts, unfinished=chosen.unfinished)
-    table = ida_table(found, chosen.quantity)
+    table = tables.ida_table(found, chosen.quantity)
     values: xarray.DataArray = found[str(chosen.quantity)]
     words = described(values).words
     question = [("Question", f"{words}: what parts of {found.sizes['record']} records do not exceed")]
@@ -102,10 +92,10 @@ def fragility(chosen: argparse.Namespace) -> Answer:
     return _answer(
         found,
         question,
-        fragility_table(found),
+        tables.fragility_table(found),
         drawn("assessment.plot_fragility", found),
-        below=fragility_observed(found) if few else None,
-        csv=fragility_curves(found),
+        below=tables.fragility_observed(found) if few else None,
+        csv=tables.fragility_curves(found),
         remarks=[bounds],
         quantity=chosen.quantity,
         confidence=chosen.confidence,
@@ -134,7 +124,7 @@ def bounds(chosen: argparse.Namespace) -> Answer:
     ]
     draw = drawn("assessment.plot_bounds", found)
     told: dict[str, Any] = {"over": over.split(", "), "nominal": nominal}
-    return _answer(found, question, bounds_table(found), draw, repeated=2, **told)
+    return _answer(found, question, tables.bounds_table(found), draw, repeated=2, **told)
 
 
 def sensitivity(chosen: argparse.Namespace) -> Answer:
@@ -156,7 +146,7 @@ def sensitivity(chosen: argparse.Namespace) -> Answer:
     return _answer(
         found,
         question,
-        sensitivity_table(found),
+        tables.sensitivity_table(found),
         drawn("assessment.plot_sensitivity", found),
         repeated=found["S1"].ndim - 1,
         quantity=chosen.quantity,

@@ -35,15 +35,7 @@ Block: TypeAlias = str | Sequence[tuple[str, str]] | Grid | tuple[str | Text, Gr
 
 @dataclass(frozen=True)
 class Page:
-    """What is printed of an answer.
-
-    Attributes
-    ----------
-    blocks
-        One below the other, with an empty line between.
-    remarks
-        Sentences that a reader must know; each is printed once.
-    """
+    """What is printed of an answer: blocks below each other, and sentences that a reader must know, each once."""
 
     blocks: Sequence[Block]
     remarks: Sequence[str] = ()
@@ -86,15 +78,7 @@ def console() -> Generator[Console]:
 
 
 def grid(table: Table, repeated: int = 0) -> Grid:
-    """Return a table to print: words, which may be folded, and numbers, which may not.
-
-    Parameters
-    ----------
-    table
-        What is shown.
-    repeated
-        How many of the first columns are left empty where all of them are as in the line above.
-    """
+    """Return a table to print: words, which may be folded, and numbers, which may not; the first `repeated` columns are empty where all are as in the line above."""
     drawn = Grid(box=None, padding=(0, 1, 0, 0), pad_edge=False, header_style="bold")
     for one, head in zip(table.printed, table.heads(), strict=True):
         text = Text(head if "\n" in head else f"{head}\n")
@@ -129,8 +113,6 @@ def grouped(remarks: Iterable[tuple[str, str]]) -> list[str]:
         f"{', '.join(dict.fromkeys(members))}: {told}" if members else told for told, members in names.items()
     ]
 
-
-# A progress bar.
 
 T = TypeVar("T")
 R = TypeVar("R")

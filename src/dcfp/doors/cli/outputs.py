@@ -103,20 +103,9 @@ def deliver(
     overwrite: bool,
     as_json: bool,
 ) -> int:
-    """Write every file that is wanted, or leave all files as they were; print what a command has found; return the exit status.
+    """Write every file that is wanted, or leave all files as they were; print what a command has found, as text or as one document; return the exit status.
 
-    Parameters
-    ----------
-    answer
-        None where there is nothing to say.
-    outputs
-        The files that are wanted.
-    said
-        Puts the sentences of a text in the words of the command line; a document is for any reader.
-    overwrite
-        Whether files may be there already.
-    as_json
-        Whether one document is printed instead of text.
+    `said` puts the sentences of a text in the words of the command line; a document is for any reader.
     """
     if answer is None:
         return 0
@@ -148,14 +137,10 @@ def _write(answer: Answer, option: str, part: Path, kind: str) -> None:
 def _inputs(chosen: argparse.Namespace) -> Iterator[Path]:
     """Give every word of a command that may be the name of a file that it reads, alone or in ``FILE::COMPONENT``."""
     for name, value in vars(chosen).items():
-        if name in ("out", "plot"):
-            continue
-        words = cast("dict[str, Any]", value).values() if isinstance(value, dict) else value
-        for word in (
-            cast("list[Any]", words)
-            if not isinstance(words, str) and isinstance(words, Iterable)
-            else [words]
-        ):
-            if isinstance(word, str):
+        several: Any = cast("dict[str, Any]", value).values() if isinstance(value, dict) else value
+        alone = isinstance(several, str) or not isinstance(several, Iterable)
+        words = cast("Iterable[Any]", [value] if alone else several)
+        for word in words:
+            if isinstance(word, str) and name not in ("out", "plot"):
                 yield Path(word)
                 yield Path(word.rpartition("::")[0] or word)

@@ -71,18 +71,9 @@ def nearest(given: str, known: Iterable[str]) -> str | None:
 
 
 def add_declared(group: Any, kind: type[Declared], *names: str, more: dict[str, str] | None = None) -> None:
-    """Add the parameters of a declared class, all that are options or those of the fields that are named.
+    """Add the parameters of a declared class to a parser or a group: all that are options, or those of the fields that are named.
 
-    Parameters
-    ----------
-    group
-        Parser, or group of options.
-    kind
-        The class.
-    names
-        Of fields.
-    more
-        What else the help of some says, by the names of their fields.
+    What the help of some says besides stands in `more`, by the names of their fields.
     """
     for name, one in parameters(kind).items():
         if name in names or (one.option and not names):
@@ -108,14 +99,10 @@ def add_parameter(
         Parser, or group of options.
     several
         As they are declared.
-    name
-        Of the option; by default the key of the first.
-    words
-        Of its help; by default those of the parameters.
-    least
-        How many of several must be given.
-    any_number
-        Whether any number of values may be given.
+    name, words
+        Of the option, by default the key of the first; of its help, by default those of the parameters.
+    least, any_number
+        How many of several must be given, and whether any number of values may.
     required
         Whether it must be given.
     default
@@ -177,24 +164,12 @@ class Pairs(argparse.Action):
     """Takes words ``NAME=VALUE`` as values by their names; one that stands alone, where it may, has the name ``""``."""
 
     def __init__(
-        self,
-        *args: Any,
-        example: str,
-        read: Callable[[str], Any] = str,
-        alone: bool = False,
-        nargs: str = "+",
-        **kwargs: Any,
+        self, *args: Any, example: str, read: Callable[[str], Any] = str, alone: bool = False, **kwargs: Any
     ) -> None:
-        super().__init__(*args, nargs=nargs, default={}, **kwargs)
+        super().__init__(*args, **{"nargs": "+", "default": {}} | kwargs)
         self.example, self.read, self.alone = example, read, alone
 
-    def __call__(
-        self,
-        parser: argparse.ArgumentParser,
-        namespace: argparse.Namespace,
-        values: str | Iterable[Any] | None,
-        option_string: str | None = None,
-    ) -> None:
+    def __call__(self, parser: Any, namespace: Any, values: Any, option_string: str | None = None) -> None:
         """Add the values to those that are there."""
         found: dict[str, Any] = dict(getattr(namespace, self.dest, {}))
         for word in values or ():
@@ -221,23 +196,17 @@ class Numbers(argparse.Action):
         self,
         *args: Any,
         read: Sequence[Callable[[str], float]],
-        least: int = 1,
-        most: int | None = None,
-        repeat: int = 1,
-        words: str = "",
+        least: int,
+        most: int | None,
+        repeat: int,
+        words: str,
         **kwargs: Any,
     ) -> None:
         super().__init__(*args, nargs="+", **kwargs)
         self.words, self.read, self.repeat = words, read, repeat
         self.least, self.most = least, most
 
-    def __call__(
-        self,
-        parser: argparse.ArgumentParser,
-        namespace: argparse.Namespace,
-        values: str | Sequence[Any] | None,
-        option_string: str | None = None,
-    ) -> None:
+    def __call__(self, parser: Any, namespace: Any, values: Any, option_string: str | None = None) -> None:
         """Sort the tokens into numbers and records."""
         tokens = [str(value) for value in values or ()]
         count = next((i for i, token in enumerate(tokens) if not _is_number(token)), len(tokens))

@@ -20,14 +20,8 @@ STUDY = "study file; dcfp study new writes one"
 AT = "one value of each factor that is not looked at: pgv in m/s, the others in the units of the tables"
 
 THREADS = Parameter(
-    "analyses at the same time",
-    NONE,
-    1,
-    1024,
-    key="threads",
-    kind=int,
-    more="by default one for each processor",
-)
+    "analyses at the same time", NONE, 1, 1024, key="threads", kind=int, more="by default one for each processor"
+)  # fmt: skip
 PROCESSES = Parameter("Dask workers to start on this machine", NONE, 1, 1024, key="processes", kind=int)
 PART = Parameter("parts of the records that do not exceed", FRACTION, 0.0, 0.9999, key="quantiles", above=True)  # fmt: skip
 CONFIDENCE = replace(PART, key="confidence", words="confidence of the intervals", default=0.95)

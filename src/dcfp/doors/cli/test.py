@@ -6,23 +6,8 @@ from dataclasses import replace
 from typing import TypeAlias
 
 from dcfp.analysis.integration import DEFAULT, NOTHING, PLATES
-from dcfp.analysis.rig import Loops, Measurement, Program, load_program, read_measurement, run_program
-from dcfp.analysis.rig.codes import (
-    CRITERIA,
-    FACTORS,
-    PROTOTYPE_TESTS,
-    PrototypeDesign,
-    judge_tests,
-    property_factors,
-    prototype_program,
-)
-from dcfp.analysis.rig.loops import (
-    CYCLES,
-    ToldCycle,
-    cycle_objects,
-    cycles_of_measurement,
-    cycles_of_tests,
-)
+from dcfp.analysis.rig import Loops, Measurement, Program, codes, load_program, read_measurement, run_program
+from dcfp.analysis.rig.loops import CYCLES, ToldCycle, cycle_objects, cycles_of_measurement, cycles_of_tests
 from dcfp.analysis.rig.run import paper_models
 from dcfp.doors.cli import inputs
 from dcfp.doors.cli.console import Block, Page, grid, grouped, progress
@@ -72,16 +57,18 @@ def run(chosen: argparse.Namespace) -> Answer:
 
 def _program(chosen: argparse.Namespace, system: System) -> Program:
     name = chosen.program.strip().lower()
-    design = inputs.given(chosen, PrototypeDesign)
+    design = inputs.given(chosen, codes.PrototypeDesign)
     design.pop("pressure", None)
-    if name in PROTOTYPE_TESTS:
+    if name in codes.PROTOTYPE_TESTS:
         if chosen.displacement is None or chosen.period is None:
             msg = f"{name} needs --displacement and --period of the design."
             raise InputError(msg)
-        program = prototype_program(name, PrototypeDesign(pressure=system.bearing.pressure, **design))
+        program = codes.prototype_program(
+            name, codes.PrototypeDesign(pressure=system.bearing.pressure, **design)
+        )
     else:
         for key in design:
-            msg = f"--{key.replace('_', '-')} is for {' and '.join(PROTOTYPE_TESTS)}; the tests of {chosen.program} have their own."
+            msg = f"--{key.replace('_', '-')} is for {' and '.join(codes.PROTOTYPE_TESTS)}; the tests of {chosen.program} have their own."
             raise InputError(msg)
         program = load_program(chosen.program)
         if chosen.pressure is not None and all(test.load is not None for test in program.tests):
@@ -119,17 +106,14 @@ def _refuse_without_checks(program: Program) -> None:
 
 def _run(program: Program, system: System, chosen: argparse.Namespace) -> Runs:
     finely = DEFAULT.tolerance if chosen.tolerance is None else chosen.tolerance
-    models = paper_models(system) if chosen.compare else {}
-    with progress("tests", len(program.tests) * max(len(models), 1)) as advance:
-        if models:
-            return {
-                name: run_program(program, model, tolerance=finely, report=advance)
-                for name, model in models.items()
-            }
-        wanted = str(chosen.out or "").lower().endswith(".nc") or chosen.plot is not None
-        keep = PLATES if wanted and len(program.tests) == 1 else NOTHING
-        loops = run_program(program, system, tolerance=finely, keep=keep, report=advance)
-    return {system.heating.name: loops}
+    models = paper_models(system) if chosen.compare else {system.heating.name: system}
+    wanted = str(chosen.out or "").lower().endswith(".nc") or chosen.plot is not None
+    keep = PLATES if wanted and len(program.tests) == len(models) == 1 else NOTHING
+    with progress("tests", len(program.tests) * len(models)) as advance:
+        return {
+            name: run_program(program, model, tolerance=finely, keep=keep, report=advance)
+            for name, model in models.items()
+        }
 
 
 def _shown(cycles: Sequence[ToldCycle]) -> list[ToldCycle]:
@@ -190,8 +174,8 @@ def _side_by_side(names: Sequence[str]) -> tuple[Quantity, ...]:
 
 def _checked(program: Program, loops: Sequence[Loops], answer: Answer) -> Answer:
     """Return what a code wants and whether it is so, and the property modification factors, in place of the cycles."""
-    criteria = Table(tuple(CRITERIA), judge_tests(program, loops))
-    factors = Table(tuple(FACTORS), property_factors(loops))
+    criteria = Table(tuple(codes.CRITERIA), codes.judge_tests(program, loops))
+    factors = Table(tuple(codes.FACTORS), codes.property_factors(loops))
     heating = loops[0].heating.name
 
     def page() -> Page:

@@ -223,19 +223,16 @@ def short(value: float) -> str:
     return true_minus(f"{value:.10g}")
 
 
+#: Who signs below what the scenario says.
+_SIGNING = ("author", "checker")
+
+
 def heading_rows(document: Document) -> Table:
     """Return what the scenario says of the report."""
-    heading = document.heading
-    return named_values(
-        [
-            ("Project", heading.project),
-            ("Client", heading.client),
-            ("Report number", heading.number),
-            ("Date", heading.date),
-            ("Notes", heading.notes),
-            ("Calculated with", document.maker),
-        ]
-    )
+    told = [
+        (one.words.capitalize(), value) for one, value in document.heading.rows() if one.name not in _SIGNING
+    ]
+    return named_values([*told, ("Calculated with", document.maker)])
 
 
 def short_title(document: Document) -> str:

@@ -8,25 +8,13 @@ which a fraction or a script takes away.
 import re
 from dataclasses import dataclass
 from html import escape
+from html.entities import html5
 
-SYMBOLS = {
-    "alpha": "α",
-    "beta": "β",
-    "gamma": "γ",
-    "delta": "δ",
-    "Delta": "Δ",
-    "epsilon": "ϵ",
-    "zeta": "ζ",
-    "eta": "η",
-    "lambda": "λ",
-    "mu": "μ",
-    "xi": "ξ",
-    "pi": "π",
-    "sigma": "σ",
-    "tau": "τ",
-    "phi": "φ",
-    "omega": "ω",
-}
+_GREEK = (
+    "alpha", "beta", "gamma", "delta", "Delta", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu", "xi", "pi", "rho", "sigma",
+    "tau", "phi", "psi", "omega",
+)  # fmt: skip
+SYMBOLS = {name: html5[f"{name};"] for name in _GREEK} | {"epsilon": "ϵ"}
 #: Names that are operators, and signs that are shown as others.
 OPERATORS = {
     "times": "×",
