@@ -13,8 +13,8 @@ from dcfp.methods import METHODS
 from dcfp.motion.formats.registry import FORMATS
 from dcfp.schema.citations import citation
 from dcfp.schema.declared import parameters
-from dcfp.schema.nomenclature import NOMENCLATURE
 from dcfp.schema.parameters import Parameter
+from dcfp.schema.quantities import NOMENCLATURE
 from dcfp.study.factors import catalogue
 from dcfp.system import Bearing
 from dcfp.system.friction import FRICTION_LAWS

@@ -16,7 +16,7 @@ import xarray as xr
 import dcfp
 from dcfp.analysis.response import PEAKS
 from dcfp.doors.cli.main import main
-from dcfp.schema.nomenclature import NOMENCLATURE
+from dcfp.schema.quantities import NOMENCLATURE
 from dcfp.system import FRICTION_LAWS
 
 HERE = Path(__file__).parent

@@ -9,7 +9,7 @@ import xarray
 import dcfp
 from dcfp.analysis.integration import Keep
 from dcfp.schema.citations import bibliography, citation
-from dcfp.schema.nomenclature import NOMENCLATURE
+from dcfp.schema.quantities import NOMENCLATURE
 
 
 @pytest.fixture(scope="module")

@@ -17,8 +17,7 @@ from dcfp.kernels._jit import Records, as_bytes
 from dcfp.kernels.integrate import INTEGRATION_STATE, Extremes
 from dcfp.motion.measures import motion_remarks
 from dcfp.schema.check import Check
-from dcfp.schema.nomenclature import Quantities
-from dcfp.schema.quantities import Quantity
+from dcfp.schema.quantities import Quantities, Quantity
 from dcfp.schema.units import KN, M_PER_S
 from dcfp.system import System
 from dcfp.system.plates import PlateHeat, cold_plates

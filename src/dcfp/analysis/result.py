@@ -18,9 +18,9 @@ from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.check import Check
 from dcfp.schema.citations import citations_of
-from dcfp.schema.nomenclature import Quantities, quantity
 from dcfp.schema.notebook import card, fields_card, told
 from dcfp.schema.parameters import unknown
+from dcfp.schema.quantities import Quantities, quantity
 from dcfp.system import Bearing, FrictionLaw, Heating, System
 from dcfp.system.plates import Profiles, mean_temperature, profile_variables
 from dcfp.version import version

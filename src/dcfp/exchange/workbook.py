@@ -10,7 +10,7 @@ from dcfp.exchange.sheet import COUNT, Formats, Head, Sheet, sheet_names
 from dcfp.methods.method import Information
 from dcfp.present.tables import group_names
 from dcfp.schema.citations import citations_of
-from dcfp.schema.nomenclature import quantity
+from dcfp.schema.quantities import quantity
 from dcfp.version import version
 
 if TYPE_CHECKING:

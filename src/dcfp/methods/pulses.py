@@ -10,10 +10,9 @@ from dcfp.errors import InputError
 from dcfp.kernels.pulses import find_turning_points
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import Motion, motion_of
-from dcfp.schema.nomenclature import Quantities
 from dcfp.schema.notebook import card, fields_card
 from dcfp.schema.parameters import Parameter
-from dcfp.schema.quantities import Quantity
+from dcfp.schema.quantities import Quantities, Quantity
 from dcfp.schema.units import FRACTION, MM_PER_S, SECOND
 
 #: How far the ground velocity must turn back for a peak to count, and what is usual; see ``docs/prediction.md`` for the evidence.

@@ -11,9 +11,9 @@ import numpy as np
 
 from dcfp.arrays import FloatArray, freeze, integral
 from dcfp.errors import InputError
-from dcfp.schema.nomenclature import quantity
 from dcfp.schema.notebook import card, fields_card
 from dcfp.schema.parameters import PGV
+from dcfp.schema.quantities import quantity
 from dcfp.version import version
 
 if TYPE_CHECKING:

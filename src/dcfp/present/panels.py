@@ -9,8 +9,7 @@ from contourpy import FillType, contour_generator
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
-from dcfp.schema.nomenclature import quantity
-from dcfp.schema.quantities import Quantity
+from dcfp.schema.quantities import Quantity, quantity
 from dcfp.schema.units import METRE, MM, NONE
 
 if TYPE_CHECKING:

@@ -12,8 +12,7 @@ from typing import Any, cast
 import numpy as np
 
 from dcfp.schema.declared import parameters
-from dcfp.schema.nomenclature import NOMENCLATURE
-from dcfp.schema.quantities import Quantity
+from dcfp.schema.quantities import NOMENCLATURE, Quantity
 from dcfp.schema.units import WORDS, Unit
 
 #: Most rows of a table; more are counted.

@@ -27,8 +27,7 @@ from dcfp.kernels._jit import source_digest
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.citations import citations_of
 from dcfp.schema.identity import identity_of
-from dcfp.schema.nomenclature import quantity
-from dcfp.schema.quantities import Quantity
+from dcfp.schema.quantities import Quantity, quantity
 from dcfp.schema.units import MM_PER_S, SECOND
 from dcfp.study.factors import factor
 from dcfp.study.results import (  # fmt: skip

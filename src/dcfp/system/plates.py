@@ -13,7 +13,7 @@ from dcfp.kernels.friction import BearingModel
 from dcfp.kernels.motion import SystemConstants
 from dcfp.kernels.plate import write_profile
 from dcfp.kernels.sum_of_exponentials import HORIZON, MODES, finite_plate_modes, half_space_modes
-from dcfp.schema.nomenclature import quantity
+from dcfp.schema.quantities import quantity
 from dcfp.system.bearing import Bearing
 from dcfp.system.heating import INSULATED, Heating, PreciseHeating
 from dcfp.system.system import System

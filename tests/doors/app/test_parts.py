@@ -28,9 +28,8 @@ from dcfp.doors.app.session import (
 from dcfp.doors.app.units import Units
 from dcfp.errors import InputError
 from dcfp.schema.declared import declared
-from dcfp.schema.nomenclature import quantity
 from dcfp.schema.parameters import Parameter
-from dcfp.schema.quantities import Quantity
+from dcfp.schema.quantities import Quantity, quantity
 from dcfp.schema.units import (
     DEGC,
     DEGF,

@@ -18,9 +18,8 @@ from dcfp.arrays import FloatArray, freeze, integral
 from dcfp.kernels import building as k
 from dcfp.motion.ground_motion import parts_in, with_tail
 from dcfp.motion.load import Motion, motion_of
-from dcfp.schema.nomenclature import Quantities
 from dcfp.schema.parameters import refuse_other
-from dcfp.schema.quantities import Quantity
+from dcfp.schema.quantities import Quantities, Quantity
 from dcfp.schema.units import DEGC, KN_M, M_PER_S, M_PER_S2, MM, MM_PER_S, MM_PER_S2, N_MM, NONE
 from dcfp.system import FrictionLaw, Heating, System, SystemLike
 from dcfp.system.plates import cold_plates, heat_of, system_constants

@@ -12,9 +12,8 @@ from dcfp.analysis.result import Result
 from dcfp.analysis.rig.measures import Cycle, cycles_of, zero_crossings
 from dcfp.analysis.rig.program import RigTest
 from dcfp.arrays import FloatArray
-from dcfp.schema.nomenclature import Quantities
 from dcfp.schema.notebook import card, told
-from dcfp.schema.quantities import Quantity
+from dcfp.schema.quantities import Quantities, Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import DEGC, KN, KN_M, KN_PER_MM, MM, MM_PER_S, N_PER_MM2, NONE, SECOND
 from dcfp.system import Bearing

@@ -20,7 +20,7 @@ from dcfp.errors import DcfpError, InputError
 from dcfp.inference.design_space import COEFFICIENTS, RADII, DesignSpace, held_table, survey
 from dcfp.motion.named import record_set
 from dcfp.present import panels
-from dcfp.schema.nomenclature import quantity
+from dcfp.schema.quantities import quantity
 from dcfp.system import System
 
 _PARTS = {"0.5": "half of the earthquakes"} | {

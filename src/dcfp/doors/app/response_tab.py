@@ -23,8 +23,7 @@ from dcfp.inference.told import Told
 from dcfp.methods.method import Information, variants
 from dcfp.present import panels
 from dcfp.present.tables import write_responses
-from dcfp.schema.nomenclature import quantity
-from dcfp.schema.quantities import NOTHING, Quantity
+from dcfp.schema.quantities import NOTHING, Quantity, quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import INCH, MM, NONE
 

@@ -11,7 +11,7 @@ from dcfp.errors import InputError
 from dcfp.present.figures import style
 from dcfp.present.panels import design
 from dcfp.schema.formulas import metres_per_second, millimetres
-from dcfp.schema.nomenclature import NOMENCLATURE
+from dcfp.schema.quantities import NOMENCLATURE
 from dcfp.study.assessment.selection import described, shown_value
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from matplotlib.transforms import blended_transform_factory
 from dcfp.present import panels
 from dcfp.present.figures import style
 from dcfp.schema.formulas import metres_per_second, millimetres, typeset
-from dcfp.schema.nomenclature import quantity
+from dcfp.schema.quantities import quantity
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

@@ -8,7 +8,7 @@ import numpy as np
 
 from dcfp.present.figures import style
 from dcfp.schema.formulas import typeset
-from dcfp.schema.nomenclature import quantity
+from dcfp.schema.quantities import quantity
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

@@ -15,7 +15,7 @@ from dcfp.present.figures.drawing import draw_cross
 from dcfp.present.figures.pulses import StrongPart, mark_pulse
 from dcfp.present.panels import loop
 from dcfp.schema.formulas import metres_per_second
-from dcfp.schema.nomenclature import quantity
+from dcfp.schema.quantities import quantity
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Mapping, Sequence

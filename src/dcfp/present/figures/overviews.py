@@ -22,7 +22,7 @@ from dcfp.present.figures.drawing import (
 )
 from dcfp.present.panels import colour_ends
 from dcfp.schema.formulas import metres_per_second, millimetres, typeset
-from dcfp.schema.nomenclature import quantity
+from dcfp.schema.quantities import quantity
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

@@ -9,7 +9,7 @@ from matplotlib.lines import Line2D
 from dcfp.errors import InputError
 from dcfp.present.figures import style
 from dcfp.schema.formulas import metres_per_second, typeset
-from dcfp.schema.nomenclature import quantity
+from dcfp.schema.quantities import quantity
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

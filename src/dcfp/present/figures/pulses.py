@@ -11,7 +11,7 @@ from dcfp.present.figures import style
 from dcfp.present.figures.drawing import between_equal_limits
 from dcfp.present.panels import shown
 from dcfp.schema.formulas import metres_per_second, millimetres
-from dcfp.schema.nomenclature import quantity
+from dcfp.schema.quantities import quantity
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

@@ -11,8 +11,7 @@ from dcfp.analysis import Response
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.schema.citations import citations_of
-from dcfp.schema.nomenclature import NOMENCLATURE
-from dcfp.schema.quantities import Quantity
+from dcfp.schema.quantities import NOMENCLATURE, Quantity
 from dcfp.schema.units import Unit
 from dcfp.study.factors import ANALYSIS, catalogue
 from dcfp.study.results import INTENSITIES, MEANINGS, STATUS, parts_of

@@ -11,8 +11,7 @@ import xarray
 
 from dcfp.analysis.response import PEAKS
 from dcfp.inference.statistics import quantile
-from dcfp.schema.nomenclature import quantity
-from dcfp.schema.quantities import NOTHING, Quantity
+from dcfp.schema.quantities import NOTHING, Quantity, quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import M_PER_S, NONE
 from dcfp.study.assessment.fragility_fit import lognormal_probability
