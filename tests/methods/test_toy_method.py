@@ -179,8 +179,8 @@ def test_python_and_notebook() -> None:
 
 def test_the_page() -> None:
     pytest.importorskip("nicegui", reason="the web page needs nicegui")
+    from dcfp.doors.app.elements import Units
     from dcfp.doors.app.response_tab import bars, predictions_of
-    from dcfp.doors.app.units import Units
 
     case = compare(named_motion("NCC").scaled_to_pgv(500.0), codes=True)
     rows = {row[0]: row for row in predictions_of(case).cells()}

@@ -14,6 +14,7 @@ import dcfp
 from dcfp.analysis.response import PEAKS
 from dcfp.doors.app.analysis import remarks_on
 from dcfp.doors.app.charts import TOLERANCE, kept, kept_of_path, turning_points
+from dcfp.doors.app.elements import Units
 from dcfp.doors.app.machine_tab import grouped
 from dcfp.doors.app.serve import LARGEST_BODY, Guard
 from dcfp.doors.app.session import (
@@ -25,7 +26,6 @@ from dcfp.doors.app.session import (
     plain_name,
     read_upload,
 )
-from dcfp.doors.app.units import Units
 from dcfp.errors import InputError
 from dcfp.schema.declared import declared
 from dcfp.schema.parameters import Parameter

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from io import BytesIO
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from dcfp.analysis import Response, respond
 from dcfp.analysis.integration import PLATES
@@ -23,6 +23,9 @@ from dcfp.system import System
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+#: Predictions and codes beside an analysis, and the coefficient of friction that they took.
+Predicted: TypeAlias = tuple[Case, Nominal]
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,18 +98,11 @@ class Task:
         return file_of(lambda path: write_workbook(path, calculate(self.scenario())))
 
 
-class Predicted(NamedTuple):
-    """Predictions and codes beside an analysis, and the coefficient of friction that they took."""
-
-    case: Case
-    nominal: Nominal
-
-
 def predict(response: Response, model: System) -> Predicted:
     """Ask every method and every code what it says of a motion that was analysed."""
     nominal = nominal_coefficient(model)
     methods = Methods.of(model, nominal)
-    return Predicted(compare(response.motion, methods, codes=True, response=response), nominal)
+    return compare(response.motion, methods, codes=True, response=response), nominal
 
 
 def remarks_on(response: Response) -> list[str]:

@@ -9,14 +9,11 @@ from typing import Any
 import numpy as np
 
 from dcfp.arrays import FloatArray, IntArray
-from dcfp.doors.app.elements import Options
+from dcfp.doors.app.elements import Options, Units
 from dcfp.doors.app.session import capitalised
-from dcfp.doors.app.units import Units
 from dcfp.present.panels import Line, Panel
 from dcfp.schema.quantities import Quantity
 
-#: Colours of a scale.
-_COLOURS = 64
 #: Height of one of several panels above each other, and the gap between two of them [%].
 _ROW_HEIGHT, _GAP = 16.0, 7.4
 #: Parts that a history is divided into; of each part the extremes are drawn.
@@ -182,7 +179,9 @@ def _image(shares: FloatArray) -> str:
 
     stream = io.BytesIO()
     writer: Any = image
-    writer.imsave(stream, style.warm_colours()(np.clip(shares, 0.0, 1.0), bytes=True), format="png")
+    writer.imsave(
+        stream, style.colours_of("temperature")(np.clip(shares, 0.0, 1.0), bytes=True), format="png"
+    )
     return f"data:image/png;base64,{base64.b64encode(stream.getvalue()).decode()}"
 
 
@@ -193,7 +192,7 @@ def warm_colours() -> list[str]:
 
     from dcfp.present.figures import style
 
-    return [to_hex(style.warm_colours()(i / (_COLOURS - 1.0))) for i in range(_COLOURS)]
+    return [to_hex(colour) for colour in style.colours_of("temperature")(np.linspace(0.0, 1.0, 64))]
 
 
 def line(name: str, data: list[Any], colour: str, **more: Any) -> Options:

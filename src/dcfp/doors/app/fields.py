@@ -193,7 +193,6 @@ class BearingPanel:
         self._quiet = False
 
     def _choice(self, key: str, label: str, words: Mapping[str, str]) -> None:
-        """Add a choice and the place of the parameters that it brings."""
         self._choices[key] = choice_field(label, words, self._form.values[key], partial(self._put, key))
         self._places[key] = ui.element("div").classes("brought")
 
@@ -284,7 +283,6 @@ class RecordsPanel:
         self._records.set_options(session.choices(), value=keys[:1])
 
     def _put(self, name: str, value: Any) -> None:
-        """Put a value into the session, and say so where the records are other ones by it."""
         setattr(self._session, name, value)
         if name == "as_recorded":
             self._pgv.set_off(value)

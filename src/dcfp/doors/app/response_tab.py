@@ -12,11 +12,10 @@ from dcfp.analysis import Response, Status
 from dcfp.analysis.response import PEAKS
 from dcfp.doors.app.analysis import Predicted, Task, figure_png, predict, remarks_on, scenario_text, table_of
 from dcfp.doors.app.charts import chart, colour_of, level, rows, warm_colours
-from dcfp.doors.app.elements import Chart, Grid, Options, Section, Text
+from dcfp.doors.app.elements import Chart, Grid, Options, Section, Text, Units
 from dcfp.doors.app.fields import RecordsPanel, card
 from dcfp.doors.app.session import Session, capitalised
 from dcfp.doors.app.tab import Latest, Tab, write_list
-from dcfp.doors.app.units import Units
 from dcfp.errors import DcfpError
 from dcfp.inference import Case
 from dcfp.inference.told import Told
@@ -158,7 +157,7 @@ class ResponseTab(Tab):
         pgv = PEAKS["peak_ground_velocity"]
         self.title.text = f"{one.motion.name}, PGV {units.text(pgv, one)} {units.name(pgv)}"
         self.status.text = one.status.value
-        self.status.classes(replace=f"status {_tone_of(one)}")
+        self.status.classes(replace=f"status {_TONES[one.status]}")
         self.status.set_visibility(True)
         for name, (value, unit) in self._tiles.items():
             quantity = PEAKS[name]
@@ -167,7 +166,7 @@ class ResponseTab(Tab):
         write_list(self._remarks, remarks_on(one))
         self._summary_card.set_visibility(len(self._responses) > 1)
         peaks = Table(tuple(PEAKS.values()), self._responses)
-        self._summary.show(peaks, units, self._shown, {"status": _tone_of})
+        self._summary.show(peaks, units, self._shown, {"status": lambda one: _TONES[one.status]})
         self._loop.draw(chart(panels.loop(one), units))
         self._section.load(scene(one, units))
         histories = (panels.velocities, panels.displacement, panels.temperature, panels.friction)
@@ -179,7 +178,6 @@ class ResponseTab(Tab):
         self._show_predictions()
 
     def _show_predictions(self) -> None:
-        """Show predictions and codes beside the analysis."""
         if self._predicted is None:
             return
         units, (case, nominal) = self.session.units, self._predicted
@@ -189,10 +187,6 @@ class ResponseTab(Tab):
         self._bars.draw(bars(case, units))
         self._predictions.show(predictions_of(case), units, 0, {"verdict": _tone_of_verdict})
         write_list(self._code_remarks, code_remarks(case))
-
-
-def _tone_of(response: Response) -> str:
-    return _TONES[response.status]
 
 
 def _over_analysis(name: str) -> Quantity:

@@ -17,11 +17,10 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from dcfp.doors.app.analysis import Task, predict
 from dcfp.doors.app.design_tab import DesignTab, Surveys
-from dcfp.doors.app.elements import Text
+from dcfp.doors.app.elements import CHOICES, Text, Units
 from dcfp.doors.app.machine_tab import MachineTab
 from dcfp.doors.app.response_tab import ResponseTab
 from dcfp.doors.app.session import LARGEST_FILE, Session, named_choices
-from dcfp.doors.app.units import CHOICES, Units
 from dcfp.errors import InputError
 from dcfp.schema.units import Unit
 
@@ -119,7 +118,6 @@ def _warm_up() -> None:
 
 
 async def _build_page(surveys: Surveys) -> None:
-    """Build the page of one visitor."""
     session = Session()
     ui.colors(primary="#0b5394", dark="#1c2126", dark_page="#14181c")
     with ui.element("header").classes("top"):

@@ -8,7 +8,7 @@ from itertools import takewhile
 from pathlib import PurePosixPath
 from typing import Any
 
-from dcfp.doors.app.units import Units
+from dcfp.doors.app.elements import Units
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import LONGEST_TAIL, GroundMotion
 from dcfp.motion.load import motions_of

@@ -61,7 +61,6 @@ def _reach(checks: "Sequence[Check]") -> tuple[float, float]:
 
 
 def _write(axes: "Axes", words: str, line: float, *, right: bool = False, **look: Any) -> None:
-    """Write beside the panel, left of it or right."""
     shift, side = (5.0, "left") if right else (-5.0, "right")
     place: dict[str, Any] = {"xycoords": axes.get_yaxis_transform(), "textcoords": "offset points"}
     place |= {"xytext": (shift, 0.0), "ha": side, "va": "center", "parse_math": False}

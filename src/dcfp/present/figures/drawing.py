@@ -45,7 +45,7 @@ def draw(panel: "Panel", axes: "Axes", norm: Normalize | None = None) -> Any:
     if panel.picture is not None:
         one = panel.picture
         scale = norm or Normalize(*one.ends)
-        picture = axes.pcolormesh(one.x, one.y, one.values, cmap=style.warm_colours(), norm=scale, shading="nearest", rasterized=True)  # fmt: skip
+        picture = axes.pcolormesh(one.x, one.y, one.values, cmap=style.colours_of("temperature"), norm=scale, shading="nearest", rasterized=True)  # fmt: skip
     if panel.sliding is not None:
         look: dict[str, Any] = {"color": style.PALE, "linewidth": 0.0, "label": "sliding", "zorder": 0}
         axes.fill_between(first.x, 0.0, 1.0, where=panel.sliding, step="post", transform=axes.get_xaxis_transform(), **look)  # fmt: skip
@@ -130,7 +130,7 @@ def plot_loop(
     drawn = LineCollection(
         pieces,
         array=colours,
-        cmap=colours_of(shows),
+        cmap=style.colours_of(shows),
         norm=scale,
         linewidths=thin * line.width,
         capstyle="round",
@@ -202,11 +202,6 @@ def plot_profile(
 def colour_shows(histories: "Sequence[Any]") -> str:
     """Return what the colours of loops show best: the temperature where any of them heats up, else the time."""
     return "temperature" if any(panels.warms(one) for one in histories) else "time"
-
-
-def colours_of(shows: str) -> Any:
-    """Return the colours of the temperature or of the time."""
-    return style.warm_colours() if shows == "temperature" else style.time_colours()
 
 
 def draw_cross(axes: "Axes") -> None:

@@ -65,7 +65,7 @@ class _Drawn:
 
 
 def _drawn(found: "Identification") -> list[_Drawn]:
-    """Return the tests to draw: those that were held out, and the first that were fitted."""
+    """Return those that were held out, and the first that were fitted."""
     held = [_Drawn(one.history, one.friction, one.temperature, True) for one in found.predictions]
     pairs = enumerate(zip(found.histories, found.temperatures, strict=True))
     fitted = [_Drawn(history, found.fitted(i), heat, False) for i, (history, heat) in pairs]
@@ -83,7 +83,6 @@ def _write_head(head: Any, found: "Identification") -> None:
 
 
 def _interval(one: "Estimate") -> str:
-    """Return the words, the symbol and the interval of a parameter."""
     from dcfp.inference.identification import PARAMETERS  # late: it imports the kernels
 
     symbol = PARAMETERS[one.name].symbol

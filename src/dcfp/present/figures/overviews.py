@@ -14,7 +14,6 @@ from dcfp.errors import InputError
 from dcfp.present.figures import style
 from dcfp.present.figures.drawing import (
     colour_shows,
-    colours_of,
     draw_cross,
     draw_measured,
     plot_loop,
@@ -68,7 +67,7 @@ def _name_axes(figure: "Figure") -> None:
 
 
 def _add_scale(figure: "Figure", axes: Any, shows: str, norm: Normalize, aspect: float) -> None:
-    drawn = ScalarMappable(norm, colours_of(shows))
+    drawn = ScalarMappable(norm, style.colours_of(shows))
     bar: Any = figure.colorbar(drawn, ax=axes, pad=0.015, aspect=aspect, fraction=0.03)
     style.finish_colour_bar(bar, quantity(shows).label)
 
@@ -230,7 +229,6 @@ def _draw_first_cycles(axes: "Axes", tests: "Sequence[Loops]") -> None:
 
 
 def _draw_model(axes: "Axes", test: "Loops", look: "tuple[str, Any]", part: Any, width: float) -> None:
-    """Draw a part of the loop of a test in the look of its model."""
     path = (quantity(name).display(getattr(test, name)[part]) for name in ("displacement", "force"))
     axes.plot(*path, color=look[0], linestyle=look[1], linewidth=width)
 
@@ -398,7 +396,7 @@ def _friction_in(history: Any, number: int) -> float:
     times: FloatArray = history.crossings[:, 0]
     inside = times[(times > 0.99 * first) & (times < first + 0.98 * (last - first))]
     heat = law.temperature_factor(np.interp(inside, history.time, history.temperature))
-    return friction / float(np.mean(heat))
+    return friction / float(np.asarray(heat).mean())
 
 
 def _mark_second_cycle(axes: "Axes", test: "Loops") -> None:

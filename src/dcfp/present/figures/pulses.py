@@ -238,7 +238,6 @@ class StrongPart:
             _shade(axes, self.swing.start, self.swing.end, style.OCHRE)
 
     def _name_swing(self, axes: "Axes", words: str) -> None:
-        """Write words at the top of the panel, above the swing."""
         assert self.swing is not None
         place = (0.5 * (self.swing.start + self.swing.end), 0.985)
         look: dict[str, Any] = {"ha": "center", "va": "top", "annotation_clip": True, "zorder": 5}

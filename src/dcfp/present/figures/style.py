@@ -191,18 +191,9 @@ def finish_colour_bar(bar: Any, label: str) -> None:
 
 
 @cache
-def warm_colours() -> "Colormap":
-    """Return the colours of temperatures: inferno without its ends, which vanish on black and on white."""
-    return _middle("inferno", 0.06, 0.86)
-
-
-@cache
-def time_colours() -> "Colormap":
-    """Return the colours of times."""
-    return _middle("viridis", 0.0, 0.9)
-
-
-def _middle(name: str, first: float, last: float) -> "Colormap":
+def colours_of(shows: str) -> "Colormap":
+    """Return the colours of times, or of temperatures: inferno without its ends, which vanish on black and on white."""
+    name, first, last = ("viridis", 0.0, 0.9) if shows == "time" else ("inferno", 0.06, 0.86)
     parts = mpl.colormaps[name](np.linspace(first, last, 256))
     return LinearSegmentedColormap.from_list(f"{name}_middle", parts)
 
