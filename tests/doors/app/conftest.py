@@ -21,6 +21,14 @@ sync_api = pytest.importorskip("playwright.sync_api", reason="the tests of the w
 REQUIRED = "DCFP_REQUIRE_BROWSER"
 #: Time until the server must answer, with the kernels not yet compiled [s].
 START = 90.0
+#: The browsers that will do: the first draws pages alone, and has no window to draw for each.
+BROWSERS = ("chromium-headless-shell", "chromium", "google-chrome")
+BROWSER_OPTIONS = ["--no-sandbox", "--disable-gpu"]
+
+
+def browser_path() -> str | None:
+    """Return where there is a browser."""
+    return next((path for name in BROWSERS if (path := shutil.which(name))), None)
 
 
 def pulse_motion(points: int = 2000, step: float = 0.01, size: float = 2000.0) -> np.ndarray:
@@ -99,13 +107,13 @@ def _wait_for(address: str, process: "subprocess.Popen[str]") -> None:
 @pytest.fixture(scope="module")  # its loop must end before tests that have one of their own
 def browser() -> Generator[Any]:
     """Chromium without a window."""
-    path = shutil.which("chromium") or shutil.which("google-chrome")
+    path = browser_path()
     if path is None:
         if os.environ.get(REQUIRED) == "1":
             pytest.fail("there is no chromium, and DCFP_REQUIRE_BROWSER=1")
         pytest.skip("there is no chromium")
     with sync_api.sync_playwright() as playwright:
-        found = playwright.chromium.launch(executable_path=path, args=["--no-sandbox", "--disable-gpu"])
+        found = playwright.chromium.launch(executable_path=path, args=BROWSER_OPTIONS)
         yield found
         found.close()
 

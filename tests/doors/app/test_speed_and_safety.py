@@ -2,14 +2,13 @@
 
 import asyncio
 import http.client
-import shutil
 import statistics
 from urllib.parse import urlsplit
 
 import dcfp
 from dcfp.motion.load import motions_of
 
-from .conftest import at2_text, pulse_motion, sync_api
+from .conftest import BROWSER_OPTIONS, at2_text, browser_path, pulse_motion, sync_api
 
 #: From a slider to a number on the page: what is wanted, and what a busy machine is allowed [s].
 WANTED, ALLOWED = 0.3, 1.0
@@ -99,8 +98,7 @@ async def visit_together(address: str, seconds: float) -> list[tuple[int, list[s
     from playwright.async_api import async_playwright
 
     async with async_playwright() as playwright:
-        path = shutil.which("chromium") or shutil.which("google-chrome")
-        browser = await playwright.chromium.launch(executable_path=path, args=["--no-sandbox"])
+        browser = await playwright.chromium.launch(executable_path=browser_path(), args=BROWSER_OPTIONS)
         entrance, together = asyncio.Lock(), asyncio.Barrier(VISITORS)
         found = await asyncio.gather(
             *(_visit(browser, address, number, seconds, entrance, together) for number in range(VISITORS))
