@@ -49,7 +49,17 @@ class Lanes:
 
     @classmethod
     def grid(cls, records: int, scales: FloatArray, models: Sequence[System]) -> "Lanes":
-        """Return every one of so many records at its scales [-], shape (records, scales), on every model, which varies fastest."""
+        """Return every one of so many records at its scales [-], shape (records, scales), on every model, which varies fastest.
+
+        Parameters
+        ----------
+        records
+            Number of records.
+        scales
+            Of each record, shape (records, scales) [-].
+        models
+            As in `Lanes`.
+        """
         shape = (records, scales.shape[1], len(models))
         record, _, model = (axis.ravel() for axis in np.indices(shape, dtype=np.intp))
         return cls(record, np.repeat(scales.ravel(), len(models)), model, models)
@@ -155,6 +165,13 @@ def respond_in_batch(grounds: GroundSet, lanes: Lanes) -> dict[str, NDArray[np.f
 
     The numbers of a lane are those of `dcfp.respond` for its record, scale and model, and do not depend on what else is in the
     batch. Lanes of the same record and scale are best side by side.
+
+    Parameters
+    ----------
+    grounds
+        The records.
+    lanes
+        What is analysed; lanes of the same record and scale are best side by side.
 
     Returns
     -------

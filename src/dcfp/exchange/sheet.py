@@ -128,6 +128,15 @@ class Sheet:
         """Write a table below what is there; the columns take the widths of the heads.
 
         So many columns, `frozen`, and the rows down to the head stay in sight, for the first table on a sheet that asks for it.
+
+        Parameters
+        ----------
+        heads
+            Of the columns, which take their widths.
+        rows
+            Cells in the order of the heads.
+        frozen
+            How many columns, and the rows down to the head, stay in sight; of the first table on a sheet that asks for it.
         """
         for column, head in enumerate(heads):
             self.page.set_column(column, column, head.width)
@@ -167,7 +176,15 @@ _RESERVED = ("history",)
 
 
 def sheet_names(wanted: Iterable[str], taken: Iterable[str] = ()) -> list[str]:
-    """Return for each worksheet a name near to the wanted one that Excel allows, and that none has, in any case of letters, of the others and of those that are taken."""
+    """Return for each worksheet a name near to the wanted one that Excel allows, and that none has, in any case of letters, of the others and of those that are taken.
+
+    Parameters
+    ----------
+    wanted
+        What each is to be called.
+    taken
+        Names of the worksheets that are there already.
+    """
     seen = {name.lower() for name in (*taken, *_RESERVED)}
     names: list[str] = []
     for name in wanted:

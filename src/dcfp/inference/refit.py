@@ -189,7 +189,13 @@ class Refit:
 
 
 def check_enough(groups: Sequence[Sequence[Case]]) -> None:
-    """Refuse cases of too few earthquakes, or too few records of a PGV, to be halved, with an InputError."""
+    """Refuse cases of too few earthquakes, or too few records of a PGV, to be halved.
+
+    Raises
+    ------
+    InputError
+        If the earthquakes or the records of a PGV are too few.
+    """
     events = {case.event for case in groups[0]}
     smallest = min(len(cases) for cases in groups)
     if len(events) < FEWEST_EVENTS or smallest < 2 * fewest():

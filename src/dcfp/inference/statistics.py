@@ -182,8 +182,17 @@ def interval(errors: FloatArray, predicted: float = 1.0, covered: float = COVERE
 def coverage(groups: Iterable[Sequence[Case]], variant: Variant | None, quantity: Quantity) -> Coverage:
     """Return how well intervals from half of the earthquakes cover the other half.
 
-    `groups` are the same records at one PGV after the other. An InputError says that there is no case, that a
-    half has too few, or that nothing is left for the other half.
+    Parameters
+    ----------
+    groups
+        The same records at one PGV after the other.
+    variant, quantity
+        As in `errors`.
+
+    Raises
+    ------
+    InputError
+        If there is no case, a half has too few, or nothing is left for the other half.
     """
     known = [(errors(cases, variant, quantity), [case.event for case in cases]) for cases in groups]
     if not known:
@@ -218,6 +227,15 @@ def grouped_splits(
 
     Components and stations of one earthquake resemble each other, so that an earthquake goes into one half as
     a whole. Earthquakes are taken in random order until half of the cases is reached.
+
+    Parameters
+    ----------
+    events
+        The earthquake of each case.
+    splits
+        How many.
+    seed
+        Of the random numbers; the same seed gives the same halves.
     """
     numbers = np.random.default_rng(seed)
     names, of_case, sizes = np.unique(np.asarray(events), return_inverse=True, return_counts=True)

@@ -77,6 +77,13 @@ def simplified_linear_analysis(
 ) -> CodeResult:
     """Return the displacement d_dc and the base shear: section 10.9.3.
 
+    Parameters
+    ----------
+    pendulum, spectrum
+        The bearing, and the spectrum at a damping of 5 %.
+    structure
+        What the conditions ask of the building and its site.
+
     Raises
     ------
     AnalysisError

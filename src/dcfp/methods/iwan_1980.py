@@ -69,7 +69,13 @@ class Bilinear:
 
     @classmethod
     def of(cls, bearing: Bearing, friction: float) -> "Bilinear":
-        """Return the system of a bearing and a constant coefficient of friction [-]."""
+        """Return the system of a bearing and a constant coefficient of friction [-].
+
+        Raises
+        ------
+        InputError
+            If the coefficient is not between 0 and 1.
+        """
         mu = FRICTION.checked(friction, "The coefficient of friction")
         stiffness = bearing.restoring_stiffness + bearing.elastic_stiffness
         return cls(
@@ -215,7 +221,13 @@ def harmonic_share(motion: GroundMotion) -> tuple[float, float]:
 
 
 def harmonic_condition(motion: GroundMotion) -> Check:
-    """Return whether a motion is far enough from harmonic for an equivalent system that was fitted to earthquakes; errors as for `harmonic_share`."""
+    """Return whether a motion is far enough from harmonic for an equivalent system that was fitted to earthquakes; errors as for `harmonic_share`.
+
+    Raises
+    ------
+    AnalysisError
+        If the ground does not move.
+    """
     share, period = harmonic_share(motion)
     return Check(
         "share of the motion's energy within 10 % of its dominant frequency",

@@ -74,7 +74,13 @@ class Ground:
         return cls(motion.peak_velocity, motion)
 
     def pulses(self, threshold: float) -> Pulses:
-        """Return the velocity pulses by a threshold [-], found once; with an InputError where only the PGV is known."""
+        """Return the velocity pulses by a threshold [-], found once.
+
+        Raises
+        ------
+        InputError
+            If only the PGV is known.
+        """
         if self.motion is None:
             msg = "Pulses are of a record; of this earthquake only the PGV is known."
             raise InputError(msg)

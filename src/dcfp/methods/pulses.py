@@ -92,7 +92,13 @@ class Pulses:
         return np.diff(self.velocities)[1 : 1 + self.count] / (self.ends - self.peaks)
 
     def scaled(self, factor: float) -> "Pulses":
-        """Return the pulses of the same motion multiplied by `factor` [-], which is not zero."""
+        """Return the pulses of the same motion multiplied by `factor` [-], which is not zero.
+
+        Raises
+        ------
+        InputError
+            If the factor is zero or not a finite number.
+        """
         return replace(self, velocities=self.velocities * factor)
 
     def _repr_html_(self) -> str:

@@ -121,7 +121,17 @@ def read_motions(
 def motions_of(
     content: bytes, name: str, *, units: str | None = None, time_step: float | None = None
 ) -> list[GroundMotion]:
-    """Return every component of a record file whose content is at hand; `name` is for the names of the motions and for sentences, all else as for `read_motions`."""
+    """Return every component of a record file whose content is at hand; `name` is for the names of the motions and for sentences, all else as for `read_motions`.
+
+    Parameters
+    ----------
+    content
+        Of the file.
+    name
+        Of the file, for the names of the motions and for sentences.
+    units, time_step
+        As for `read_motions`, whose errors it has too.
+    """
     source = source_of(content, Path(name), units=units, time_step=time_step)
     return [component.motion for component in read_components(source)]
 
@@ -139,6 +149,11 @@ def read_motion(
     ----------
     component
         Its name in the file, a channel number or a direction (NS, EW, UD); needed when there are several.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read as a record, or the component is not in it or not given.
     """
     source = read_source(Path(path), units=units, time_step=time_step)
     return select_component(read_components(source), component, source.path).motion

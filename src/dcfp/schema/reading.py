@@ -12,6 +12,15 @@ from dcfp.errors import InputError
 def read_bytes(path: str | Path, what: str, *, most: int = -1) -> bytes:
     """Return the content of a file, or so many bytes of it at most; `what` it should be ends the sentence on a file that is not there.
 
+    Parameters
+    ----------
+    path
+        Its name.
+    what
+        What it should be, as the end of a sentence on a file that is not there.
+    most
+        How many bytes are read; by default all.
+
     Raises
     ------
     InputError

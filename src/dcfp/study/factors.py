@@ -44,7 +44,13 @@ def catalogue() -> dict[str, Parameter]:
 
 
 def factor(name: str) -> Parameter:
-    """Return a factor by its name; ``friction.`` and a name is that parameter of the friction law."""
+    """Return a factor by its name; ``friction.`` and a name is that parameter of the friction law.
+
+    Raises
+    ------
+    InputError
+        If there is none of that name.
+    """
     known = catalogue()
     if name not in known:
         msg = unknown(name, known, "factor")
@@ -58,7 +64,13 @@ def is_of_system(name: str) -> bool:
 
 
 def changed(system: System, values: Mapping[str, Value], bearings: Mapping[str, System]) -> System:
-    """Return a system with the values of factors put before its own; the factor ``bearing`` names one of `bearings`."""
+    """Return a system with the values of factors put before its own; the factor ``bearing`` names one of `bearings`.
+
+    Raises
+    ------
+    InputError
+        If there cannot be such a system.
+    """
     if "bearing" in values:
         system = bearings[str(values["bearing"])]
     return system.changed({name: value for name, value in values.items() if name != "bearing"})
@@ -192,7 +204,13 @@ class Sampling(Declared):
 
 
 def salib(part: str) -> Any:
-    """Return a module of SALib; an InputError says that it is not installed."""
+    """Return a module of SALib.
+
+    Raises
+    ------
+    InputError
+        If it is not installed.
+    """
     try:
         return import_module(f"SALib.{part}")
     except ImportError as error:

@@ -36,6 +36,13 @@ _MOTION = (
 def read_study(path: str | Path) -> Study:
     """Read a study file: TOML as ``docs/studies.md`` describes it. Files named in it are looked for from its folder.
 
+    Parameters
+    ----------
+    path
+        TOML with ``title`` and the tables ``[factors]``, of which ``record`` is a must, ``[bearing]`` (keys of a bearing file, or
+        ``file``), ``[sampling]``, ``[motion]``, ``[analysis]`` and ``[keep]``; ``[report]`` is for `dcfp.study.scenario`; see ``docs/studies.md``. Files named in it are looked for
+        from the folder of the study file.
+
     Raises
     ------
     InputError
@@ -175,7 +182,13 @@ _KEYS = {
 
 
 def values_from(one: Parameter, given: Any) -> list[Value]:
-    """Return the values of a factor: from one, a list, or a table with ``values`` or ``from``, ``to`` and ``count``."""
+    """Return the values of a factor: from one, a list, or a table with ``values`` or ``from``, ``to`` and ``count``.
+
+    Raises
+    ------
+    InputError
+        If there is none, or one that is not allowed.
+    """
     unit: str | None = None
     if isinstance(given, dict):
         table = cast("dict[str, Any]", given)
@@ -201,7 +214,13 @@ def _rounded(value: Value) -> Value:
 
 
 def distribution_from(one: Parameter, given: Any) -> Distribution:
-    """Return the distribution of a sampled factor: a list or ``values`` are a choice, ``from`` and ``to`` a range."""
+    """Return the distribution of a sampled factor: a list or ``values`` are a choice, ``from`` and ``to`` a range.
+
+    Raises
+    ------
+    InputError
+        As for `values_from`, and if the distribution is not known.
+    """
     if not isinstance(given, dict) or "values" in given:
         return Choice(tuple(values_from(one, given)))
     table = cast("dict[str, Any]", given)

@@ -79,7 +79,13 @@ def results_in(store: "Store | Path") -> xarray.Dataset:
 
 
 def exists(place: Path) -> bool:
-    """Whether anything is at a place; an InputError says that nothing can be there."""
+    """Whether anything is at a place.
+
+    Raises
+    ------
+    InputError
+        If nothing can be there.
+    """
     try:
         return place.exists()
     except (OSError, ValueError) as error:

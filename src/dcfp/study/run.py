@@ -52,6 +52,11 @@ def run_study(
     report
         Called after each block.
 
+    Returns
+    -------
+    xarray.Dataset
+        The results, read from the store when they are used.
+
     Raises
     ------
     InputError

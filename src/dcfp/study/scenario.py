@@ -103,6 +103,12 @@ def read_scenario(path: str | Path) -> Scenario:
 
     A table ``[report]`` has the `Heading`.
 
+    Parameters
+    ----------
+    path
+        TOML as for `dcfp.read_study`, in which only ``record`` and one of ``pgv``, ``pga`` and ``scale`` may have several values, and a table
+        ``[report]`` with any of ``project``, ``client``, ``author``, ``checker``, ``number``, ``date`` and ``notes``.
+
     Raises
     ------
     InputError

@@ -74,7 +74,13 @@ class StudyStore:
         return bool((status != NOT_RUN).all())
 
     def write(self, block: Block, results: Results) -> None:
-        """Write the results of a block; an InputError says that they cannot be written."""
+        """Write the results of a block.
+
+        Raises
+        ------
+        InputError
+            If they cannot be written.
+        """
         try:
             for name, array in self._arrays.items():  # the status last
                 array[block.region] = results[name]
@@ -100,6 +106,17 @@ def store_in_memory(plan: Plan) -> StudyStore:
 @contextmanager
 def store_on_disk(plan: Plan, place: Path, *, resume: bool, overwrite: bool) -> Generator[StudyStore]:
     """Give the store of a study at a place, new or as it was left, for this process alone.
+
+    Parameters
+    ----------
+    plan
+        The plan of the study.
+    place
+        Folder of the store.
+    resume
+        Whether a store that is there is gone on with.
+    overwrite
+        Whether a store that is there is replaced.
 
     Raises
     ------
@@ -174,7 +191,13 @@ def _check_is_ours(place: Path, plan: Plan, *, resume: bool, overwrite: bool) ->
 
 @contextmanager
 def alone(place: Path) -> Generator[None]:
-    """Keep every other process from writing into a store, or making or replacing it."""
+    """Keep every other process from writing into a store, or making or replacing it.
+
+    Raises
+    ------
+    InputError
+        If another process does so, or nothing can be written beside the store.
+    """
     # beside the store: within it Zarr would take it for a part that it does not know
     held = _beside(place, "lock")
     if not place.parent.is_dir():

@@ -136,7 +136,13 @@ class Study:
 
     @cached_property
     def plan(self) -> "Plan":
-        """What the study comes to; an InputError says which bearing, law or heating that it needs cannot be."""
+        """What the study comes to.
+
+        Raises
+        ------
+        InputError
+            If a bearing, law or heating that it needs cannot be.
+        """
         return Plan(self)
 
     def __getstate__(self) -> dict[str, Any]:
@@ -403,7 +409,13 @@ class Plan:
         return self.study.factors[name][key[name]]
 
     def models_at_ends(self) -> list[System]:
-        """Return every model, or of many those at the ends of every factor, or name the values of one that cannot be."""
+        """Return every model, or of many those at the ends of every factor, or name the values of one that cannot be.
+
+        Raises
+        ------
+        InputError
+            If one of them cannot be; the sentence names the values.
+        """
         names = self._model_dimensions
         sizes = [self.sizes[name] for name in names]
         whole = math.prod(sizes) <= _MOST_TRIED

@@ -68,7 +68,22 @@ class System:
 
     @classmethod
     def from_table(cls, content: Mapping[str, Any], where: str, name: str | None = None) -> "System":
-        """Return the system of a bearing file, as for `read_bearing`; the bearing has the `name` unless the file has one, complaints begin with `where`."""
+        """Return the system of a bearing file, as for `read_bearing`; the bearing has the `name` unless the file has one, complaints begin with `where`.
+
+        Parameters
+        ----------
+        content
+            As `read_bearing` reads it.
+        where
+            What to begin a complaint with.
+        name
+            Of the bearing, unless it has one of its own; None for that of Li et al. (2020).
+
+        Raises
+        ------
+        InputError
+            If there is an unknown key or a value out of range.
+        """
         tables = {key: table_in(content, key, where) for key in ("friction", "heating")}
         rest = {key: value for key, value in content.items() if key not in tables}
         values = read_table(Bearing, rest, where, also=("friction", "heating"))
@@ -208,6 +223,15 @@ def read_bearing(path: str | Path) -> System:
 
 def friction_law(name: object, table: Mapping[str, Any] | None = None, where: str = "") -> FrictionLaw:
     """Return a friction law by name, with the parameters that a table of a file changes; complaints begin with `where`.
+
+    Parameters
+    ----------
+    name
+        Of the law.
+    table
+        Parameters by their keys, as a file holds them.
+    where
+        What to begin a complaint with.
 
     Raises
     ------

@@ -403,7 +403,19 @@ def reproduction_page(
     records: Sequence[str],
     missing: Sequence[str],
 ) -> str:
-    """Return findings and figures as a page of HTML that needs no other file, with the names of the records that were analysed and of those that were missing."""
+    """Return findings and figures as a page of HTML that needs no other file, with the names of the records that were analysed and of those that were missing.
+
+    Parameters
+    ----------
+    findings
+        Of the paper and ours.
+    figures
+        In the form of the paper's.
+    records
+        Names of the records that were analysed.
+    missing
+        Names of those of the paper that were not there.
+    """
     agreed = sum(one.agrees is True for one in findings)
     lacking = (
         f" Not at hand are {', '.join(missing)}; ranges and means of the paper are of all eight records."

@@ -100,13 +100,25 @@ class PrototypeTests:
 
 
 def prototype_program(code: str, design: PrototypeDesign) -> Program:
-    """Return the prototype tests of a code for a design; an InputError if there is no such code."""
+    """Return the prototype tests of a code for a design.
+
+    Raises
+    ------
+    InputError
+        If there is no such code.
+    """
     found = PROTOTYPE_TESTS.find(code)
     return Program(found.title, tuple(found.tests(design)), found.source, code=code)
 
 
 def judge_tests(program: Program, loops: Sequence[Loops]) -> list[Check]:
-    """Return what the code of a program wants of its tests, with what NTC 2018 wants; nothing for a program of no code."""
+    """Return what the code of a program wants of its tests, with what NTC 2018 wants; nothing for a program of no code.
+
+    Raises
+    ------
+    InputError
+        If there is no such code.
+    """
     return [*PROTOTYPE_TESTS.find(program.code).judge(loops), *_ntc_2018(loops)] if program.code else []
 
 

@@ -54,7 +54,13 @@ class VerticalLoad:
             raise InputError(msg)
 
     def at(self, time: FloatArray, bearing: Bearing) -> FloatArray:
-        """Return the force [N] at times [s], if it passes `check_load`."""
+        """Return the force [N] at times [s], if it passes `check_load`.
+
+        Raises
+        ------
+        InputError
+            If the pressure is out of any sensible range, as it is where a unit was wrong.
+        """
         factor = bearing.slider_area if self.is_pressure else 1.0
         forces = np.asarray(np.interp(time, self.times, np.array(self.values) * factor))
         check_load(forces, bearing)
@@ -62,7 +68,13 @@ class VerticalLoad:
 
 
 def check_load(forces: FloatArray, bearing: Bearing) -> None:
-    """Refuse vertical forces [N] under which the pressure on the slider is out of any sensible range, as it is where a unit was wrong."""
+    """Refuse vertical forces [N] under which the pressure on the slider is out of any sensible range, as it is where a unit was wrong.
+
+    Raises
+    ------
+    InputError
+        If it is.
+    """
     pressures = forces / bearing.slider_area
     for extreme in (float(pressures.min()), float(pressures.max())):
         if not LEAST_PRESSURE <= extreme <= LARGEST_PRESSURE:
@@ -160,7 +172,13 @@ class Program(Declared):
 
 
 def check_stroke(test: RigTest, bearing: Bearing) -> None:
-    """Refuse a test with a stroke above the bearing's capacity, or above half of its effective radius."""
+    """Refuse a test with a stroke above the bearing's capacity, or above half of its effective radius.
+
+    Raises
+    ------
+    InputError
+        If the amplitude is above the bearing's capacity, or, where that is not known, above half of its effective radius.
+    """
     stroke = test.waveform.travel().largest
     capacity = bearing.displacement_capacity
     if capacity is not None and stroke > capacity * (1.0 + 1e-9):

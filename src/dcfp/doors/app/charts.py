@@ -213,7 +213,15 @@ def level(values: Sequence[float], along: str, words: str, colour: str = "red", 
 
 
 def kept(columns: Sequence[FloatArray], parts: int = PARTS) -> IntArray:
-    """Return which samples are enough to draw histories of the same length: first and last, and of every part the extremes of each column."""
+    """Return which samples are enough to draw histories of the same length: first and last, and of every part the extremes of each column.
+
+    Parameters
+    ----------
+    columns
+        Histories of the same length.
+    parts
+        Into which they are divided.
+    """
     size = int(columns[0].size)
     if size <= 2 * parts:
         return np.arange(size, dtype=np.intp)
@@ -234,6 +242,13 @@ def kept_of_path(x: FloatArray, y: FloatArray, tolerance: float = TOLERANCE) -> 
     """Return which points are enough to draw a path, such as a loop: its turning points, and between them what no chord passes near enough.
 
     The rule is that of Douglas and Peucker (1973), for all chords at once; thinned along time, a loop would become chords with invented tips.
+
+    Parameters
+    ----------
+    x, y
+        Coordinates of the points in their order.
+    tolerance
+        Distance from the path that is allowed to what is drawn, as a part of its extent along each axis [-].
     """
     spans = [float(np.ptp(values)) or 1.0 for values in (x, y)]
     path = np.column_stack([values / span for values, span in zip((x, y), spans, strict=True)])

@@ -277,7 +277,13 @@ class Session:
         return keys
 
     def refuse_more_files(self) -> None:
-        """Raise an InputError where there are too many files for another one."""
+        """Raise an InputError where there are too many files for another one.
+
+        Raises
+        ------
+        InputError
+            If so.
+        """
         if self.files >= MOST_FILES:
             msg = f"The page keeps at most {MOST_FILES} of your files; reload it to begin anew."
             raise InputError(msg)

@@ -78,7 +78,15 @@ def console() -> Generator[Console]:
 
 
 def grid(table: Table, repeated: int = 0) -> Grid:
-    """Return a table to print: words, which may be folded, and numbers, which may not; the first `repeated` columns are empty where all are as in the line above."""
+    """Return a table to print: words, which may be folded, and numbers, which may not; the first `repeated` columns are empty where all are as in the line above.
+
+    Parameters
+    ----------
+    table
+        What is shown.
+    repeated
+        How many of the first columns are left empty where all of them are as in the line above.
+    """
     drawn = Grid(box=None, padding=(0, 1, 0, 0), pad_edge=False, header_style="bold")
     for one, head in zip(table.printed, table.heads(), strict=True):
         text = Text(head if "\n" in head else f"{head}\n")

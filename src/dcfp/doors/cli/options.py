@@ -71,7 +71,19 @@ def add_output(
     *,
     required: bool = False,
 ) -> None:
-    """Add where results go: words on the data, which may be required and of some kinds, and on the figure; empty where there is no such file."""
+    """Add where results go: words on the data, which may be required and of some kinds, and on the figure; empty where there is no such file.
+
+    Parameters
+    ----------
+    parser
+        Of the command.
+    data, figure
+        Words of the help; empty where there is no such file.
+    kinds
+        Formats of the data.
+    required
+        Whether the data must be asked for.
+    """
     group = parser.add_argument_group("output")
     add_switch(group, "--json", "one JSON document on standard output")
     if data:

@@ -106,6 +106,19 @@ def deliver(
     """Write every file that is wanted, or leave all files as they were; print what a command has found, as text or as one document; return the exit status.
 
     `said` puts the sentences of a text in the words of the command line; a document is for any reader.
+
+    Parameters
+    ----------
+    answer
+        None where there is nothing to say.
+    outputs
+        The files that are wanted.
+    said
+        Puts the sentences of a text in the words of the command line; a document is for any reader.
+    overwrite
+        Whether files may be there already.
+    as_json
+        Whether one document is printed instead of text.
     """
     if answer is None:
         return 0

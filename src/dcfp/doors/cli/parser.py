@@ -74,6 +74,17 @@ def add_declared(group: Any, kind: type[Declared], *names: str, more: dict[str, 
     """Add the parameters of a declared class to a parser or a group: all that are options, or those of the fields that are named.
 
     What the help of some says besides stands in `more`, by the names of their fields.
+
+    Parameters
+    ----------
+    group
+        Parser, or group of options.
+    kind
+        The class.
+    names
+        Of fields.
+    more
+        What else the help of some says, by the names of their fields.
     """
     for name, one in parameters(kind).items():
         if name in names or (one.option and not names):

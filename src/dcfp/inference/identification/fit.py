@@ -72,7 +72,13 @@ REFERENCES = ("reference_pressure", "reference_temperature", "diffusivity")
 
 
 def parameter(name: str) -> FitParameter:
-    """Return a parameter by its name; an InputError says that there is none, or that it can only be fixed."""
+    """Return a parameter by its name.
+
+    Raises
+    ------
+    InputError
+        If there is none of that name, or it is one that can only be fixed.
+    """
     if name in PARAMETERS:
         return PARAMETERS[name]
     if name == "diffusivity":
@@ -99,7 +105,13 @@ def value_of(system: System, name: str) -> float:
 
 
 def with_values(system: System, values: Mapping[str, float]) -> System:
-    """Return a system with some of the constants of its law and of its plates changed."""
+    """Return a system with some of the constants of its law and of its plates changed.
+
+    Raises
+    ------
+    InputError
+        If there is none of a name, or a value is out of range.
+    """
     known = [name if name in REFERENCES else parameter(name).name for name in values]
     of_law = parameters(FittedFriction)
     return system.changed({f"{OF_LAW}{name}" if name in of_law else name: values[name] for name in known})
@@ -247,6 +259,11 @@ def fit_law(samples: Samples, system: System, names: Sequence[str]) -> Fit:
 
     The squares of the residuals are weighted by the scatter of each test, which two rounds of the fit find;
     the solver is that of lmfit, a trust region within the limits of the parameters, with exact derivatives.
+
+    Raises
+    ------
+    AnalysisError
+        If the solver does not end.
     """
     law, measured = LawAtSamples(samples, system), samples.coefficient
     values = {name: value_of(system, name) for name in PARAMETERS}
@@ -314,6 +331,13 @@ def jackknife(slopes: FloatArray, residual: FloatArray, block: NDArray[np.int64]
     errors (Bell and McCaffrey 2002), not too small in the mean where blocks weigh unequally. The degrees of
     freedom for Student's t follow from the part :math:`\tau_g^2` that each block has in the variance if all
     errors are alike, :math:`\nu = (\sum \tau_g^2)^2 / \sum \tau_g^4` (Satterthwaite).
+
+    Parameters
+    ----------
+    slopes, residual
+        J and r at the solution, weighted, shapes (n, parameters) and (n,).
+    block
+        Number of the block of each sample, from zero without gaps, shape (n,).
     """
     blocks, count = int(block.max()) + 1, int(slopes.shape[1])
     size = np.sqrt((slopes**2).sum(axis=0))

@@ -54,7 +54,13 @@ def printed_resolution(word: str) -> float:
 
 
 def check_times(source: SourceText, time: FloatArray, time_step: float, resolution: float) -> None:
-    """Refuse times [s] that do not go up by `time_step` [s], within the rounding of their printed digits, `resolution` [s]."""
+    """Refuse times [s] that do not go up by `time_step` [s], within the rounding of their printed digits, `resolution` [s].
+
+    Raises
+    ------
+    InputError
+        If a time is off by more than `resolution` [s].
+    """
     with np.errstate(over="ignore", invalid="ignore"):
         expected = time[0] + np.arange(time.size) * time_step
         off = ~(np.abs(time - expected) <= 1.001 * resolution + 1e-9 * np.abs(expected))
@@ -67,7 +73,13 @@ def check_times(source: SourceText, time: FloatArray, time_step: float, resoluti
 
 
 def uniform_step(source: SourceText, time: FloatArray, resolution: float) -> float:
-    """Return the step [s] of times, which must be equally spaced: the roundest step or rate that agrees with them."""
+    """Return the step [s] of times, which must be equally spaced: the roundest step or rate that agrees with them.
+
+    Raises
+    ------
+    InputError
+        If the times do not go up, are printed with too few digits, or are not equally spaced.
+    """
     if time.size < 2:
         source.fail("the file holds fewer than two times.")
     with np.errstate(over="ignore"):
@@ -113,7 +125,13 @@ def direction(label: str) -> str | None:
 
 
 def select_component(components: Sequence[Component], wanted: str | None, path: Path) -> Component:
-    """Return the component that is asked for, which must be one alone."""
+    """Return the component that is asked for, which must be one alone.
+
+    Raises
+    ------
+    InputError
+        If there are several and none is asked for, or none or several have that name.
+    """
     if wanted is None:
         if len(components) == 1:
             return components[0]

@@ -167,7 +167,13 @@ def fixed_numbers(source: SourceText, first: int, count: int, layout: Layout) ->
 
 
 def announced_numbers(source: SourceText, line: int, count: int, text: str) -> tuple[FloatArray, int]:
-    """Return the `count` numbers that must stand below a line whose `text` gives their format, and the line after them."""
+    """Return the `count` numbers that must stand below a line whose `text` gives their format, and the line after them.
+
+    Raises
+    ------
+    InputError
+        If there is no such format, or the numbers are not in it, or more of them follow.
+    """
     layout = parse_layout(text)
     if layout is None:
         source.fail("the values need a format such as '(8F10.5)'.", line=line + 1)
@@ -254,7 +260,13 @@ def canonical_unit(text: str) -> str | None:
 
 
 def unit_size(text: str) -> float:
-    """Return the size of a unit of acceleration [mm/s2], which must be known."""
+    """Return the size of a unit of acceleration [mm/s2], which must be known.
+
+    Raises
+    ------
+    InputError
+        If the unit is not known.
+    """
     unit = canonical_unit(text)
     if unit is None:
         msg = f"the unit {text!r} is not known; use one of {', '.join(_SIZES)}."

@@ -50,6 +50,13 @@ def plot_ida(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes":
     """Draw what `dcfp.study.assessment.ida` returns, on new axes by default: the intensity over the result.
 
     Each record is thin and grey, the quantiles are bold, and the capacity is a line; a hollow mark is where a record is first beyond it.
+
+    Parameters
+    ----------
+    found
+        What `dcfp.study.assessment.ida` returns.
+    axes
+        Where to draw; by default new axes.
     """
     axes = axes or style.new_axes(0.62 * style.PAGE_WIDTH, 3.6)
     name = next(str(one) for one in found.data_vars if f"{one}_quantile" in found.data_vars)
@@ -95,6 +102,13 @@ def plot_fragility(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes
     """Draw what `dcfp.study.assessment.fragility` returns, on new axes by default: the probability that each capacity is exceeded over the intensity.
 
     Marks are the parts of the records that are observed to exceed it, bands hold a part of the draws of earthquakes, and a mark with a dotted line is the median.
+
+    Parameters
+    ----------
+    found
+        What `dcfp.study.assessment.fragility` returns.
+    axes
+        Where to draw; by default new axes.
     """
     axes = axes or style.new_axes(0.62 * style.PAGE_WIDTH, 3.5)
     intensity = str(found.attrs["intensity"])
@@ -132,6 +146,13 @@ def plot_bounds(found: "xarray.Dataset", part: float | None = None) -> "Figure":
 
     `part` is which of its quantiles is drawn [-], by default the first. A mark on the edge of an envelope says which combination of the properties
     governs there, full of the largest and hollow of the least.
+
+    Parameters
+    ----------
+    found
+        What `dcfp.study.assessment.bounds` returns.
+    part
+        Which of its quantiles [-]; by default the first.
     """
     place = 0 if part is None else int(np.flatnonzero(np.isclose(found["quantile"].to_numpy(), part))[0])
     one = found.isel(quantile=place)
@@ -192,6 +213,11 @@ def plot_sensitivity(found: "xarray.Dataset") -> "Figure":
     """Draw what `dcfp.study.assessment.sensitivity` returns, on a new figure: Sobol indices by factor with their intervals.
 
     A panel for each value of the one factor that is left of the grid, of many for some of them.
+
+    Parameters
+    ----------
+    found
+        What `dcfp.study.assessment.sensitivity` returns.
 
     Raises
     ------

@@ -187,7 +187,17 @@ def plot_program(
 def plot_tests(
     program: "Program", runs: "Mapping[str, Sequence[Loops]]", measured: "Mapping[str, Measurement]"
 ) -> "Figure":
-    """Draw a panel for each test on a new figure: all loops in colours, or of several models the first cycle in lines; parameters as of `plot_program`."""
+    """Draw a panel for each test on a new figure: all loops in colours, or of several models the first cycle in lines; parameters as of `plot_program`.
+
+    Parameters
+    ----------
+    program
+        What was run.
+    runs
+        Its tests by the name of the model.
+    measured
+        Measured tests by the name of the test that they belong to.
+    """
     tests = list(zip(*runs.values(), strict=True))
     columns = min(_TEST_COLUMNS, math.ceil(math.sqrt(len(tests))))
     rows = math.ceil(len(tests) / columns)
@@ -271,6 +281,15 @@ def plot_dependency(
     program: "Program", runs: "Mapping[str, Sequence[Loops]]", measured: "Mapping[str, Measurement]"
 ) -> "Figure":
     """Draw the factors of pressure and velocity, the friction at zero displacement over time, and the loops of the fast test; parameters as of `plot_program`.
+
+    Parameters
+    ----------
+    program
+        With tests for ``velocity dependency`` and ``pressure dependency``.
+    runs
+        Its tests by the name of the model.
+    measured
+        Measured tests by the name of the test that they belong to.
 
     Raises
     ------

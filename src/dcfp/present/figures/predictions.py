@@ -62,6 +62,11 @@ def plot_comparison(cases: "Sequence[Case]") -> "Figure":
     edge, and are counted. Where the methods of codes were asked, a panel of their own shows their y_max; a case outside of the limits of a
     method is hollow there.
 
+    Parameters
+    ----------
+    cases
+        What was analysed and predicted.
+
     Raises
     ------
     InputError

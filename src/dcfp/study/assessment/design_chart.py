@@ -62,7 +62,13 @@ def design_space(
 
 
 def at_pgv(dataset: xarray.Dataset, pgv: float | None = None) -> xarray.Dataset:
-    """Return a study at one PGV [mm/s], which need not be said where it has only one."""
+    """Return a study at one PGV [mm/s], which need not be said where it has only one.
+
+    Raises
+    ------
+    InputError
+        If it has none, or several of which none is said.
+    """
     chosen = select(
         dataset, {} if pgv is None or "pgv" not in dataset.coords else {"pgv": pgv}, keep=(*_AXES, "record")
     )

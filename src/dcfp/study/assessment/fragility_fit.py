@@ -38,6 +38,18 @@ def fit_lognormal(lower: FloatArray, upper: FloatArray, weights: FloatArray) -> 
     """Return median and dispersion of greatest likelihood, shape (draws,); not a number where they cannot be fitted.
 
     Intervals have ends of shape (n,), 0 and infinity where there is none, and weights of shape (draws, n).
+
+    Parameters
+    ----------
+    lower, upper
+        Ends of the intervals, shape (n,): 0 and infinity where there is none.
+    weights
+        How often each interval counts, shape (draws, n).
+
+    Returns
+    -------
+    median, dispersion
+        Shape (draws,); not a number where they cannot be fitted.
     """
     with np.errstate(divide="ignore"):
         low, high = np.log(lower), np.log(upper)
@@ -158,6 +170,15 @@ def first_exceedance(intensities: FloatArray, values: FloatArray, capacity: floa
 
     What is not a number is not known, and widens the interval. A record of which nothing is known is left
     out.
+
+    Parameters
+    ----------
+    intensities
+        Increasing, shape (i,).
+    values
+        Of the quantity, shape (records, i); what is not a number is not known, and widens the interval. A record of which nothing is known is left out.
+    capacity
+        In the unit of the quantity.
     """
     lower: list[float] = []
     upper: list[float] = []

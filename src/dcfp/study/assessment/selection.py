@@ -51,7 +51,13 @@ def select(
 
 
 def intensity_of(dataset: xarray.Dataset) -> str:
-    """Return the factor of a study that says how strong a motion is: ``"pgv"``, ``"pga"`` or ``"scale"``."""
+    """Return the factor of a study that says how strong a motion is: ``"pgv"``, ``"pga"`` or ``"scale"``.
+
+    Raises
+    ------
+    InputError
+        If it has none of those, or if it is sampled.
+    """
     found = [name for name in INTENSITIES if name in dataset.dims or _is_fixed(dataset, name)]
     if len(found) != 1:
         msg = f"An assessment over the intensity needs one of {', '.join(INTENSITIES)} in the grid of the study, which is over {_dimensions(dataset)}."
@@ -63,6 +69,20 @@ def only(dataset: xarray.Dataset, names: Sequence[str], what: str) -> xarray.Dat
     """Return a study over those factors, of one value or several, and no other.
 
     `what` needs them, as the begin of the sentence that one is missing, or another has several values.
+
+    Parameters
+    ----------
+    dataset
+        A study; factors with one value do not count.
+    names
+        The factors.
+    what
+        What needs them, as the begin of a sentence: ``"A design chart"``.
+
+    Raises
+    ------
+    InputError
+        If one of them is missing, or if another has several values.
     """
     dataset = select(dataset, {}, keep=names)
     for name in names:
@@ -231,6 +251,20 @@ def usable(
 
     Of a residual displacement the size is kept, not the direction. Analyses that have not been run are
     refused, or where `unfinished` left out and counted; None where that cannot be.
+
+    Parameters
+    ----------
+    dataset
+        What is assessed of a study; what was not selected may be missing.
+    names
+        The results.
+    unfinished
+        Whether analyses that have not been run are left out and counted rather than refused; None where that cannot be.
+
+    Raises
+    ------
+    InputError
+        If there is no such result, no analysis at all, or the study is not finished.
     """
     for name in names:
         if name not in dataset.data_vars or name == "status":
@@ -290,7 +324,13 @@ def values_of(dataset: xarray.Dataset, name: str) -> FloatArray:
 
 
 def check_part(part: float, what: str) -> None:
-    """Refuse what is not above 0 and below 1."""
+    """Refuse what is not above 0 and below 1.
+
+    Raises
+    ------
+    InputError
+        If it is not.
+    """
     if not 0.0 < part < 1.0:
         msg = f"{what} must lie between 0 and 1, not {part:g}."
         raise InputError(msg)
@@ -300,6 +340,11 @@ def quantiles_over_records(values: xarray.DataArray, parts: Sequence[float]) -> 
     """Return quantiles over the records, along a new first dimension; see `dcfp.inference.statistics.quantile`.
 
     Records without a value do not count.
+
+    Raises
+    ------
+    InputError
+        If a part is not above 0 and below 1.
     """
     for part in parts:
         check_part(part, "A quantile")
@@ -327,7 +372,20 @@ def numbered_cases(plan: Plan) -> xarray.Dataset:
 
 
 def response_at(plan: Plan, at: Mapping[str, float | str]) -> Response:
-    """Return the response history analysis of one case, at a value of every factor that has several."""
+    """Return the response history analysis of one case, at a value of every factor that has several.
+
+    Parameters
+    ----------
+    plan
+        The plan of the study.
+    at
+        A value of every factor that has several, in the units of the results; a sample is named by its number.
+
+    Raises
+    ------
+    InputError
+        If there is no such case, or more than one, or it is one of another procedure.
+    """
     chosen = only(select(numbered_cases(plan), at), (), "A response history analysis")
     places = np.unravel_index(int(chosen["number"].item()), plan.shape)
     cases = plan.cases(Block(0, tuple(slice(int(place), int(place) + 1) for place in places)))

@@ -139,7 +139,13 @@ class FrictionLaw(Declared, ABC):
         return getattr(self, self.reference_parameter) if self.reference_parameter else 1.0
 
     def with_reference(self, coefficient: float) -> Self:
-        """Return the same law with another reference coefficient [-]; an InputError if it has none."""
+        """Return the same law with another reference coefficient [-].
+
+        Raises
+        ------
+        InputError
+            If the law has none, or it is out of range.
+        """
         if not self.reference_parameter:
             msg = f"The friction law {self.name} has no reference coefficient that could be changed."
             raise InputError(msg)
@@ -207,7 +213,15 @@ class FrictionLaw(Declared, ABC):
         return (f"mu = {product}", *each) if factors else ()
 
     def formulas(self, pressure: float, speed: float, temperature: float, source: str) -> tuple[Formula, ...]:
-        """Return the factors and the coefficient at a state, with numbers; none for a law that wears off or says no equations."""
+        """Return the factors and the coefficient at a state, with numbers; none for a law that wears off or says no equations.
+
+        Parameters
+        ----------
+        pressure, speed, temperature
+            As for `coefficient` [N/mm2, mm/s, degC].
+        source
+            Of the law, as it stands beside a formula.
+        """
         factors, state = self.factors(), {"pressure": pressure, "speed": speed, "temperature": temperature}
         if not factors or any(one.of not in state for one in factors):
             return ()
