@@ -98,19 +98,18 @@ def analyse(
     # from one sample of the record after its last, where the ground has stopped accelerating
     free_from = motion.acceleration.size * parts if integration.tail is None else acceleration.size
     every = keep.interval((motion.acceleration.size - 1) * parts, system.heating)
-    first = state_at_rest(system) if start is None else start
-    if first.system != system:
+    if start is not None and start.system != system:
         msg = f"{motion.name}: the starting state is that of another bearing, friction law or heating model."
         raise InputError(msg)
     _load_kernels()
     control = StepControl(interval, halvings(interval), integration.tolerance)
-    state = first.copy()
+    state, room = state_at_rest(system) if start is None else start.copy(), 0
     while (run := _integrated(motion.name, state, acceleration, control, free_from, every)) is None:
         # the slider left the line of cells
-        first = first.with_room(first.plates.cells.shape[1])
-        state = first.copy()
+        room += state.plates.cells.shape[1]
+        state = (state_at_rest(system) if start is None else start).with_room(room)
     lines, profiles, elapsed = run
-    ground = first.ground_velocity + integral(acceleration[: len(lines)], interval)
+    ground = state.ground_velocity + integral(acceleration[: len(lines)], interval)
     return Response(
         motion=motion,
         system=system,

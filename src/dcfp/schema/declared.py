@@ -44,8 +44,10 @@ class Declared:
 
     def __post_init__(self) -> None:
         for one in parameters(type(self)).values():
-            label = f"{type(self).__name__}: {one.words} ({one.name})"
-            object.__setattr__(self, one.name, one.checked(getattr(self, one.name), label))
+            value = getattr(self, one.name)
+            if not one.is_plain(value):
+                label = f"{type(self).__name__}: {one.words} ({one.name})"
+                object.__setattr__(self, one.name, one.checked(value, label))
         self.check_relations()
 
     def check_relations(self) -> None:

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
+from functools import cached_property
 from typing import Any, cast
 
 from dcfp.errors import InputError
@@ -68,7 +69,7 @@ class Parameter:
         """Whether it is one number or several."""
         return self.kind in (float, int)
 
-    @property
+    @cached_property
     def limits(self) -> tuple[float, float]:
         """Limits in the package's unit."""
         return self.unit.inner(self.least), self.unit.inner(self.most)
@@ -94,6 +95,14 @@ class Parameter:
         if math.isfinite(least):
             return f"{number} {'above' if self.above else 'of at least'} {least:g}"
         return number
+
+    def is_plain(self, value: Any) -> bool:
+        """Whether a value in the package's unit is allowed as it is: at a glance, for what is made in every analysis."""
+        if value is None:
+            return self.optional
+        if type(value) is not self.kind or self.choices or self.counts:
+            return False
+        return self.kind is bool or (self.kind is float and math.isfinite(value) and self._holds(value))
 
     def checked(self, value: Any, label: str, unit: Unit | None = None, given: object = None) -> Any:
         """Return a value given in `unit` in the package's unit, if it is allowed.

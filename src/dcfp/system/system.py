@@ -1,7 +1,7 @@
 """The system that is analysed: bearing, friction law and heating model as one object, and how its parts are changed by name."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any, TypeAlias, TypeVar
@@ -22,6 +22,8 @@ Part = TypeVar("Part", FrictionLaw, Heating)
 #: Before the name of a parameter of the friction law.
 OF_LAW = "friction."
 #: The radius of one of two plates, by its place.
+#: Those of a system in which none is given: made once, for they never change.
+_LAW, _HEATING = Li2020(), SimplifiedHeating()
 _RADII = {"lower_radius": 0, "upper_radius": 1}
 _MU = replace(coefficient_parameter("reference coefficient of the friction law"), key="mu")
 _LAMBDA = Parameter("property factor on the reference coefficient", NONE, 0.05, 20.0, symbol=r"\lambda", key="lambda", option=False)  # fmt: skip
@@ -32,8 +34,8 @@ class System:
     """A rigid structure on a bearing under its load, with the friction law and the heating model that rule its friction."""
 
     bearing: Bearing = LI_2020
-    friction: FrictionLaw = field(default_factory=Li2020)
-    heating: Heating = field(default_factory=SimplifiedHeating)
+    friction: FrictionLaw = _LAW
+    heating: Heating = _HEATING
 
     @classmethod
     def of(
@@ -49,14 +51,13 @@ class System:
         InputError
             If a part is none, or there is none of that name.
         """
-        bearings, laws, models = "Bearing, a System or the path of a bearing file", FRICTION_LAWS, HEATINGS
-        for name, part, kinds, wanted in (
-            ("bearing", bearing, (System, Bearing, str, Path), bearings),
-            ("friction", friction, (FrictionLaw, str), f"friction law or its name ({', '.join(laws)})"),
-            ("heating", heating, (Heating, str), f"heating model or its name ({', '.join(models)})"),
-        ):
-            if part is not None:
-                refuse_other(part, kinds, name, f"a {wanted}")
+        for name, part, kinds, wanted, names in (
+            ("bearing", bearing, (System, Bearing, str, Path), "a Bearing, a System or the path of a bearing file", ()),
+            ("friction", friction, (FrictionLaw, str), "a friction law or its name", FRICTION_LAWS),
+            ("heating", heating, (Heating, str), "a heating model or its name", HEATINGS),
+        ):  # fmt: skip
+            if part is not None and not isinstance(part, kinds):
+                refuse_other(part, kinds, name, f"{wanted} ({', '.join(names)})" if names else wanted)
         if isinstance(bearing, (str, Path)):
             bearing = read_bearing(bearing)
         base = bearing if isinstance(bearing, System) else cls(bearing or LI_2020)

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any
 
 import lmfit
@@ -50,7 +50,9 @@ class FitParameter(Parameter):
 
 
 def _fitted(name: str, worth: float, *, is_scale: bool = False, **limits: float) -> FitParameter:
-    known: dict[str, Any] = vars(_DECLARED[name]) | limits
+    known: dict[str, Any] = {
+        one.name: getattr(_DECLARED[name], one.name) for one in fields(Parameter)
+    } | limits
     return FitParameter(**known, worth=worth, is_scale=is_scale)
 
 

@@ -93,7 +93,7 @@ class Li2020(FrictionLaw):
     def at_pressure(self, pressure: float) -> Law:
         """Return the constants for the kernels at a pressure [N/mm2]."""
         return exponential_law(
-            self.mu_0 * float(self.pressure_factor(pressure)),
+            self.mu_0 * (float(pressure_factor(pressure)) if self.pressure_dependent else 1.0),
             ALPHA_DROP if self.velocity_dependent else 0.0,
             ALPHA_RATE,
             BETA_SCALE if self.temperature_dependent else 0.0,
