@@ -320,8 +320,10 @@ def table_in(content: Mapping[str, Any], key: str, where: str = "", shown: str =
     return dict(cast("Mapping[str, Any]", table))
 
 
-def refuse_other(value: object, kinds: type | tuple[type, ...], name: str, wanted: str) -> None:
-    """Refuse what is of none of the kinds; `wanted` stands behind ``must be``.
+def refuse_other(
+    value: object, kinds: type | tuple[type, ...], name: str, wanted: str, names: Iterable[str] = ()
+) -> None:
+    """Refuse what is of none of the kinds; `wanted` stands behind ``must be``, and behind it the names that may be given.
 
     Raises
     ------
@@ -329,7 +331,8 @@ def refuse_other(value: object, kinds: type | tuple[type, ...], name: str, wante
         If it is not.
     """
     if not isinstance(value, kinds):
-        msg = f"{name} must be {wanted}, not {value!r}."
+        known = f" ({', '.join(names)})" if names else ""
+        msg = f"{name} must be {wanted}{known}, not {value!r}."
         raise InputError(msg)
 
 

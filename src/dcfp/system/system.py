@@ -56,8 +56,8 @@ class System:
             ("friction", friction, (FrictionLaw, str), "a friction law or its name", FRICTION_LAWS),
             ("heating", heating, (Heating, str), "a heating model or its name", HEATINGS),
         ):  # fmt: skip
-            if part is not None and not isinstance(part, kinds):
-                refuse_other(part, kinds, name, f"{wanted} ({', '.join(names)})" if names else wanted)
+            if part is not None:
+                refuse_other(part, kinds, name, wanted, names)
         if isinstance(bearing, (str, Path)):
             bearing = read_bearing(bearing)
         base = bearing if isinstance(bearing, System) else cls(bearing or LI_2020)
