@@ -124,6 +124,14 @@ def test_the_pressure_that_is_asked_for_first_counts() -> None:
     assert first == float(law.coefficient(40.0, 100.0, 20.0))
 
 
+def test_under_fast_mathematics_no_pressure_counts() -> None:
+    """A number that the compiler knows would change the last digit there."""
+    law = UserFriction(numba.njit(fastmath=True)(of_pressure))
+    speeds = np.linspace(0.0, 800.0, 100)
+    found = [coefficient(law.at_pressure(60.0), 60.0, speed, 56.7, 0.0) for speed in speeds]
+    np.testing.assert_array_equal(found, law.coefficient(60.0, speeds, 56.7))
+
+
 SCRIPT = """
 import dcfp
 from {module} import mu
