@@ -40,6 +40,14 @@ def test_intensities_may_stand_in_any_order(records):
     assert ida(turned).identical(ida(records))
 
 
+def test_a_part_that_xarray_has_cut_out_can_be_used(records):
+    """Its status then is of floats."""
+    part = records.where(records["pgv"] > records["pgv"][3], drop=True)
+    assert part["status"].dtype.kind == "f"
+    found, expected = ida(part), ida(records.isel(pgv=slice(4, None)))
+    np.testing.assert_array_equal(found["peak_displacement_quantile"], expected["peak_displacement_quantile"])
+
+
 def test_other_intensities_and_other_quantities(build, strengths):
     study = build({"scale": [0.5, 1.0, 2.0], "record": 40}, strength=strengths)
     found = ida(study, "peak_force", (0.5,))

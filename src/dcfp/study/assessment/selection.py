@@ -68,8 +68,6 @@ def intensity_of(dataset: xarray.Dataset) -> str:
 def only(dataset: xarray.Dataset, names: Sequence[str], what: str) -> xarray.Dataset:
     """Return a study over those factors, of one value or several, and no other.
 
-    `what` needs them, as the begin of the sentence that one is missing, or another has several values.
-
     Parameters
     ----------
     dataset
@@ -249,8 +247,7 @@ def usable(
 ) -> xarray.Dataset:
     """Return some results of a study as numbers in memory, with remarks on what is missing in its attributes.
 
-    Of a residual displacement the size is kept, not the direction. Analyses that have not been run are
-    refused, or where `unfinished` left out and counted; None where that cannot be.
+    Of a residual displacement the size is kept, not the direction.
 
     Parameters
     ----------
@@ -300,7 +297,8 @@ def counts(dataset: xarray.Dataset) -> dict[str, int]:
     """Return how many analyses ended in which way."""
     found = np.zeros(len(MEANINGS), dtype=np.int64)
     for part in parts_of(dataset[[STATUS]]):
-        found += np.bincount(part[STATUS].to_numpy().ravel(), minlength=len(MEANINGS))
+        status = part[STATUS].to_numpy()  # of floats where xarray has made a gap
+        found += [np.count_nonzero(status == code) for code in range(len(MEANINGS))]
     return dict(zip(MEANINGS, found.tolist(), strict=True))
 
 
