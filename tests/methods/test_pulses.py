@@ -132,6 +132,13 @@ def test_pulses_are_scaled_with_their_motion(motion: GroundMotion) -> None:
 # ----- refusals -----
 
 
+@pytest.mark.parametrize("factor", [0.0, np.nan, -np.inf])
+def test_a_factor_that_scales_nothing_is_refused(factor: float) -> None:
+    pulses = find_pulses(harmonic(1000.0, 1.0, 2.0))
+    with pytest.raises(InputError, match=r"^Pulses can be scaled by a finite number other than zero, not by"):
+        pulses.scaled(factor)
+
+
 @pytest.mark.parametrize("threshold", [0.0, -0.1, 1.01, np.nan, np.inf])
 def test_a_threshold_out_of_range_is_refused(threshold: float) -> None:
     with pytest.raises(

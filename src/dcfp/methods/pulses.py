@@ -92,13 +92,16 @@ class Pulses:
         return np.diff(self.velocities)[1 : 1 + self.count] / (self.ends - self.peaks)
 
     def scaled(self, factor: float) -> "Pulses":
-        """Return the pulses of the same motion multiplied by `factor` [-], which is not zero.
+        """Return the pulses of the same motion multiplied by `factor` [-].
 
         Raises
         ------
         InputError
             If the factor is zero or not a finite number.
         """
+        if not math.isfinite(factor) or factor == 0.0:
+            msg = f"Pulses can be scaled by a finite number other than zero, not by {factor!r}."
+            raise InputError(msg)
         return replace(self, velocities=self.velocities * factor)
 
     def _repr_html_(self) -> str:

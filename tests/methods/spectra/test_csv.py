@@ -84,7 +84,7 @@ def test_one_sentence_for_every_fault(write, content, sentence):
 
 
 def test_a_file_that_is_not_there(tmp_path):
-    with pytest.raises(InputError, match="no such file"):
+    with pytest.raises(InputError, match="no such file; a spectrum with a header"):
         read_spectrum(tmp_path / "absent.csv")
     with pytest.raises(InputError, match="this is a folder"):
         read_spectrum(tmp_path)

@@ -46,7 +46,8 @@ def read_source(
     InputError
         If there is no such file, or it is empty, too large, not readable or not text.
     """
-    content = read_bytes(path, "check the path", most=MAXIMUM_SIZE + 1)
+    hint = "check the path" if what == _RECORD else f"{what} was expected"
+    content = read_bytes(path, hint, most=MAXIMUM_SIZE + 1)
     if len(content) > MAXIMUM_SIZE:
         msg = f"{path}: the file is larger than {MAXIMUM_SIZE / 1e6:.0f} MB, so it is not {what}."
         raise InputError(msg)
