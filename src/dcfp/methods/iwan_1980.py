@@ -221,7 +221,7 @@ def harmonic_share(motion: GroundMotion) -> tuple[float, float]:
 
 
 def harmonic_condition(motion: GroundMotion) -> Check:
-    """Return whether a motion is far enough from harmonic for an equivalent system that was fitted to earthquakes; errors as for `harmonic_share`.
+    """Return whether a motion is far enough from harmonic for an equivalent system that was fitted to earthquakes.
 
     Raises
     ------

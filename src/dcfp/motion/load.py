@@ -121,7 +121,7 @@ def read_motions(
 def motions_of(
     content: bytes, name: str, *, units: str | None = None, time_step: float | None = None
 ) -> list[GroundMotion]:
-    """Return every component of a record file whose content is at hand; `name` is for the names of the motions and for sentences, all else as for `read_motions`.
+    """Return every component of a record file whose content is at hand as bytes.
 
     Parameters
     ----------

@@ -325,7 +325,7 @@ def record_set(name: str) -> list[GroundMotion] | None:
 
 
 def named_records() -> list[NamedRecord]:
-    """Return one row for each named record: the paper's first, then the far-field and near-field sets; errors as for `read_stored`.
+    """Return one row for each named record: the paper's first, then the far-field and near-field sets.
 
     Raises
     ------

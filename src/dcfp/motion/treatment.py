@@ -15,7 +15,7 @@ MAXIMUM_POINTS = 50_000_000
 
 
 def treated(motion: GroundMotion, *, baseline: bool = False, corner: float | None = None) -> GroundMotion:
-    """Return a motion without a linear baseline in velocity where `baseline` is wanted, and filtered where a `corner` [Hz] is given; errors as for `high_pass`.
+    """Return a motion without a linear baseline in velocity where `baseline` is wanted, and filtered where a `corner` [Hz] is given.
 
     Raises
     ------

@@ -30,7 +30,7 @@ from dcfp.schema.identity import identity_of
 from dcfp.schema.quantities import Quantity, quantity
 from dcfp.schema.units import MM_PER_S, SECOND
 from dcfp.study.factors import factor
-from dcfp.study.results import (  # fmt: skip
+from dcfp.study.results import (
     DIGEST,
     MEANINGS,
     STATUS,

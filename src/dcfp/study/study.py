@@ -409,7 +409,7 @@ class Plan:
         return self.study.factors[name][key[name]]
 
     def models_at_ends(self) -> list[System]:
-        """Return every model, or of many those at the ends of every factor, or name the values of one that cannot be.
+        """Return every model, or of many those at the ends of every factor.
 
         Raises
         ------

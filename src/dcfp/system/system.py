@@ -69,7 +69,7 @@ class System:
 
     @classmethod
     def from_table(cls, content: Mapping[str, Any], where: str, name: str | None = None) -> "System":
-        """Return the system of a bearing file, as for `read_bearing`; the bearing has the `name` unless the file has one, complaints begin with `where`.
+        """Return the system of a bearing file; what it leaves out is that of Li et al. (2020).
 
         Parameters
         ----------
@@ -223,7 +223,7 @@ def read_bearing(path: str | Path) -> System:
 
 
 def friction_law(name: object, table: Mapping[str, Any] | None = None, where: str = "") -> FrictionLaw:
-    """Return a friction law by name, with the parameters that a table of a file changes; complaints begin with `where`.
+    """Return a friction law by name, with the parameters that a table of a file changes.
 
     Parameters
     ----------

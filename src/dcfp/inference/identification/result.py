@@ -266,6 +266,8 @@ class Identification:
 def bearing_file(system: System, notes: tuple[str, ...] = ()) -> str:
     """Return the text of a bearing file that `read_bearing` reads back, with lines of comment at its head.
 
+    The numbers are the same, but for the elastic stiffness, whose last digit may change: the file has it in kN/mm.
+
     Raises
     ------
     InputError

@@ -37,8 +37,6 @@ def can_be_fitted(lower: FloatArray, upper: FloatArray, weights: FloatArray) -> 
 def fit_lognormal(lower: FloatArray, upper: FloatArray, weights: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return median and dispersion of greatest likelihood, shape (draws,); not a number where they cannot be fitted.
 
-    Intervals have ends of shape (n,), 0 and infinity where there is none, and weights of shape (draws, n).
-
     Parameters
     ----------
     lower, upper
@@ -167,9 +165,6 @@ class FirstExceedance:
 
 def first_exceedance(intensities: FloatArray, values: FloatArray, capacity: float) -> FirstExceedance:
     """Return between which increasing intensities each record first exceeds a capacity; values have shape (records, i).
-
-    What is not a number is not known, and widens the interval. A record of which nothing is known is left
-    out.
 
     Parameters
     ----------
