@@ -125,9 +125,7 @@ class Sheet:
             self.note(sentence)
 
     def table(self, heads: Sequence[Head], rows: Iterable[Sequence[object]], *, frozen: int = 0) -> None:
-        """Write a table below what is there; the columns take the widths of the heads.
-
-        So many columns, `frozen`, and the rows down to the head stay in sight, for the first table on a sheet that asks for it.
+        """Write a table below what is there.
 
         Parameters
         ----------
@@ -176,7 +174,7 @@ _RESERVED = ("history",)
 
 
 def sheet_names(wanted: Iterable[str], taken: Iterable[str] = ()) -> list[str]:
-    """Return for each worksheet a name near to the wanted one that Excel allows, and that none has, in any case of letters, of the others and of those that are taken.
+    """Return a name for each worksheet that Excel allows, and that no other has in any case of letters.
 
     Parameters
     ----------

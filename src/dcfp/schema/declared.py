@@ -108,7 +108,7 @@ class Declared:
 def read_table(
     kind: type[Declared], table: Mapping[str, Any], where: str, *, also: tuple[str, ...] = ()
 ) -> dict[str, Any]:
-    """Return the values of a table as `Declared.from_table` takes them, by the names of the fields; `also` is what else such a file may hold.
+    """Return the values of a table as `Declared.from_table` takes them, by the names of the fields.
 
     Parameters
     ----------

@@ -10,7 +10,7 @@ from dcfp.errors import InputError
 
 
 def read_bytes(path: str | Path, what: str, *, most: int = -1) -> bytes:
-    """Return the content of a file, or so many bytes of it at most; `what` it should be ends the sentence on a file that is not there.
+    """Return the content of a file.
 
     Parameters
     ----------

@@ -160,7 +160,7 @@ class _Pages:
         """Show one page."""
         if name == self._seen:
             return
-        if self._seen:
+        if self._seen in self._tabs:
             self._tabs[self._seen].close()
         self._seen = name
         for one, (button, place) in self._parts.items():

@@ -78,7 +78,7 @@ def console() -> Generator[Console]:
 
 
 def grid(table: Table, repeated: int = 0) -> Grid:
-    """Return a table to print: words, which may be folded, and numbers, which may not; the first `repeated` columns are empty where all are as in the line above.
+    """Return a table to print: words, which may be folded, and numbers, which may not.
 
     Parameters
     ----------

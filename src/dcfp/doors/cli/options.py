@@ -71,7 +71,7 @@ def add_output(
     *,
     required: bool = False,
 ) -> None:
-    """Add where results go: words on the data, which may be required and of some kinds, and on the figure; empty where there is no such file.
+    """Add where results go.
 
     Parameters
     ----------

@@ -105,8 +105,6 @@ def deliver(
 ) -> int:
     """Write every file that is wanted, or leave all files as they were; print what a command has found, as text or as one document; return the exit status.
 
-    `said` puts the sentences of a text in the words of the command line; a document is for any reader.
-
     Parameters
     ----------
     answer

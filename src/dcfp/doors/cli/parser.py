@@ -73,8 +73,6 @@ def nearest(given: str, known: Iterable[str]) -> str | None:
 def add_declared(group: Any, kind: type[Declared], *names: str, more: dict[str, str] | None = None) -> None:
     """Add the parameters of a declared class to a parser or a group: all that are options, or those of the fields that are named.
 
-    What the help of some says besides stands in `more`, by the names of their fields.
-
     Parameters
     ----------
     group

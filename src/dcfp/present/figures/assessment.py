@@ -144,8 +144,7 @@ def plot_fragility(found: "xarray.Dataset", axes: "Axes | None" = None) -> "Axes
 def plot_bounds(found: "xarray.Dataset", part: float | None = None) -> "Figure":
     """Draw what `dcfp.study.assessment.bounds` returns, on a new figure: envelope and nominal line of every result over the intensity.
 
-    `part` is which of its quantiles is drawn [-], by default the first. A mark on the edge of an envelope says which combination of the properties
-    governs there, full of the largest and hollow of the least.
+    A mark on the edge of an envelope says which combination of the properties governs there, full of the largest and hollow of the least.
 
     Parameters
     ----------

@@ -187,7 +187,7 @@ def plot_program(
 def plot_tests(
     program: "Program", runs: "Mapping[str, Sequence[Loops]]", measured: "Mapping[str, Measurement]"
 ) -> "Figure":
-    """Draw a panel for each test on a new figure: all loops in colours, or of several models the first cycle in lines; parameters as of `plot_program`.
+    """Draw a panel for each test on a new figure: all loops in colours, or of several models the first cycle in lines.
 
     Parameters
     ----------
@@ -280,7 +280,7 @@ def _dependency_tests(program: "Program") -> tuple[int, list[int]] | None:
 def plot_dependency(
     program: "Program", runs: "Mapping[str, Sequence[Loops]]", measured: "Mapping[str, Measurement]"
 ) -> "Figure":
-    """Draw the factors of pressure and velocity, the friction at zero displacement over time, and the loops of the fast test; parameters as of `plot_program`.
+    """Draw the factors of pressure and velocity, the friction at zero displacement over time, and the loops of the fast test.
 
     Parameters
     ----------
