@@ -17,6 +17,10 @@ TESTS = Path(__file__).parent
 for library in ("OMP", "OPENBLAS", "MKL"):
     os.environ.setdefault(f"{library}_NUM_THREADS", "1")
 
+# the many processes that tests start would each compile the sources
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+sys.dont_write_bytecode = False
+
 # the first call of a kernel compiles it, which takes longer than any deadline
 settings.register_profile("dcfp", deadline=None)
 settings.load_profile("dcfp")

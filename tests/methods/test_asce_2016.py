@@ -13,6 +13,7 @@ from dcfp.methods.asce_2016 import (
     damping_factor,
     equivalent_lateral_force,
     structure_shear,
+    total_displacement,
 )
 from dcfp.methods.code import Bounds, CodeInputs, Structure
 from dcfp.methods.equivalent_linear import PendulumWithFriction, iterate
@@ -97,6 +98,8 @@ def test_the_peruvian_tests():
     assert damping_factor(0.25) == pytest.approx(1.6)
     assert maximum_displacement(0.9, 3.0, 1.5) == pytest.approx(447.13, abs=0.01)  # 0.3 g at 3 s
     assert structure_shear(100.0, 0.8, 0.2) == pytest.approx(89.4427, abs=1e-4)
+    assert total_displacement(300.0, 2e3, 15e3, 24e3, 30e3) == pytest.approx(373.1707, abs=1e-4)
+    assert total_displacement(300.0, 0.0, 15e3, 24e3, 30e3) == pytest.approx(345.0)
 
 
 def test_the_table_of_factors():

@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 
 from dcfp.methods.code import CodeInputs, Structure
@@ -12,6 +13,7 @@ from dcfp.methods.eurocode_8 import (
     accumulation_factor,
     damping_correction,
     simplified_linear_analysis,
+    torsion_factors,
 )
 from dcfp.schema.check import Verdict
 
@@ -49,6 +51,26 @@ def test_in_closed_form_beyond_the_corner():
 def test_damping_correction(damping, eta):
     # tests of StructAI (a public program): eta(20 %) = 0.6325, eta(30 %) = 0.55
     assert damping_correction(damping) == pytest.approx(eta, abs=5e-5)
+
+
+def test_torsion():
+    # tests of pyntc (NTC 2018, 7.10.4-5): two devices at (+-2, +-1) m of the same stiffness have r_x = sqrt(5) m
+    places, stiffness = np.array([[2000.0, 1000.0], [-2000.0, -1000.0]]), np.full((2, 2), 500.0)
+    along_x, along_y = torsion_factors(places, stiffness, (500.0, 250.0))
+    assert along_y == pytest.approx([1.0 + 0.5 / 5.0 * 2.0, 1.0 - 0.5 / 5.0 * 2.0])
+    assert along_x == pytest.approx([1.0 + 0.25 / 5.0, 1.0 - 0.25 / 5.0])
+    # and delta = 1 + 0.5 / 2^2 * 2 = 1.25 for r = 2 m: four devices on the axes
+    places = 2000.0 * np.array([[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]])
+    assert torsion_factors(places, np.ones((4, 2)), (500.0, 0.0))[1][0] == pytest.approx(1.25)
+    # stiffer along y than along x: r_x^2 over the sum of K_y, r_y^2 over that of K_x
+    places, stiffness = (
+        np.array([[3.0, 1.0], [-3.0, 1.0], [0.0, -2.0]]),
+        np.array([[1.0, 4.0], [1.0, 4.0], [2.0, 1.0]]),
+    )
+    turning = 9.0 * 4.0 * 2.0 + 1.0 * 1.0 * 2.0 + 4.0 * 2.0
+    along_x, along_y = torsion_factors(places, stiffness, (0.2, 0.3))
+    assert along_x == pytest.approx(1.0 + 0.3 * np.array([1.0, 1.0, -2.0]) / (turning / 4.0))
+    assert along_y == pytest.approx(1.0 + 0.2 * np.array([3.0, -3.0, 0.0]) / (turning / 9.0))
 
 
 def test_residual_displacements():

@@ -38,6 +38,8 @@ from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import SECOND, Unit
 
 NAME = "ASCE 7-16 ELF"
+#: Least total over maximum displacement [-]: section 17.5.3.3.
+_LEAST_TORSION = 1.15
 #: Accelerations of this code are in units of gravity.
 GRAVITIES = Unit("g", udunits="1", typed="g_0", meant=(("%", 0.01),))
 #: Damping ratio and factor B_M [-]: Table 17.5-1.
@@ -53,6 +55,28 @@ def damping_factor(damping: float) -> float:
     """Factor B_M [-] at a damping ratio [-]: Table 17.5-1, with straight lines between."""
     ratios, factors = zip(*DAMPING_TABLE, strict=True)
     return float(np.interp(damping, ratios, factors))
+
+
+def total_displacement(
+    displacement: float, eccentricity: float, distance: float, width: float, length: float, ratio: float = 1.0
+) -> float:
+    """Total maximum displacement D_TM [mm]: Eq. (17.5-3), and not under 1.15 D_M.
+
+    Parameters
+    ----------
+    displacement
+        D_M [mm].
+    eccentricity
+        e, with the accidental one [mm].
+    distance
+        y, of the element from the centre of rigidity [mm].
+    width, length
+        b and d, of the plan [mm].
+    ratio
+        P_T of translational to rotational period of the isolation [-]; one source has it at least 1.
+    """
+    torsion = 1.0 + distance / ratio**2 * 12.0 * eccentricity / (width**2 + length**2)
+    return displacement * max(torsion, _LEAST_TORSION)
 
 
 def structure_shear(base_shear: float, weight_above: float, damping: float, *, abrupt: bool = False) -> float:

@@ -1,7 +1,7 @@
 """The simplified linear analysis and the elastic spectrum of Eurocode 8: EN 1998-1:2004, sections 10.9 and 3.2.2.2; re-centring after EN 1998-2:2005, 7.7.1.
 
-The standards themselves were not read. Spectrum and damping correction agree in independent programs. The equation of d_dc and most conditions are those of
-the Italian NTC 2018, 7.10.5, the twin of section 10.9, and so not confirmed for Eurocode 8 itself. For gamma_x, the distance to a fault, re-centring and the
+The standards themselves were not read. Spectrum and damping correction agree in independent programs. The equation of d_dc, the torsion and most conditions
+are those of the Italian NTC 2018, 7.10.5, the twin of section 10.9, and so not confirmed for Eurocode 8 itself. For gamma_x, the distance to a fault, re-centring and the
 accumulation of residual displacements nothing was found.
 """
 
@@ -70,6 +70,32 @@ def accumulation_factor(displacement: float, yield_displacement: float, rest: fl
     if d_cd / d_r >= _RECENTRING:
         return 1.0
     return 1.0 + 1.35 * (1.0 - (d_y / d_cd) ** 0.6) / (1.0 + 80.0 * (d_cd / d_r) ** 1.5)
+
+
+def torsion_factors(
+    places: FloatArray, stiffness: FloatArray, eccentricity: tuple[float, float]
+) -> tuple[FloatArray, FloatArray]:
+    r"""Return the factors on the displacement of every device along x and along y [-], shape (n,): EN 1998-1, 10.9.3(7), read in NTC 2018, (7.10.4) and (7.10.5).
+
+    .. math::
+        \delta_{xi} = 1 + \frac{e_y}{r_y^2} y_i, \quad \delta_{yi} = 1 + \frac{e_x}{r_x^2} x_i, \quad
+        r_x^2 = \frac{\sum (x_i^2 K_{yi} + y_i^2 K_{xi})}{\sum K_{yi}}, \quad
+        r_y^2 = \frac{\sum (x_i^2 K_{yi} + y_i^2 K_{xi})}{\sum K_{xi}}
+
+    Parameters
+    ----------
+    places
+        x_i and y_i from the centre of stiffness [mm], shape (n, 2).
+    stiffness
+        K_xi and K_yi, effective [N/mm], shape (n, 2).
+    eccentricity
+        e_x and e_y, total, of the mass [mm].
+    """
+    x, y = np.asarray(places, dtype=np.float64).T
+    K_x, K_y = np.asarray(stiffness, dtype=np.float64).T
+    rotational = float((x**2 * K_y + y**2 * K_x).sum())
+    e_x, e_y = eccentricity
+    return 1.0 + e_y * y * K_x.sum() / rotational, 1.0 + e_x * x * K_y.sum() / rotational
 
 
 def simplified_linear_analysis(

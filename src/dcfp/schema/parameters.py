@@ -125,7 +125,7 @@ class Parameter:
         """
         unit = unit or self.unit.inner_unit
         given = value if given is None else given
-        if value is None and self.optional:
+        if self.optional and (value is None or (self.choices and value == "")):
             return None
         if isinstance(value, str) and value in self.choices:
             return value

@@ -214,6 +214,7 @@ def respond_building(
     status, done, rests = march(acceleration)
     while status == k.OUT_OF_CELLS:  # the slider left the line of cells
         plates = plates.with_room(plates.cells.shape[1])
+        began = time.perf_counter()
         status, done, rests = march(acceleration)
     elapsed = time.perf_counter() - began
     lines = lines[: done + 1]
