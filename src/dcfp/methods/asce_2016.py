@@ -38,8 +38,6 @@ from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import SECOND, Unit
 
 NAME = "ASCE 7-16 ELF"
-#: Least total over maximum displacement [-]: section 17.5.3.3.
-_LEAST_TORSION = 1.15
 #: Accelerations of this code are in units of gravity.
 GRAVITIES = Unit("g", udunits="1", typed="g_0", meant=(("%", 0.01),))
 #: Damping ratio and factor B_M [-]: Table 17.5-1.
