@@ -23,6 +23,8 @@ record = ["NCC", "KNA"]
 pgv = { from = 0.1, to = 2.0, count = 32, unit = "m/s" }
 mu = { from = 0.02, to = 0.12, count = 16 }
 """
+#: Eight times as many analyses in as many blocks: they are not done before the interruption comes.
+LONG = TEXT.replace('"KNA"]', '"KNA", "LPG", "IVD"]').replace("count = 16", "count = 64")
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="kill -9 is of POSIX")
 
@@ -78,7 +80,7 @@ def test_killed_again_and_again(tmp_path: Path, content) -> None:
 
 def test_ctrl_c_ends_with_a_sentence_and_the_status_of_an_interruption(tmp_path: Path, content) -> None:
     file = tmp_path / "study.toml"
-    file.write_text(TEXT, encoding="utf-8")
+    file.write_text(LONG, encoding="utf-8")
     place = tmp_path / "s.zarr"
     words = [sys.executable, "-m", "dcfp.doors.cli.main", "study", str(file), "--out", str(place)]
     process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
