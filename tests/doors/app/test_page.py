@@ -263,8 +263,8 @@ def test_a_path_is_not_followed(shared_page):
     page.locator("h2", has_text=re.compile("^passwd, PGV")).wait_for()
 
 
-def test_too_many_files(shared_page):
-    page = shared_page
+def test_too_many_files(open_page):
+    page = open_page()
     content = at2_text(pulse_motion(points=400)).encode()
     files = [{"name": f"r{i}.AT2", "mimeType": "text/plain", "buffer": content} for i in range(13)]
     page.locator("input[type=file]").set_input_files(files)
