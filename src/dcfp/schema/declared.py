@@ -114,12 +114,8 @@ def read_table(
     ----------
     kind
         The declared class.
-    table
-        Values by their keys.
-    where
-        What to begin a complaint with.
-    also
-        What else such a file may hold, for the sentence.
+    table, where, also
+        As for `read_values`.
 
     Raises
     ------

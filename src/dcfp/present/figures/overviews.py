@@ -191,12 +191,8 @@ def plot_tests(
 
     Parameters
     ----------
-    program
-        What was run.
-    runs
-        Its tests by the name of the model.
-    measured
-        Measured tests by the name of the test that they belong to.
+    program, runs, measured
+        As for `plot_program`.
     """
     tests = list(zip(*runs.values(), strict=True))
     columns = min(_TEST_COLUMNS, math.ceil(math.sqrt(len(tests))))
