@@ -30,6 +30,11 @@ settings.load_profile("dcfp")
 TOGETHER = ("doors/app", "study", "verify", "frozen", "present/report", "docs")
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Offer the checks at full size: thousands of cases, whole statistics."""
+    parser.addoption("--long", action="store_true", help="run the tests marked `long`, too")
+
+
 def pytest_configure(config: pytest.Config) -> None:
     """Compile the kernels before the processes of `pytest -n` start, which would each do it."""
     if not getattr(config.option, "numprocesses", None) or hasattr(config, "workerinput"):
@@ -66,8 +71,12 @@ def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:
     return (os.cpu_count() or 1) + 1
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Put those first that take longest."""
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave out the long ones where they are not asked for, and put those first that take longest."""
+    if not config.getoption("long"):
+        long = [item for item in items if item.get_closest_marker("long")]
+        config.hook.pytest_deselected(items=long)
+        items[:] = [item for item in items if not item.get_closest_marker("long")]
     places = {folder: place for place, folder in enumerate(TOGETHER)}
     items.sort(key=lambda item: places.get(_group_of(item.path.relative_to(TESTS).as_posix()), len(places)))
 
