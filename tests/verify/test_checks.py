@@ -1,17 +1,27 @@
 """Every check of `dcfp verify` passes, and every kind of check can fail."""
 
 from dataclasses import replace
-from functools import partial
+from functools import cache, partial
+from itertools import islice
 
 import pytest
 
 from dcfp.schema.check import Check, Verdict
-from dcfp.verify import analytic, check, opensees, run_checks
+from dcfp.verify import analytic, check, laws, opensees, rig_explicit, run_checks
 from dcfp.verify.check import CannotCheckError, Found, Task, judge
 
 SHORT = check.tasks()
 MOTIONS, OPENSEES = "Closed forms of the motion", [task for task in SHORT if task.group == "OpenSees"]
-LONG = [task for task in check.tasks(full=True) if task.long]
+#: What takes seconds at full size: smaller cases of the first three are below, and the others are made for two records of four.
+DEAR = (
+    "100 components",
+    "a pause",
+    "OpenSees: test machine",
+    "constant friction, KNA",
+    "constant friction, IVD",
+    "spectrum of KNA",
+    "spectrum of IVD",
+)
 
 
 def identifier(task: Task) -> str:
@@ -37,13 +47,51 @@ def missed(finding: Found) -> Found:
     return replace(finding, expected=expected, more_is_better=False)
 
 
-@pytest.mark.parametrize("task", SHORT, ids=identifier)
+def is_dear(task: Task) -> bool:
+    return any(words in identifier(task) for words in DEAR)
+
+
+@pytest.mark.parametrize(
+    "task",
+    [
+        pytest.param(task, marks=[pytest.mark.long] if is_dear(task) else [], id=identifier(task))
+        for task in check.tasks(full=True)
+    ],
+)
 def test_check(task: Task) -> None:
     must_pass_and_could_fail(task)
 
 
-@pytest.mark.parametrize("task", LONG, ids=identifier)
-def test_long_check(task: Task) -> None:
+# ----- smaller cases of what is dear -----
+
+
+def named(words: str) -> list[Task]:
+    return [task for task in check.tasks(full=True) if words in identifier(task)]
+
+
+@pytest.mark.parametrize("heating", ["simplified", "precise"])
+def test_every_tenth_of_the_components(heating: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    hundred = laws.hundred_components
+    monkeypatch.setattr(laws, "hundred_components", lambda pgv: islice(hundred(pgv), 4, None, 10))
+    monkeypatch.setattr(laws, "converged_and_default", cache(laws.converged_and_default.__wrapped__))
+    tasks = named(f"100 components at 0.5 m/s, {heating}")
+    assert len(tasks) == 2
+    for task in tasks:
+        must_pass_and_could_fail(task)
+    assert len(laws.converged_and_default("100 components at 0.5 m/s", heating)) == 10
+
+
+@pytest.mark.parametrize("task", named("a pause"), ids=identifier)
+def test_a_pause_after_one_fast_cycle(task: Task, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(rig_explicit, "_PAUSED", "ASCE T10")
+    must_pass_and_could_fail(task)
+
+
+@pytest.mark.parametrize("task", named("OpenSees: test machine"), ids=identifier)
+def test_the_test_machine_of_opensees_in_steps_twice_as_long(
+    task: Task, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(opensees, "_STEPS_IN_CYCLE", (1000, 2000))
     must_pass_and_could_fail(task)
 
 

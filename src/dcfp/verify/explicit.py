@@ -13,7 +13,7 @@ from typing import Any
 import numba
 import numpy as np
 
-from dcfp.analysis import respond
+from dcfp.analysis import Response, respond
 from dcfp.arrays import FloatArray
 from dcfp.kernels.sum_of_exponentials import half_space_modes
 from dcfp.motion.ground_motion import GroundMotion
@@ -35,6 +35,11 @@ class Peaks:
 
     displacement: float
     temperature: float
+
+    @classmethod
+    def of(cls, response: Response) -> "Peaks":
+        """Return those of a response."""
+        return cls(response.peak_displacement, response.peak_temperature)
 
 
 def integrate(
@@ -130,7 +135,7 @@ def _both(law: str) -> tuple[Peaks, Peaks]:
     bearing, friction = _CHECKED[law]
     exact = respond(motion, bearing, friction, heating, step=1e-3, tolerance=1e-5, tail=0.0)
     plain = integrate(motion, bearing, friction, heating)
-    return Peaks(exact.peak_displacement, exact.peak_temperature), plain
+    return Peaks.of(exact), plain
 
 
 def peak(law: str, quantity: str) -> Found:

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -12,6 +13,7 @@ from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.synthetic import ricker
 from dcfp.system import LI_2020, ConstantFriction, NoHeating, PreciseHeating
 from dcfp.verify.check import Found, hundred_components, scaled_record, sixteen_analyses
+from dcfp.verify.explicit import Peaks
 
 
 def energy(heating: str) -> dict[str, float]:
@@ -94,30 +96,42 @@ def padding() -> float:
 # ----- the default settings against converged ones -----
 
 
+@cache
+def converged_and_default(motions: str, heating: str) -> dict[str, tuple[Peaks, Peaks]]:
+    """Return the peaks with settings at which nothing changes any more, and those with the default ones."""
+    fine = PreciseHeating(cells=200) if heating == "precise" else heating
+    return {
+        name: (
+            Peaks.of(respond(motion, heating=fine, step=motion.time_step / 16.0, tolerance=1e-6)),
+            Peaks.of(respond(motion, heating=heating)),
+        )
+        for name, motion in (sixteen_analyses() if motions == "16 analyses" else hundred_components(500.0))
+    }
+
+
 def default_error(motions: str, heating: str, quantity: str) -> dict[str, float]:
     """Return the errors of a peak with the default settings against settings at which nothing changes any more: of the displacement relative [-], else [degC]."""
-    fine = PreciseHeating(cells=200) if heating == "precise" else heating
     found: dict[str, float] = {}
-    for name, motion in sixteen_analyses() if motions == "16 analyses" else hundred_components(500.0):
-        best, default = (
-            float(getattr(response, f"peak_{quantity}"))
-            for response in (
-                respond(motion, heating=fine, step=motion.time_step / 16.0, tolerance=1e-6),
-                respond(motion, heating=heating),
-            )
-        )
+    for name, peaks in converged_and_default(motions, heating).items():
+        best, default = (float(getattr(one, quantity)) for one in peaks)
         found[name] = default / best - 1.0 if quantity == "displacement" else default - best
     return found
 
 
-def order(quantity: str) -> Found:
-    """Return the slope of the error of a peak against the step, with the step's error control out of the way [-]."""
+@cache
+def peaks_by_step() -> list[Peaks]:
+    """Return the peaks at each half of a step, and at last those of a very small one."""
     motion = ricker(500.0, 0.5, time_step=0.008)
     settings = [(0.008 / 2.0**level, 0.999) for level in range(4)]
-    *peaks, reference = (
-        float(getattr(respond(motion, step=step, tolerance=tolerance), f"peak_{quantity}"))
+    return [
+        Peaks.of(respond(motion, step=step, tolerance=tolerance))
         for step, tolerance in (*settings, (0.008 / 256.0, 1e-9))
-    )
+    ]
+
+
+def order(quantity: str) -> Found:
+    """Return the slope of the error of a peak against the step, with the step's error control out of the way [-]."""
+    *peaks, reference = (float(getattr(one, quantity)) for one in peaks_by_step())
     errors = [abs(peak - reference) for peak in peaks]
     sizes = ", ".join(f"{error:.1e}" for error in errors)
     return Found(math.log2(errors[0] / errors[-1]) / 3, 2.0, words={"sizes": sizes})
