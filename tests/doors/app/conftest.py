@@ -14,6 +14,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from .page_reading import show
+
 pytest.importorskip("nicegui", reason="the web page needs nicegui")
 sync_api = pytest.importorskip("playwright.sync_api", reason="the tests of the web page need playwright")
 
@@ -174,10 +176,13 @@ def visitor(server: str, browser: Any) -> Generator[tuple[Any, list[str]]]:
 
 @pytest.fixture
 def shared_page(visitor: tuple[Any, list[str]]) -> Generator[Any]:
-    """The page of the visitor who stays, at the response; whatever goes wrong makes the test fail."""
+    """The page of the visitor who stays, at the response; whatever goes wrong makes the test fail.
+
+    It is left at the response, too: as long as the design chart is seen, survey after survey is made for it.
+    """
     page, wrong = visitor
-    page.get_by_role("button", name="Response", exact=True).click()
     yield page
+    show(page, "Response")
     seen = wrong.copy()
     wrong.clear()
     assert not seen, seen

@@ -38,8 +38,15 @@ def fill(page: Any, label: str, value: str) -> None:
 
 
 def show(page: Any, name: str) -> None:
-    """Go to one of the three pages."""
+    """Go to one of the three pages, and wait until it is seen and the others are not: they have fields of the same names."""
     page.get_by_role("button", name=name, exact=True).click()
+    page.wait_for_function(
+        """(name) => {
+            const seen = [...document.querySelectorAll('main > section')].filter((one) => one.offsetParent !== null);
+            return seen.length === 1 && seen[0].getAttribute('aria-label') === name;
+        }""",
+        arg=name,
+    )
 
 
 def slide(page: Any, label: str, key: str, times: int = 1) -> None:

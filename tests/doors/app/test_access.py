@@ -1,20 +1,27 @@
 """The page for everyone: on a telephone, with the keyboard, in the dark."""
 
-import pytest
-
 from .page_reading import DISPLACEMENT, show, slide, tile
 
 PAGES = ("Response", "Test machine", "Design chart")
 
 
-@pytest.mark.parametrize("width", [375, 860, 1280])
-def test_nothing_sticks_out_at_the_side(shared_page, width):
+#: Inputs that can be seen and have no name.
+NAMELESS = """() => [...document.querySelectorAll('input, select, textarea, button, [role=slider], [role=switch], canvas[role=img]')]
+    .filter((one) => one.offsetParent !== null)
+    .filter((one) => !one.getAttribute('aria-label') && !one.labels?.length && !one.textContent.trim())
+    .filter((one) => !one.closest('[role=switch], .q-chip'))
+    .map((one) => one.outerHTML.slice(0, 120))"""
+
+
+def test_nothing_sticks_out_at_the_side_and_every_input_has_a_name(shared_page):
     page = shared_page
-    page.set_viewport_size({"width": width, "height": 760})
     for name in PAGES:
         show(page, name)
-        page.wait_for_timeout(400)
-        assert page.evaluate("document.documentElement.scrollWidth") <= width
+        for width in (375, 860, 1280):
+            page.set_viewport_size({"width": width, "height": 760})
+            page.wait_for_timeout(400)
+            assert page.evaluate("document.documentElement.scrollWidth") <= width, name
+        assert page.evaluate(NAMELESS) == [], name
 
 
 def test_a_slider_says_what_it_is_and_where_it_stands(shared_page):
@@ -103,19 +110,3 @@ def test_the_theme_follows_the_system_and_can_be_turned(shared_page):
     page.get_by_role("button", name="Theme: dark").wait_for()
     page.wait_for_function("document.body.classList.contains('body--dark')")
     assert background(page) < 200
-
-
-#: Inputs that can be seen and have no name.
-NAMELESS = """() => [...document.querySelectorAll('input, select, textarea, button, [role=slider], [role=switch], canvas[role=img]')]
-    .filter((one) => one.offsetParent !== null)
-    .filter((one) => !one.getAttribute('aria-label') && !one.labels?.length && !one.textContent.trim())
-    .filter((one) => !one.closest('[role=switch], .q-chip'))
-    .map((one) => one.outerHTML.slice(0, 120))"""
-
-
-def test_every_input_has_a_name(shared_page):
-    page = shared_page
-    for name in PAGES:
-        show(page, name)
-        page.wait_for_timeout(400)
-        assert page.evaluate(NAMELESS) == []

@@ -1,9 +1,11 @@
-"""Ten visitors at once, quick answers, and doors that stay shut."""
+"""Visitors at once, quick answers, and doors that stay shut."""
 
 import asyncio
 import http.client
 import statistics
 from urllib.parse import urlsplit
+
+import pytest
 
 import dcfp
 from dcfp.motion.load import motions_of
@@ -12,7 +14,7 @@ from .conftest import BROWSER_OPTIONS, at2_text, browser_path, pulse_motion, syn
 
 #: From a slider to a number on the page: what is wanted, and what a busy machine is allowed [s].
 WANTED, ALLOWED = 0.3, 1.0
-VISITORS, SECONDS = 10, 2.0
+SECONDS = 2.0
 
 #: Moves the slider and waits until the number changes, in the browser's own clock [ms].
 MOVE = """
@@ -93,31 +95,32 @@ async def _visit(
     return turns, wrong
 
 
-async def visit_together(address: str, seconds: float) -> list[tuple[int, list[str]]]:
-    """Let ten visitors use the page for some seconds."""
+async def visit_together(address: str, visitors: int, seconds: float) -> list[tuple[int, list[str]]]:
+    """Let visitors use the page for some seconds."""
     from playwright.async_api import async_playwright
 
     async with async_playwright() as playwright:
         browser = await playwright.chromium.launch(executable_path=browser_path(), args=BROWSER_OPTIONS)
-        entrance, together = asyncio.Lock(), asyncio.Barrier(VISITORS)
+        entrance, together = asyncio.Lock(), asyncio.Barrier(visitors)
         found = await asyncio.gather(
-            *(_visit(browser, address, number, seconds, entrance, together) for number in range(VISITORS))
+            *(_visit(browser, address, number, seconds, entrance, together) for number in range(visitors))
         )
         await browser.close()
     return found
 
 
-def test_ten_visitors_see_each_their_own_numbers(server, browser, capsys):
+@pytest.mark.parametrize("visitors", [3, pytest.param(10, marks=pytest.mark.long)])
+def test_visitors_see_each_their_own_numbers(server, browser, capsys, visitors):
     del browser  # it says whether there is one
     from concurrent.futures import ThreadPoolExecutor
 
     # in another thread: the other tests' browser has the loop of this one
     with ThreadPoolExecutor(1) as pool:
-        found = pool.submit(lambda: asyncio.run(visit_together(server, SECONDS))).result()
+        found = pool.submit(lambda: asyncio.run(visit_together(server, visitors, SECONDS))).result()
     wrong = [words for _, sentences in found for words in sentences]
     turns = [turns for turns, _ in found]
     with capsys.disabled():
-        print(f"\nten visitors: {sum(turns)} changes, at least {min(turns)} each, {len(wrong)} wrong")
+        print(f"\n{visitors} visitors: {sum(turns)} changes, at least {min(turns)} each, {len(wrong)} wrong")
     assert wrong == []
     assert min(turns) >= 1
 
