@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from forked import output
+from forked import output, started
 
 import dcfp.kernels
 
@@ -96,29 +96,12 @@ class Mini:
             **more,
         }
 
-    def start(self, code: str) -> subprocess.Popen[str]:
-        return subprocess.Popen(
-            [sys.executable, "-W", "error", "-c", code],
-            cwd=self.root,
-            env=self.environment(),
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-        )
-
     def output(self, code: str, **environment: str) -> list[str]:
         return output(code, self.root, self.environment(**environment)).splitlines()
 
     def call(self, course: str = RISING, **environment: str) -> Answer:
         value, hits = self.output(CALL.format(course=course), **environment)
         return Answer(float(value), None if hits == "None" else int(hits))
-
-
-def finish(process: subprocess.Popen[str]) -> list[str]:
-    """Return the lines that a process printed, and fail with its errors if it failed."""
-    output, errors = process.communicate(timeout=120)
-    assert process.returncode == 0, errors
-    return output.splitlines()
 
 
 @pytest.fixture
@@ -172,8 +155,8 @@ print(cache_folder())
 
 def test_processes_that_compile_at_once_all_answer_rightly(mini):
     courses = [RISING, FALLING] * 2
-    processes = [mini.start(CALL.format(course=course)) for course in courses]
-    values = [float(finish(process)[0]) for process in processes]
+    waiting = [started(CALL.format(course=course), mini.root, mini.environment()) for course in courses]
+    values = [float(wait().splitlines()[0]) for wait in waiting]
     assert values == [6.0, -6.0] * 2
     assert mini.call(RISING).value == 6.0
     assert mini.call(FALLING).value == -6.0
@@ -198,6 +181,13 @@ def test_a_file_cut_short_is_replaced(mini):
             path.write_bytes(path.read_bytes()[:kept])
         assert mini.call() == Answer(6.0, hits=0)
     assert mini.call() == Answer(6.0, hits=1)
+
+
+def test_a_process_of_its_own_answers_as_a_forked_one_and_finds_its_code(mini):
+    mini.call()
+    command = [sys.executable, "-W", "error", "-c", CALL.format(course=RISING)]
+    done = subprocess.run(command, cwd=mini.root, env=mini.environment(), capture_output=True, text=True)
+    assert (done.stdout.split(), done.stderr) == (["6.0", "1"], "")
 
 
 def test_unwritable_place_compiles_in_memory(mini):

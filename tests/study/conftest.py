@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import xarray
 
 from dcfp import GroundMotion
 from dcfp.motion.ground_motion import Origin
@@ -23,7 +24,7 @@ def motions() -> list[GroundMotion]:
 
 
 #: Blocks of the grid below: more cost time, and show nothing more.
-BLOCKS = 24
+BLOCKS = 12
 
 
 def grid(motions: list[GroundMotion]) -> Study:
@@ -54,6 +55,14 @@ def content() -> Callable[[Path], dict[str, bytes]]:
 
 
 @pytest.fixture(scope="session")
+def results(motions: list[GroundMotion]) -> xarray.Dataset:
+    """The results of the grid, in memory."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("dcfp.study.study.FEWEST_BLOCKS", BLOCKS)
+        return run_study(grid(motions))
+
+
+@pytest.fixture(scope="session")
 def whole(motions: list[GroundMotion], tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
     """Every file of the store of the grid, run at one go."""
     place = tmp_path_factory.mktemp("whole") / "whole.zarr"
@@ -61,6 +70,16 @@ def whole(motions: list[GroundMotion], tmp_path_factory: pytest.TempPathFactory)
         patch.setattr("dcfp.study.study.FEWEST_BLOCKS", BLOCKS)
         run_study(grid(motions), place)
     return files(place)
+
+
+@pytest.fixture
+def store(whole: dict[str, bytes], tmp_path: Path) -> Path:
+    """The store of the grid, which costs nothing to run again."""
+    place = tmp_path / "s.zarr"
+    for name, text in whole.items():
+        (place / name).parent.mkdir(parents=True, exist_ok=True)
+        (place / name).write_bytes(text)
+    return place
 
 
 @pytest.fixture

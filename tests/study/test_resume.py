@@ -33,14 +33,16 @@ def stop_after(blocks: int, error: BaseException):
     return report
 
 
-@pytest.mark.parametrize("error", [KeyboardInterrupt(), StopError()])
-@pytest.mark.parametrize("blocks", [1, 7, 20])
+# an interruption writes what is at work, an error does not: of 12 blocks after the first and in the middle
+@pytest.mark.parametrize(
+    ("blocks", "error"), [(1, KeyboardInterrupt()), (5, StopError()), (7, KeyboardInterrupt())]
+)
 def test_what_was_interrupted_is_taken_up_again(
     study: Study, tmp_path: Path, content, whole, monkeypatch, error: BaseException, blocks: int
 ) -> None:
     place = tmp_path / "part.zarr"
     with pytest.raises(type(error)):
-        run_study(study, place, report=stop_after(blocks, error))
+        run_study(study, place, threads=2, report=stop_after(blocks, error))
     done = share_done(open_store(place))
     assert 0.0 < done < 1.0
     worked: list[int] = []
@@ -56,23 +58,18 @@ def test_what_was_interrupted_is_taken_up_again(
     assert sorted(path.name for path in tmp_path.iterdir()) == ["part.zarr"]
 
 
-def test_resume_begins_where_there_is_nothing(study: Study, tmp_path: Path) -> None:
-    assert run_study(study, tmp_path / "new.zarr", resume=True).identical(run_study(study))
+def test_resume_begins_where_there_is_nothing(study: Study, tmp_path: Path, results) -> None:
+    assert run_study(study, tmp_path / "new.zarr", resume=True).identical(results)
 
 
-def test_resuming_what_is_done_runs_nothing(study: Study, tmp_path: Path, monkeypatch) -> None:
-    run_study(study, tmp_path / "s.zarr")
+def test_resuming_what_is_done_runs_nothing(study: Study, store: Path, results, monkeypatch) -> None:
     monkeypatch.setattr(engine, "work_off", None)
-    run_study(study, tmp_path / "s.zarr", resume=True)
+    assert run_study(study, store, resume=True).identical(results)
 
 
 @pytest.mark.parametrize("what", ["cut", "empty", "gone", "partial", "one not run"])
-def test_a_damaged_store_is_mended(study: Study, tmp_path: Path, content, whole, what: str) -> None:
-    place = tmp_path / "s.zarr"
-    for name, text in whole.items():
-        (place / name).parent.mkdir(parents=True, exist_ok=True)
-        (place / name).write_bytes(text)
-    chunk = next(path for path in (place / "status" / "c").rglob("*") if path.is_file())
+def test_a_damaged_store_is_mended(study: Study, store: Path, content, whole, what: str) -> None:
+    chunk = next(path for path in (store / "status" / "c").rglob("*") if path.is_file())
     if what == "cut":
         chunk.write_bytes(chunk.read_bytes()[:-3])
     elif what == "empty":
@@ -80,11 +77,11 @@ def test_a_damaged_store_is_mended(study: Study, tmp_path: Path, content, whole,
     elif what == "gone":
         chunk.unlink()
     elif what == "one not run":
-        zarr.open_group(place, mode="r+")["status"][0, 0, 0, 0] = NOT_RUN
+        zarr.open_group(store, mode="r+")["status"][0, 0, 0, 0] = NOT_RUN
     else:
         chunk.with_suffix(".0123.partial").write_bytes(b"half")
-    run_study(study, place, resume=True)
-    assert content(place) == whole
+    run_study(study, store, resume=True)
+    assert content(store) == whole
 
 
 def test_a_full_disk_gets_one_sentence_and_loses_nothing(

@@ -18,8 +18,8 @@ from dcfp.study.results import kept_peaks
 pytestmark = pytest.mark.filterwarnings("error")
 
 
-def test_every_result_is_that_of_the_analysis_alone(study: Study, motions) -> None:
-    dataset = run_study(study)
+def test_every_result_is_that_of_the_analysis_alone(study: Study, motions, results) -> None:
+    dataset = results
     assert dataset["peak_displacement"].dims == ("record", "pgv", "mu", "ambient")
     for motion in motions:
         for pgv in (100.0, 800.0):
@@ -35,8 +35,8 @@ def test_every_result_is_that_of_the_analysis_alone(study: Study, motions) -> No
                         assert found[name].item() == getattr(alone, name), name
 
 
-def test_coordinates_and_provenance(study: Study, motions) -> None:
-    dataset = run_study(study)
+def test_coordinates_and_provenance(motions, results) -> None:
+    dataset = results
     assert dataset["pgv"].attrs["units"] == "mm s-1"
     assert dataset["peak_displacement"].attrs["units"] == "mm"
     assert dataset["event"].values.tolist() == [f"Event of {motion.name}" for motion in motions]
@@ -48,11 +48,10 @@ def test_coordinates_and_provenance(study: Study, motions) -> None:
     assert dataset.attrs["displacement_capacity"] == 440.0
 
 
-def test_threads_and_stores_do_not_change_a_bit(study: Study, tmp_path: Path, content) -> None:
-    memory = run_study(study, threads=1)
+def test_threads_and_stores_do_not_change_a_bit(study: Study, tmp_path: Path, content, results) -> None:
     one = run_study(study, tmp_path / "one.zarr", threads=1)
     four = run_study(study, tmp_path / "four.zarr", threads=4)
-    assert memory.identical(one)
+    assert results.identical(one)
     assert one.identical(four)
     assert content(tmp_path / "one.zarr") == content(tmp_path / "four.zarr")
 

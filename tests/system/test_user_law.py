@@ -14,7 +14,7 @@ import dcfp
 from dcfp import AnalysisError, UserFriction
 from dcfp.kernels.friction import coefficient
 from dcfp.kernels.law import Law, law_by_address
-from dcfp.kernels.user_law import compile_law
+from dcfp.kernels.user_law import CompiledLaw, compile_law
 from dcfp.schema.declared import declared
 from dcfp.system import FrictionLaw
 
@@ -108,9 +108,16 @@ def of_pressure(pressure: float, speed: float, temperature: float) -> float:
     return (0.05 + 1e-5 * speed - 1e-5 * temperature) * (pressure / 60.0) ** -0.19 / math.log(pressure)
 
 
-@pytest.mark.parametrize("usual", [40.0, 60.0, 73.1, 120.0])
-def test_a_law_made_for_one_pressure_holds_at_any(usual: float) -> None:
-    anywhere, there = compile_law(of_pressure, None), compile_law(of_pressure, None, usual)
+@pytest.fixture(scope="module")
+def anywhere() -> CompiledLaw:
+    """A law compiled for no pressure."""
+    return compile_law(of_pressure, None)
+
+
+# at 60 the compiler knows a part to be 1, at 120 that there is no number
+@pytest.mark.parametrize("usual", [60.0, 73.1, 120.0])
+def test_a_law_made_for_one_pressure_holds_at_any(anywhere: CompiledLaw, usual: float) -> None:
+    there = compile_law(of_pressure, None, usual)
     for pressure in (40.0, 60.0, 73.1, 120.0):
         for speed, temperature in ((0.0, 20.0), (123.4, 56.7), (800.0, 300.0)):
             values = (law(pressure, speed, temperature) for law in (anywhere, there))

@@ -57,9 +57,9 @@ def test_it_finds_what_the_machine_knew(waveform, heating) -> None:
     history = friction_history(measurement, LI_2020, heating)
     used = history.used
     assert used.mean() > 0.85
-    assert history.coefficient[used] == pytest.approx(loops.friction[used], rel=1e-8)
+    np.testing.assert_allclose(history.coefficient[used], loops.friction[used], rtol=1e-8)
     # of a triangle the machine gives the speed before a corner, which is not used
-    assert history.speed[used] == pytest.approx(np.abs(loops.velocity[used]), rel=1e-4)
+    np.testing.assert_allclose(history.speed[used], np.abs(loops.velocity[used]), rtol=1e-4)
     # the fall of the coefficient within the first steps is steeper than a line
     rise = max(float(np.ptp(loops.temperature)), 1e-9)
     error = np.abs(history.temperature - loops.temperature)[used] / rise
@@ -74,7 +74,7 @@ def test_two_different_plates_of_one_coefficient() -> None:
     loops, measurement = machine(Sine(200.0, 300.0, 2), TWO, law=law)
     history = friction_history(measurement, TWO, SimplifiedHeating())
     late = history.used & (history.time > 0.1 * history.time[-1])
-    assert history.temperature[late] == pytest.approx(loops.temperature[late], rel=5e-3)
+    np.testing.assert_allclose(history.temperature[late], loops.temperature[late], rtol=5e-3)
 
 
 def test_samples_near_reversals_are_left_out_by_the_reach_of_spring_b() -> None:
@@ -85,17 +85,18 @@ def test_samples_near_reversals_are_left_out_by_the_reach_of_spring_b() -> None:
     assert few.sum() < many.sum()
 
 
-@pytest.mark.parametrize("samples", [2000, 200_000])
+# while the spring is loaded the machine goes less than one sample, four, or forty
+@pytest.mark.parametrize("samples", [2000, 20_000])
 @pytest.mark.parametrize("stiffness", [2e5, LI_2020.elastic_stiffness])
 def test_what_loads_the_spring_at_the_start_neither_slides_nor_heats(samples, stiffness) -> None:
     bearing = replace(LI_2020, elastic_stiffness=stiffness)
     time = np.linspace(0.0, 2.0 * np.pi, samples)
     loops, measurement = machine(Recorded(time, 200.0 * np.sin(time)), bearing)
     history = friction_history(measurement, bearing, SimplifiedHeating())
-    assert history.coefficient[history.used] == pytest.approx(loops.friction[history.used], rel=1e-8)
+    np.testing.assert_allclose(history.coefficient[history.used], loops.friction[history.used], rtol=1e-8)
     early = history.used & (history.time < 0.2)
     rise = loops.temperature[early] - 20.0
-    assert history.temperature[early] - 20.0 == pytest.approx(rise, rel=0.025)
+    np.testing.assert_allclose(history.temperature[early] - 20.0, rise, rtol=0.025)
 
 
 @pytest.mark.parametrize("heating", [SimplifiedHeating(), PreciseHeating()])
