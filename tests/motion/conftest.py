@@ -217,13 +217,27 @@ def sample_files() -> list[Path]:
     return sorted(path for path in folder.rglob("*") if path.is_file() and path.name != "INDEX.tsv")
 
 
+def _one_of_each_kind(files: list[Path]) -> set[Path]:
+    """Return the smallest sample of each folder, whose files are alike, and all of the odd ones."""
+    smallest = {path.parent: path for path in sorted(files, key=lambda one: one.stat().st_size, reverse=True)}
+    return {path for path in files if path.parent.name == "odd"} | set(smallest.values())
+
+
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     if "made" in metafunc.fixturenames:
         metafunc.parametrize("made", [make() for make in MAKERS.values()], ids=list(MAKERS), scope="session")
     if "sample" in metafunc.fixturenames:
         files = sample_files()
         if files:
-            metafunc.parametrize("sample", files, ids=[path.name for path in files], scope="session")
+            few = _one_of_each_kind(files)
+            metafunc.parametrize(
+                "sample",
+                [
+                    pytest.param(path, marks=[] if path in few else [pytest.mark.long], id=path.name)
+                    for path in files
+                ],
+                scope="session",
+            )
         else:
             skip = pytest.mark.skip(reason="no sample records: set DCFP_SAMPLE_RECORDS")
             metafunc.parametrize("sample", [pytest.param(None, marks=skip)], scope="session")

@@ -76,7 +76,7 @@ def read_safely(path, options):
 
 @pytest.mark.parametrize("damage", DAMAGES)
 @given(data=st.data())
-@settings(RELAXED, max_examples=60)
+@settings(RELAXED, max_examples=30)
 def test_damaged_file(made, written, damage, data):
     read_safely(written(made, damage(made.content, data)), made.options)
 
