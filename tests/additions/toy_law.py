@@ -1,5 +1,7 @@
 """A friction law as a user adds one, in a module of its own: it falls with the speed, by a parameter that no other law has."""
 
+from hashlib import sha256
+from inspect import getsource
 from typing import Annotated, ClassVar
 
 import numpy as np
@@ -43,4 +45,6 @@ class Toy(FrictionLaw):
     def at_pressure(self, pressure: float) -> Law:
         """What the kernels take."""
         constants = (self.slow, self.halving_speed, 0.0, 0.0, 0.0, 0.0)
-        return law_by_address(compile_law(_coefficient, None).address, constants)
+        # compiled once, however often a test imports this module
+        identity = sha256(getsource(_coefficient).encode()).hexdigest()
+        return law_by_address(compile_law(_coefficient, identity).address, constants)

@@ -71,9 +71,8 @@ def scaled(name: str, pgv: float) -> dcfp.GroundMotion:
 @pytest.mark.parametrize(
     ("record", "pgv", "bearing", "friction", "heating", "step"),
     [
-        ("NCC", 250.0, LI_2020, dcfp.ConstantFriction(), SimplifiedHeating(), COARSE),
         ("NCC", 1000.0, DOUBLE, dcfp.ConstantFriction(0.06), NoHeating(), FINE),
-        ("NCC", 500.0, SINGLE, dcfp.ConstantFriction(), PreciseHeating(), COARSE),
+        ("NCC", 250.0, SINGLE, dcfp.ConstantFriction(), PreciseHeating(), COARSE),
         ("KNA", 500.0, UNEQUAL, dcfp.ConstantFriction(), SimplifiedHeating(), COARSE),
         ("NCC", 500.0, LI_2020, dcfp.Constantinou1990(), SimplifiedHeating(), COARSE),
         ("NCC", 500.0, LI_2020, dcfp.Li2020(), NoHeating(ambient=0.0), COARSE),
