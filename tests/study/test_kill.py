@@ -1,6 +1,6 @@
 """kill -9 of the whole process at random moments: what is there is whole, and `--resume` makes the same store.
 
-``DCFP_KILLS`` sets how often; a few are enough to notice that something is wrong, many to believe that nothing is.
+One kill is enough to notice that something is wrong; with ``--long`` ``DCFP_KILLS`` sets how often, also while it resumes, to believe that nothing is.
 """
 
 import os
@@ -16,7 +16,7 @@ import pytest
 from dcfp.study import read_study, run_study
 from dcfp.study.results import open_store, share_done
 
-KILLS = int(os.environ.get("DCFP_KILLS", "2"))
+KILLS = int(os.environ.get("DCFP_KILLS", "20"))
 #: 24 blocks of one analysis, in steps so short that it takes as long as to write it.
 TEXT = """
 [factors]
@@ -60,16 +60,17 @@ def wait_for_blocks(process: subprocess.Popen[bytes], place: Path, blocks: int) 
         time.sleep(0.01)
 
 
-def test_killed_again_and_again(tmp_path: Path, content) -> None:
+@pytest.mark.parametrize("wanted", [1, pytest.param(KILLS, marks=pytest.mark.long)])
+def test_killed_again_and_again(tmp_path: Path, content, wanted: int) -> None:
     file = tmp_path / "study.toml"
     file.write_text(TEXT, encoding="utf-8")
     run_study(read_study(file), tmp_path / "whole.zarr")
     whole = content(tmp_path / "whole.zarr")
     chance = random.Random(4)
     kills = 0
-    for attempt in range(20 * KILLS):
+    for attempt in range(20 * wanted):
         place = tmp_path / f"{attempt}.zarr"
-        for _ in range(min(KILLS, 4)):
+        for _ in range(min(wanted, 4)):
             process = start(file, place)
             wait_for_blocks(process, place, chance.randrange(1, 9))
             time.sleep(chance.uniform(0.0, 0.05))
@@ -81,9 +82,9 @@ def test_killed_again_and_again(tmp_path: Path, content) -> None:
                 assert 0.0 <= share_done(open_store(place)) <= 1.0  # readable at any moment
         run_study(read_study(file), place, resume=True)
         assert content(place) == whole
-        if kills >= KILLS:
+        if kills >= wanted:
             break
-    assert kills >= KILLS
+    assert kills >= wanted
 
 
 def test_ctrl_c_ends_with_a_sentence_and_the_status_of_an_interruption(tmp_path: Path, content) -> None:
