@@ -28,6 +28,14 @@ def scenario(
     return path
 
 
+def summary_of(file: Path) -> dict[str, tuple]:
+    """The rows of the summary of a workbook by their names, read without its histories."""
+    book = openpyxl.load_workbook(file, read_only=True)
+    rows = {row[0]: row for row in book["Summary"].iter_rows(values_only=True) if row and row[0] is not None}
+    book.close()
+    return rows
+
+
 def test_a_script(run, tmp_path) -> None:
     file = tmp_path / "model.py"
     status, out, err = run("export", scenario(tmp_path), "--out", file)
@@ -43,8 +51,7 @@ def test_a_workbook_has_the_peaks_of_the_json(run, tmp_path) -> None:
     outcome = run("export", scenario(tmp_path, pgvs="[0.25, 0.5]"), "--out", file, "--json")
     document = json.loads(outcome.out)
     assert (outcome.status, document["file"]) == (0, str(file))
-    sheet = openpyxl.load_workbook(file)["Summary"]
-    rows = {row[0]: row for row in sheet.iter_rows(values_only=True) if row[0] is not None}
+    rows = summary_of(file)
     for name, one in zip(("NCC_0.25", "NCC_0.50"), document["analyses"], strict=True):
         assert rows[name][3] == pytest.approx(one["y_max_mm"], rel=1e-14)
 
@@ -86,8 +93,7 @@ def test_respond_writes_a_workbook(run, tmp_path) -> None:
     outcome = run("respond", "NCC", "KNA", *words, "--json")
     assert outcome.status == 0
     assert (tmp_path / "r.png").exists()
-    sheet = openpyxl.load_workbook(file)["Summary"]
-    rows = {row[0]: row for row in sheet.iter_rows(values_only=True) if row[0] is not None}
+    rows = summary_of(file)
     for name, one in zip(("NCC_0.25", "KNA_0.25"), json.loads(outcome.out), strict=True):
         assert rows[name][3] == pytest.approx(one["y_max_mm"], rel=1e-14)
 
