@@ -10,6 +10,7 @@ from html import unescape
 from importlib import import_module
 from pathlib import Path
 
+import numpy as np
 import pytest
 import xarray as xr
 from light_pdf import leave_out_figures, page_texts
@@ -109,12 +110,11 @@ def test_workbook_and_report(
     from openpyxl import load_workbook
 
     file = tmp_path / "toy.toml"
-    motion = dcfp.load_motion("NCC")
-    values = motion.acceleration[300:900:2].tolist()  # few lines in the workbook
-    (tmp_path / "short.txt").write_text("\n".join(f"{value:.6f}" for value in values))
+    wave = 3.0 * np.sin(2.0 * np.pi * 0.02 * np.arange(101))  # few lines in the workbook
+    np.savetxt(tmp_path / "short.txt", wave, fmt="%.6f")
     file.write_text(
         'title = "Toy"\n[factors]\nrecord = ["short.txt"]\npgv = { values = [0.5], unit = "m/s" }\n'
-        f'[motion]\nunits = "mm/s2"\ntime_step = {2.0 * motion.time_step}\n'
+        '[motion]\nunits = "m/s2"\ntime_step = 0.02\n[analysis]\ntail = 0\n'
         + FRICTION.format("bearing.friction")
     )
     (told,) = json.loads(answer(capsys, "export", file, "--out", tmp_path / "toy.xlsx", "--json"))["analyses"]

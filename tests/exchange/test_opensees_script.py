@@ -77,7 +77,7 @@ def scaled(name: str, pgv: float) -> dcfp.GroundMotion:
         ("NCC", 500.0, LI_2020, dcfp.Constantinou1990(), SimplifiedHeating(), COARSE),
         ("NCC", 500.0, LI_2020, dcfp.Li2020(), NoHeating(ambient=0.0), COARSE),
         ("NCC", 250.0, LI_2020, dcfp.Kumar2015(), SimplifiedHeating(), COARSE),
-        ("NCC", 1000.0, LI_2020, dcfp.Kumar2015(), SimplifiedHeating(18.0, 4.44), FINE),
+        ("NCC", 1000.0, LI_2020, dcfp.Kumar2015(), SimplifiedHeating(18.0, 4.44), COARSE),
         ("NCC", 500.0, SINGLE, dcfp.Kumar2015(0.06, 50.0), SimplifiedHeating(), COARSE),
         ("NCC", 500.0, DOUBLE, dcfp.Kumar2015(velocity_dependent=False), SimplifiedHeating(), COARSE),
     ],
@@ -106,8 +106,7 @@ def test_what_opensees_can_be_has_the_same_peak_displacement(
     ("bearing", "friction", "heating", "step"),
     [
         (LI_2020, dcfp.Li2020(), SimplifiedHeating(), FINE),
-        (SINGLE, dcfp.Li2020(), SimplifiedHeating(), COARSE),
-        (LI_2020, dcfp.Li2020(), PreciseHeating(), FINE),
+        (SINGLE, dcfp.Li2020(), PreciseHeating(), COARSE),
         (UNEQUAL, dcfp.Kumar2015(), SimplifiedHeating(ambient=0.0, thickness=50.0), COARSE),
     ],
 )
