@@ -83,7 +83,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 @pytest.fixture(scope="session", autouse=True)
 def coarse_figures() -> Iterator[None]:
-    """Draw figures with a quarter of their resolution: what is tested is what is in them; and read each formula in them once."""
+    """Draw figures with a quarter of their resolution: what is tested is what is in them; read each formula in them once; and lay out no fonts."""
+    from light_pdf import leave_out_layout
     from matplotlib.mathtext import MathTextParser
 
     read = lru_cache(maxsize=None)(
@@ -92,4 +93,5 @@ def coarse_figures() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(MathTextParser, "_parse_cached", read)
         patch.setattr("dcfp.present.figures.style.RESOLUTION", 60)
+        leave_out_layout(patch)
         yield

@@ -5,7 +5,6 @@ import subprocess
 from io import BytesIO
 
 import pytest
-from pypdf import PdfReader
 
 
 def leave_out_layout(patch: pytest.MonkeyPatch) -> None:
@@ -32,7 +31,9 @@ def leave_out_figures(patch: pytest.MonkeyPatch) -> None:
 
 def page_texts(content: bytes) -> list[str]:
     """Return the words of every page."""
-    if shutil.which("pdftotext") is None:  # pypdf needs seconds for it
+    if shutil.which("pdftotext") is None:
+        from pypdf import PdfReader  # late: it needs seconds
+
         return [page.extract_text() for page in PdfReader(BytesIO(content)).pages]
     done = subprocess.run(["pdftotext", "-raw", "-", "-"], input=content, capture_output=True, check=True)
     return done.stdout.decode().split("\f")[:-1]

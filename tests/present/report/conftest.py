@@ -1,7 +1,7 @@
 """One calculation, its report and both forms of it, for all tests."""
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
-from light_pdf import leave_out_layout, page_texts
+from light_pdf import page_texts
 
 from dcfp.present.report import Document, build_report, page_of, pdf_of
 from dcfp.present.report.document import Drawing, Section
@@ -68,13 +68,6 @@ class Reading(NamedTuple):
 @pytest.fixture(scope="session")
 def reading() -> Reading:
     return Reading()
-
-
-@pytest.fixture(scope="session", autouse=True)
-def light_fonts() -> Iterator[None]:
-    with pytest.MonkeyPatch.context() as patch:
-        leave_out_layout(patch)
-        yield
 
 
 def with_the_lighter_figure(document: Document) -> Document:
