@@ -1,5 +1,6 @@
 """How the pages are made: ``sphinx-build -W --keep-going -b html docs docs/_build/html``."""
 
+import gc
 import logging
 import sys
 from pathlib import Path
@@ -8,6 +9,8 @@ sys.path.insert(0, str(Path(__file__).parent / "_extensions"))
 
 from dcfp.version import version as _version
 
+# pages are trees of so many nodes that looking for those that nothing refers to any more takes longer than reading them
+gc.set_threshold(200_000, 20, 20)
 # before the package of the theme's colours, which asks every library for information
 logging.basicConfig(level=logging.WARNING)
 

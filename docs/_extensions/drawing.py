@@ -4,9 +4,14 @@ from pathlib import Path
 from typing import Any
 
 from matplotlib.figure import Figure
+from matplotlib.mathtext import MathTextParser
 from sphinx_gallery.scrapers import figure_rst
 
 from dcfp.present.figures import save_figure
+
+# every figure has a reader of formulas of its own: let all find what one has read
+MathTextParser.__hash__ = lambda self: hash(self._output_type)
+MathTextParser.__eq__ = lambda self, other: self._output_type == other._output_type
 
 
 def scrape(block: Any, variables: dict[str, Any], settings: dict[str, Any]) -> str:
