@@ -21,7 +21,7 @@ def test_every_test_has_its_panel(dependency, noisy, tmp_path) -> None:
         held_out=[noisy(dependency[name], random) for name in held],
     )
     figure = plot_identification(found)
-    path = tmp_path / "figure.pdf"
+    path = tmp_path / "figure.svg"
     save_figure(figure, path)
     words = texts(figure)
     for name in fitted:
