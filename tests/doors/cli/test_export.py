@@ -84,7 +84,7 @@ def test_respond_writes_a_workbook(run, tmp_path) -> None:
         "--radius",
         "3000",
         "--step",
-        "0.005",
+        "0.01",
         "--out",
         file,
         "--plot",

@@ -37,7 +37,8 @@ def test_every_period_as_csv_and_a_figure(run, tmp_path):
     assert len(rows) == 2 * 200
     assert figure.read_bytes().startswith(b"\x89PNG")
     many = tmp_path / "many.svg"
-    assert run("spectrum", "P695-FF", "--periods", "0.2", "1", "5", "--plot", many).status == 0
+    records = [f"P695-FF-{number:02}-a" for number in range(1, 10)]  # more than there are colours
+    assert run("spectrum", *records, "--plot", many).status == 0
     assert b"<svg" in many.read_bytes()
 
 

@@ -71,6 +71,7 @@ def test_the_user_s_settings_and_pyplot_are_left_alone(
     before = dict(mpl.rcParams)
     monkeypatch.setitem(sys.modules, "matplotlib.pyplot", None)  # so that it cannot be imported
     save_figure(plot_response(response), tmp_path / "a.png")
+    plot_loop(response)  # on axes of its own
     assert dict(mpl.rcParams) == before
 
 
