@@ -1,5 +1,6 @@
 """What all tests share: how they are spread over processes, coarse figures, and no deadlines."""
 
+import gc
 import os
 import subprocess
 import sys
@@ -71,6 +72,12 @@ def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:
     return (os.cpu_count() or 1) + 1
 
 
+def pytest_collection_finish() -> None:
+    """Let the collector of garbage leave alone what is there for good, and come less often."""
+    gc.freeze()
+    gc.set_threshold(50_000, 10, 10)
+
+
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Leave out the long ones where they are not asked for, and put those first that take longest."""
     if not config.getoption("long"):
@@ -92,6 +99,14 @@ def coarse_figures() -> Iterator[None]:
     )  # of matplotlib's own they are 50
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(MathTextParser, "_parse_cached", read)
+        # every renderer has a reader of its own
+        patch.setattr(MathTextParser, "__hash__", lambda self: hash(self._output_type))
+        patch.setattr(
+            MathTextParser,
+            "__eq__",
+            lambda self, other: self._output_type == other._output_type,
+            raising=False,
+        )
         patch.setattr("dcfp.present.figures.style.RESOLUTION", 60)
         leave_out_layout(patch)
         yield

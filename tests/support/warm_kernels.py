@@ -1,6 +1,7 @@
 """Compile the kernels that most tests call, so that the processes of a test run find them compiled.
 
-python warm_kernels.py PART runs the commands of one part; the parts compile different kernels, and so can run side by side.
+python warm_kernels.py PART ENTRY compiles those of one part; no kernel is in two, so that the parts can run side by side. ENTRY is the module and the
+function of the command.
 """
 
 import contextlib
@@ -11,30 +12,35 @@ import tempfile
 from importlib import import_module
 from pathlib import Path
 
-PARTS = (
-    ("respond NCC --pgv 0.5", "building NCC --pgv 0.5"),
-    (
-        "test dependency",
-        "study run few.toml --out few.zarr",
-        "predict NCC --pgv 0.5",
-        "spectrum NCC --periods 1",
-    ),
-)
+COMMANDS = ("respond NCC --pgv 0.5", "study run few.toml --out few.zarr", "spectrum NCC --periods 1")
 STUDY = '[factors]\nrecord = ["NCC"]\npgv = { values = [0.25, 0.5], unit = "m/s" }\n'
 
 
-def run(part: int, entry: str) -> None:
-    """Run the commands of a part in a folder of their own, quietly."""
+def rigid_structures(entry: str) -> None:
+    """Analyse one rigid structure by commands, in a folder of their own, quietly; and march through pulses."""
     module, _, name = entry.partition(":")
     command = getattr(import_module(module), name)
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         Path("few.toml").write_text(STUDY, encoding="utf-8")
-        for line in PARTS[part]:
+        for line in COMMANDS:
             with contextlib.redirect_stdout(io.TextIOWrapper(io.BytesIO(), encoding="utf-8")):
                 command(line.split())
         os.chdir("/")
+    import dcfp
 
+    dcfp.march_through_pulses(dcfp.load_motion("NCC"))
+
+
+def buildings_and_tests(entry: str) -> None:
+    """Analyse a building, and test a bearing."""
+    import dcfp
+
+    dcfp.respond_building(dcfp.load_motion("NCC"), dcfp.ShearBuilding((1.0, 1.0), (100.0,)))
+    dcfp.run_program(dcfp.load_program("dependency"))
+
+
+PARTS = (rigid_structures, buildings_and_tests)
 
 if __name__ == "__main__":
-    run(int(sys.argv[1]), sys.argv[2])
+    PARTS[int(sys.argv[1])](sys.argv[2])
