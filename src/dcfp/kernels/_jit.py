@@ -135,11 +135,20 @@ def kernel(function: Callable[P, R]) -> Callable[P, R]:
 
     A kernel works on numbers and on arrays that it is given; it cannot make an array.
     """
+    return _compiled(function, inline=True)
+
+
+def called_kernel(function: Callable[P, R]) -> Callable[P, R]:
+    """Compile a kernel that is called, not repeated in every place that names it: for long ones, in which a call is soon made up for."""
+    return _compiled(function, inline=False)
+
+
+def _compiled(function: Callable[P, R], *, inline: bool) -> Callable[P, R]:
     compiled = njit(
         nogil=True,
         error_model="numpy",  # a division by zero is an infinity, not a branch in every division
         fastmath={"contract"},  # a multiplication and an addition may be one instruction
-        forceinline=True,  # a call with structures as arguments costs more than most kernels do
+        forceinline=inline,  # a call with structures as arguments costs more than most kernels do
         _nrt=False,  # no reference counts: kernels neither make nor keep arrays, and atomic counting took 3/4 of the time
     )(function)
     if is_jitted(compiled) and (folder := cache_folder()):  # not jitted: NUMBA_DISABLE_JIT is set

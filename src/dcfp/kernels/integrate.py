@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from dcfp.kernels._jit import Records, fields_of, kernel, record_type, store
+from dcfp.kernels._jit import Records, called_kernel, fields_of, kernel, record_type, store
 from dcfp.kernels.friction import BearingModel, mean_coefficient
 from dcfp.kernels.heat_state import (
     CYCLING_PARAMETER,
@@ -139,7 +139,7 @@ def _after(elapsed: float, length: float, interval: float) -> float:
     return interval if (interval - elapsed) - length <= 1e-12 * interval else elapsed + length
 
 
-@kernel
+@called_kernel
 def integrate(
     model: BearingModel,
     acceleration: NDArray[np.float64],
