@@ -32,8 +32,9 @@ TOGETHER = ("doors/app", "study", "verify", "frozen", "present/report", "docs")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Offer the checks at full size: thousands of cases, whole statistics."""
-    parser.addoption("--long", action="store_true", help="run the tests marked `long`, too")
+    """Offer what takes long."""
+    parser.addoption("--slow", action="store_true", help="run the tests that take seconds, too")
+    parser.addoption("--long", action="store_true", help="run these and the checks at full size, too")
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -79,11 +80,11 @@ def pytest_collection_finish() -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leave out the long ones where they are not asked for, and put those first that take longest."""
-    if not config.getoption("long"):
-        long = [item for item in items if item.get_closest_marker("long")]
-        config.hook.pytest_deselected(items=long)
-        items[:] = [item for item in items if not item.get_closest_marker("long")]
+    """Leave out what takes long where it is not asked for, and put those first that take longest."""
+    left = () if config.getoption("long") else ("long",) if config.getoption("slow") else ("long", "slow")
+    out = {item for item in items if any(item.get_closest_marker(name) for name in left)}
+    config.hook.pytest_deselected(items=list(out))
+    items[:] = [item for item in items if item not in out]
     places = {folder: place for place, folder in enumerate(TOGETHER)}
     items.sort(key=lambda item: places.get(_group_of(item.path.relative_to(TESTS).as_posix()), len(places)))
 

@@ -232,7 +232,7 @@ def is_killed(mutation: Mutation, copy: Path, cache: Path) -> bool:
         "DCFP_CACHE_DIR": str(cache),
     }
     tests = [f"tests/{name}" for name in mutation.tests]
-    command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *tests]
+    command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", "--slow", *tests]
     try:
         done = subprocess.run(
             command, cwd=copy, env=environment, timeout=_PATIENCE, capture_output=True, text=True

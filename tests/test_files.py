@@ -120,6 +120,7 @@ def test_netcdf_of_one_analysis_comes_back_as_it_was(tmp_path: Path, responses) 
         xarray.testing.assert_identical(data.load(), responses[1].to_dataset())
 
 
+@pytest.mark.slow
 def test_netcdf_of_several_has_a_summary_and_a_group_for_each(tmp_path: Path, responses) -> None:
     write_responses(tmp_path / "a.nc", responses, ".nc")
     with xarray.open_datatree(tmp_path / "a.nc") as tree:

@@ -47,6 +47,7 @@ def answer(capsys: pytest.CaptureFixture[str], *words: str | Path) -> str:
     return capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_an_installed_package_adds_by_its_entry_points(tmp_path: Path) -> None:
     about = tmp_path / "toys-1.0.dist-info"
     about.mkdir()
@@ -104,6 +105,7 @@ def test_python_and_notebook() -> None:
         system.changed({"friction.halving_speed": 1.0})
 
 
+@pytest.mark.slow
 def test_workbook_and_report(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:

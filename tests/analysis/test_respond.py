@@ -294,6 +294,7 @@ print(json.dumps([[one.peak_displacement, one.peak_temperature, one.steps] for o
 """
 
 
+@pytest.mark.slow
 def test_compiled_and_interpreted_kernels_agree(tmp_path, capsys):
     exec(AGREEING, {})
     here = json.loads(capsys.readouterr().out)
@@ -355,6 +356,7 @@ print(*(dcfp.respond(motion).elapsed for _ in range(8)))
 """
 
 
+@pytest.mark.slow
 def test_the_time_of_the_first_analysis_is_its_own():
     """Neither loading the kernels nor finding their arguments' types, of ten times the length, counts as analysis."""
     done = subprocess.run(

@@ -68,6 +68,7 @@ def scaled(name: str, pgv: float) -> dcfp.GroundMotion:
     return replace(motion, acceleration=strong).scaled_to_pgv(pgv)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("record", "pgv", "bearing", "friction", "heating", "step"),
     [
@@ -102,6 +103,7 @@ def test_what_opensees_can_be_has_the_same_peak_displacement(
         assert table[:, 4].max() == pytest.approx(response.peak_temperature, abs=1.5)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("bearing", "friction", "heating", "step"),
     [
@@ -232,6 +234,7 @@ def test_an_edited_ground_motion_is_noticed(tmp_path) -> None:
     assert "not the one that this script was written for" in run_script(edited, tmp_path).out
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("friction", "taken", "failing", "again"),
     [

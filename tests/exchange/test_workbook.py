@@ -174,6 +174,7 @@ def test_pages_are_set_up_for_paper(book) -> None:
     assert book["Summary"].freeze_panes == "C7"
 
 
+@pytest.mark.slow
 def test_a_name_is_never_a_formula_or_a_link(tmp_path) -> None:
     path = tmp_path / "r.xlsx"
     book = written(calculate(scenario((EVIL, "@cmd [x]:*?/\\'"), title="=1+1&P", pgvs=[250.0])), path)

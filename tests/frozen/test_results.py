@@ -9,6 +9,7 @@ from .results import Difference, answers_to, differences, entry_point, load
 TOLERANCE = 1e-9
 
 
+@pytest.mark.slow
 def test_the_quick_commands_answer_as_before() -> None:
     frozen = load()
     found = [

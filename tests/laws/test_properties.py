@@ -146,6 +146,7 @@ def test_the_energy_closes(
     assert np.abs(response.energy.residual).max() <= 1e-9 * largest_energy(response)
 
 
+@pytest.mark.slow
 @SEARCH
 @every_case
 def test_the_mirror_image_responds_with_the_mirror_image(
@@ -158,6 +159,7 @@ def test_the_mirror_image_responds_with_the_mirror_image(
     assert np.abs(there.temperature - back.temperature).max() <= 1e-9 * max(there.peak_temperature, 1.0)
 
 
+@pytest.mark.slow
 @SEARCH
 @every_case
 def test_friction_stays_below_the_yield_force_and_never_gives_energy_back(
@@ -171,6 +173,7 @@ def test_friction_stays_below_the_yield_force_and_never_gives_energy_back(
     assert dissipated.min() >= -UNSEEN_LAG * largest_energy(response)
 
 
+@pytest.mark.slow
 @SEARCH
 @every_case
 def test_histories_are_finite_and_never_colder_than_the_surroundings(

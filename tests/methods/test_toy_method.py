@@ -64,6 +64,7 @@ def marks(figure) -> dict[str, set[str]]:
     return found
 
 
+@pytest.mark.slow
 def test_an_installed_package_adds_by_its_entry_points(tmp_path: Path) -> None:
     about = tmp_path / "toys-1.0.dist-info"
     about.mkdir()
@@ -135,6 +136,7 @@ def test_figures() -> None:
     assert found[COLOURS[PREDICTION]] <= marks(plot_forecasts([forecast(motion, methods)]))[COLOURS[PREDICTION]]  # fmt: skip
 
 
+@pytest.mark.slow
 def test_report_and_workbook(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     from openpyxl import load_workbook
 

@@ -69,6 +69,7 @@ def test_the_command_line(record: Path, capsys: pytest.CaptureFixture[str]) -> N
     assert "(TOY)" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_an_installed_package_adds_it_by_its_entry_point(record: Path, tmp_path: Path) -> None:
     about = tmp_path / "toys-1.0.dist-info"
     about.mkdir()

@@ -43,6 +43,7 @@ def workers() -> list[psutil.Process]:
     return [one for one in found if one.is_running() and "spawn_main" in " ".join(one.cmdline())]
 
 
+@pytest.mark.slow
 def test_two_processes_give_the_same_bits_and_a_dead_worker_costs_its_block_alone(
     large: Study, on_threads: Path, tmp_path: Path, content
 ) -> None:
@@ -85,6 +86,7 @@ def stop_after(blocks: int):
     return stop
 
 
+@pytest.mark.slow
 def test_a_store_begun_on_threads_goes_on_on_processes_and_back_and_an_interruption_leaves_none_behind(
     large: Study, on_threads: Path, tmp_path: Path, content
 ) -> None:

@@ -60,6 +60,7 @@ def wait_for_blocks(process: subprocess.Popen[bytes], place: Path, blocks: int) 
         time.sleep(0.01)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("wanted", [1, pytest.param(KILLS, marks=pytest.mark.long)])
 def test_killed_again_and_again(tmp_path: Path, content, wanted: int) -> None:
     file = tmp_path / "study.toml"
@@ -87,6 +88,7 @@ def test_killed_again_and_again(tmp_path: Path, content, wanted: int) -> None:
     assert kills >= wanted
 
 
+@pytest.mark.slow
 def test_ctrl_c_ends_with_a_sentence_and_the_status_of_an_interruption(tmp_path: Path, content) -> None:
     file = tmp_path / "study.toml"
     file.write_text(LONG, encoding="utf-8")

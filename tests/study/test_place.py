@@ -21,6 +21,7 @@ def small(motions) -> Study:
     return Study(motions=motions, factors={"mu": [0.05]})
 
 
+@pytest.mark.slow
 def test_a_store_that_is_there_is_not_touched(
     study: Study, small: Study, store: Path, content, whole
 ) -> None:

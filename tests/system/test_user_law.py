@@ -94,6 +94,7 @@ class OwnLaw(FrictionLaw):
         )
 
 
+@pytest.mark.slow
 def test_a_law_by_address_sees_its_constants_and_the_cycling_parameter() -> None:
     law = OwnLaw().at_pressure(60.0)
     assert coefficient(law, 60.0, 100.0, 20.0, 1e6) == pytest.approx(0.06 * 0.99 + 1e-3, rel=1e-14)
@@ -115,6 +116,7 @@ def anywhere() -> CompiledLaw:
 
 
 # at 60 the compiler knows a part to be 1, at 120 that there is no number
+@pytest.mark.slow
 @pytest.mark.parametrize("usual", [60.0, 73.1, 120.0])
 def test_a_law_made_for_one_pressure_holds_at_any(anywhere: CompiledLaw, usual: float) -> None:
     there = compile_law(of_pressure, None, usual)
@@ -170,6 +172,7 @@ def value_of(factor: float) -> float:
     return factor * (1.0 - 0.5 * math.exp(-2.0)) * math.exp(-0.02)
 
 
+@pytest.mark.slow
 def test_the_code_of_a_law_is_kept_until_the_law_is_edited(tmp_path: Path, monkeypatch) -> None:
     monkeypatch.setenv("DCFP_CACHE_DIR", str(tmp_path / "cache"))
     source = tmp_path / "laws.py"

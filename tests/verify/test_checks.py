@@ -22,6 +22,15 @@ DEAR = (
     *(f"response spectrum of {name}" for name in ("KNA", "LPG", "IVD")),
 )
 
+#: What takes more than a second as it is.
+SLOW = (
+    "OpenSees: peak temperature",
+    "brute force",
+    "Plain explicit integration: peak displacement",
+    "Prediction: pulse method",
+    "16 analyses, precise",
+)
+
 
 def identifier(task: Task) -> str:
     return f"{task.group}: {task.name}"
@@ -50,12 +59,15 @@ def is_dear(task: Task) -> bool:
     return any(words in identifier(task) for words in DEAR)
 
 
+def marks_of(task: Task) -> list[pytest.MarkDecorator]:
+    if is_dear(task):
+        return [pytest.mark.long]
+    return [pytest.mark.slow] if any(words in identifier(task) for words in SLOW) else []
+
+
 @pytest.mark.parametrize(
     "task",
-    [
-        pytest.param(task, marks=[pytest.mark.long] if is_dear(task) else [], id=identifier(task))
-        for task in check.tasks(full=True)
-    ],
+    [pytest.param(task, marks=marks_of(task), id=identifier(task)) for task in check.tasks(full=True)],
 )
 def test_check(task: Task) -> None:
     must_pass_and_could_fail(task)
@@ -86,6 +98,7 @@ def test_a_pause_after_one_fast_cycle(task: Task, monkeypatch: pytest.MonkeyPatc
     must_pass_and_could_fail(task)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("task", named("OpenSees: test machine"), ids=identifier)
 def test_the_test_machine_of_opensees_in_steps_twice_as_long(
     task: Task, monkeypatch: pytest.MonkeyPatch

@@ -124,6 +124,7 @@ def test_one_storey_with_friction_that_knows_speed_in_small_steps(name, pgv):
     assert response.energy.input[-1] == pytest.approx(energy, rel=1e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("storeys", "name", "pgv"), [(1, "NCC", 500.0), (5, "KNA", 750.0)])
 def test_coulomb_friction_against_opensees(tmp_path, storeys, name, pgv):
     required = os.environ.get("DCFP_REQUIRE_OPENSEES") == "1"

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 import numba
 import numpy as np
+import pytest
 from hypothesis import HealthCheck, assume, example, given, settings
 from hypothesis import strategies as st
 
@@ -213,6 +214,7 @@ def largest_energy(loops: Loops) -> float:
     return float(max(np.abs(loops.work).max(), stored.max(), pendulum.max(), 1e-30))
 
 
+@pytest.mark.slow
 @SEARCH
 @example(TURNS_AT_A_SAMPLE)
 @example(PAPER)
@@ -262,6 +264,7 @@ def assert_friction_stays_below_the_yield_force_and_slides_with_the_motion(case:
         assert (loops.sliding * loops.velocity >= -rounding)[slides].all()
 
 
+@pytest.mark.slow
 @SEARCH
 @given(cases())
 def test_histories_are_finite_and_never_colder_than_the_surroundings(case: Case) -> None:
@@ -273,6 +276,7 @@ def test_histories_are_finite_and_never_colder_than_the_surroundings(case: Case)
     assert loops.peak_temperature >= loops.temperature.max() - 1e-9
 
 
+@pytest.mark.slow
 @SEARCH
 @given(cases(), st.integers(1, 50))
 def test_a_path_driven_in_parts_is_the_same_path(case: Case, every: int) -> None:

@@ -1,5 +1,7 @@
 """The page for everyone: on a telephone, with the keyboard, in the dark."""
 
+import pytest
+
 from .page_reading import DISPLACEMENT, show, slide, tile
 
 PAGES = ("Response", "Test machine", "Design chart")
@@ -96,6 +98,7 @@ def background(page) -> int:
     )
 
 
+@pytest.mark.slow
 def test_the_theme_follows_the_system_and_can_be_turned(shared_page):
     page = shared_page
     page.emulate_media(color_scheme="dark")

@@ -99,6 +99,7 @@ def test_the_test_machine(shared_page):
     table.locator("tbody tr").nth(3).filter(has_text=expected).wait_for()
 
 
+@pytest.mark.slow
 def test_the_design_chart(shared_page):
     from dcfp.inference.design_space import RADII, survey
     from dcfp.motion.named import record_set

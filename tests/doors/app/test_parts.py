@@ -171,6 +171,7 @@ def farthest_from(path: np.ndarray, chosen: np.ndarray) -> float:
     return largest
 
 
+@pytest.mark.slow
 def test_a_loop_is_thinned_along_its_path():
     y, force = long_loop()
     assert y.size > 30_000

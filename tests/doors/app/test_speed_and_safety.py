@@ -109,6 +109,7 @@ async def visit_together(address: str, visitors: int, seconds: float) -> list[tu
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("visitors", [3, pytest.param(10, marks=pytest.mark.long)])
 def test_visitors_see_each_their_own_numbers(server, browser, capsys, visitors):
     del browser  # it says whether there is one
@@ -173,6 +174,7 @@ def test_nothing_may_be_loaded_from_elsewhere(server):
     assert "http" not in policy
 
 
+@pytest.mark.slow
 def test_a_file_too_large_is_refused_by_page_and_server(open_page, server, tmp_path):
     page = open_page(expected=("413", "ERR_CONNECTION"))
     large = tmp_path / "large.AT2"

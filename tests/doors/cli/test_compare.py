@@ -12,6 +12,7 @@ from dcfp.present.figures.li_2020 import paper_figures
 PGVS = ("0.25", "0.5", "0.75", "1.0")
 
 
+@pytest.mark.slow
 def test_the_four_records_at_the_four_pgvs(run):
     outcome = run("compare", "NCC", "KNA", "LPG", "IVD", "--pgv", *PGVS)
     assert outcome.status == 0
@@ -46,6 +47,7 @@ def test_a_case_holds_its_swing_and_the_pulse_behind_it(run):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("records", "number"), [("P695-FF", 44), pytest.param("P695", 100, marks=pytest.mark.long)]
 )
@@ -63,6 +65,7 @@ def test_a_set_on_held_out_earthquakes(run, records, number):
     assert abs(fitted["bias"] - 1.0) < abs(given["bias"] - 1.0)
 
 
+@pytest.mark.slow
 def test_every_case_as_csv_and_a_figure(run, tmp_path):
     table, figure = tmp_path / "cases.csv", tmp_path / "cases.png"
     words = ("compare", "NCC", "LPG", "--pgv", "0.25", "1.0")
@@ -89,6 +92,7 @@ def test_remarks_stay_beside_the_results(run):
     assert "unconfirmed" in remarks
 
 
+@pytest.mark.slow
 def test_the_paper_made_again(run, tmp_path, monkeypatch):
     def few(cases, loops, numbers=None):
         """Of all figures one of loops, one of histories and one of points; all are in the tests of figures."""
@@ -116,6 +120,7 @@ def test_the_paper_made_again(run, tmp_path, monkeypatch):
     assert sheet.read_bytes().startswith(b"\x89PNG")
 
 
+@pytest.mark.slow
 def test_another_record_of_the_paper_from_a_file(run, three_components):
     told = json.loads(run("reproduce", f"JKB={three_components}::NS", "--json").out)
     assert "JKB" in told["records"]

@@ -76,6 +76,7 @@ def test_respond_writes_a_script_of_one_analysis(run, tmp_path) -> None:
     assert f"DCFP_PEAK_DISPLACEMENT = {row['y_max_mm']!r}" in text
 
 
+@pytest.mark.slow
 def test_respond_writes_a_workbook(run, tmp_path) -> None:
     file = tmp_path / "r.xlsx"
     words = (

@@ -94,6 +94,7 @@ def test_the_bearing_file_is_one_for_other_commands(run, tests, tmp_path: Path) 
     assert again["friction"]["speed_rate"] == law.speed_rate
 
 
+@pytest.mark.slow
 def test_csv_json_and_figure_are_written(run, tests, tmp_path: Path) -> None:
     table, text, figure = (tmp_path / name for name in ("e.csv", "e.json", "e.png"))
     assert run("identify", *tests.values(), "--out", table, "--plot", figure).status == 0

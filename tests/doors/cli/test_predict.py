@@ -120,6 +120,7 @@ def test_a_table_as_csv(run, tmp_path):
     assert float(rows[0]["dy [mm]"]) == pytest.approx(73.4, abs=0.05)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "words",
     [
@@ -135,6 +136,7 @@ def test_figures(run, tmp_path, words):
     assert figure.read_bytes().startswith(b"\x89PNG")
 
 
+@pytest.mark.slow
 def test_which_friction_holds_a_displacement(run, tmp_path, monkeypatch):
     # 25 of the 100 components, of more than the 19 that a quantile of 95 % needs
     monkeypatch.setattr("dcfp.doors.cli.predict.calibration_set", lambda: calibration_set()[::4])

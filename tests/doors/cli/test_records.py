@@ -92,6 +92,7 @@ def test_one_record_as_histories(run, tmp_path: Path) -> None:
         np.testing.assert_array_equal(found.ground_velocity, motion.velocity)
 
 
+@pytest.mark.slow
 def test_several_records_as_measures_and_groups(run, three_components: Path, tmp_path: Path) -> None:
     table, data, plot = (tmp_path / f"r.{kind}" for kind in ("csv", "nc", "png"))
     assert run("records", three_components, "NCC", "--out", table, "--plot", plot).status == 0

@@ -16,6 +16,7 @@ def scenario(pulse: Path) -> Path:
     return path
 
 
+@pytest.mark.slow
 def test_a_report_is_a_pdf_named_after_the_scenario(run, scenario: Path, tmp_path: Path, monkeypatch) -> None:
     folder = tmp_path / "here"
     folder.mkdir()
@@ -28,6 +29,7 @@ def test_a_report_is_a_pdf_named_after_the_scenario(run, scenario: Path, tmp_pat
     assert "tower.pdf: the file exists" in err
 
 
+@pytest.mark.slow
 def test_json_holds_the_numbers_and_writes_a_file_only_where_one_is_named(
     run, scenario: Path, tmp_path: Path, monkeypatch
 ) -> None:
@@ -103,6 +105,7 @@ def test_a_folder_that_cannot_be_written_to_is_told_before_the_work(
     assert "no permission" in err
 
 
+@pytest.mark.slow
 def test_without_typst_there_is_still_a_page(run, scenario: Path, tmp_path: Path, monkeypatch) -> None:
     monkeypatch.setitem(sys.modules, "typst", None)
     status, _, err = run("report", scenario, "--out", tmp_path / "r.pdf")

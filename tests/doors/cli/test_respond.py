@@ -164,6 +164,7 @@ def test_drift_and_treatment_are_never_silent(run, drifting: Path) -> None:
     assert "untreated baseline" in " ".join(out.split())
 
 
+@pytest.mark.slow
 def test_a_record_of_zeros_can_be_analysed_and_drawn(run, zeros: Path, tmp_path: Path) -> None:
     status, _, err = run("respond", zeros, "--units", "m/s2", "--plot", tmp_path / "z.png")
     assert (status, err) == (0, "")
@@ -188,6 +189,7 @@ def test_several_analyses_become_groups(run, tmp_path: Path) -> None:
         assert tree["/NCC_0.50"]["displacement"].attrs["units"] == "mm"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("extension", "head"), [("png", b"\x89PNG"), ("pdf", b"%PDF"), ("svg", b"<?xml")])
 def test_figures_by_extension(run, pulse: Path, tmp_path: Path, extension: str, head: bytes) -> None:
     figure = tmp_path / f"figure.{extension}"

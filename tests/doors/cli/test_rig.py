@@ -83,6 +83,7 @@ def test_a_file_of_a_test_can_be_run_again(run, tmp_path):
     )
 
 
+@pytest.mark.slow
 def test_measured_loops_stand_beside_the_virtual_ones(run, loop, tmp_path):
     program = tmp_path / "own.toml"
     program.write_text(
@@ -98,6 +99,7 @@ def test_measured_loops_stand_beside_the_virtual_ones(run, loop, tmp_path):
     assert run("test", program, "--compare", "--measured", loop, "--plot", tmp_path / "b.svg").status == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "words",
     [
@@ -114,6 +116,7 @@ def test_every_program_has_a_figure(run, tmp_path, words):
     assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
 
 
+@pytest.mark.slow
 def test_files_hold_histories_and_measures(run, tmp_path):
     assert (
         run("test", "asce", "--tests", "T06", "--heating", "precise", "--out", tmp_path / "one.nc").status

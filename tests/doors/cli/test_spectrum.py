@@ -30,6 +30,7 @@ def test_more_damping_moves_less(run):
     assert displacement("--damping", "0") > displacement() > displacement("--damping", "0.2")
 
 
+@pytest.mark.slow
 def test_every_period_as_csv_and_a_figure(run, tmp_path):
     table, figure = tmp_path / "table.csv", tmp_path / "figure.png"
     assert run("spectrum", "NCC", "LPG", "--out", table, "--plot", figure).status == 0

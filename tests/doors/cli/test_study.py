@@ -71,6 +71,7 @@ def test_a_new_file_is_a_study(run, here: Path) -> None:
     assert "360 = 4 record × 15 pgv × 2 radius × 3 mu" in table
 
 
+@pytest.mark.slow
 def test_histories_of_one_case_are_those_of_the_analysis(run, here: Path) -> None:
     outcome = run("study", "histories", "few.toml", "--at", "record=NCC", "pgv=0.5", "mu=0.075", "--json")
     (row,) = json.loads(outcome.out)
@@ -101,6 +102,7 @@ def test_histories_need_one_case(run, here: Path) -> None:
     assert "--at pgv=... mu=..." in outcome.err
 
 
+@pytest.mark.slow
 def test_export_holds_every_analysis(run, here: Path) -> None:
     run("study", "few.toml")
     assert run("study", "export", "few.zarr", "--out", "few.nc").status == 0

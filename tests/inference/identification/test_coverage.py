@@ -63,6 +63,7 @@ def white(dependency, noisy) -> Study:
     return Study(TRIALS, lambda random: [noisy(test, random) for test in dependency.values()])
 
 
+@pytest.mark.slow
 def test_few_intervals_contain_the_truth_and_are_as_long_as_those_of_many(dependency, noisy) -> None:
     study = Study(FEW, lambda random: [noisy(test, random) for test in dependency.values()])
     assert contained(study, OF_FEW), dict(zip(study.names, study.covered, strict=True))
@@ -90,6 +91,7 @@ def test_the_estimates_have_no_bias_worth_the_name(white) -> None:
     assert (np.abs(white.bias) < 0.3).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("trials", "part"), [(FEW, OF_FEW), pytest.param(60, 0.85, marks=pytest.mark.long)])
 def test_intervals_hold_where_neighbouring_errors_are_alike(dependency, trials: int, part: float) -> None:
     """Of noise with a correlation of 0.9 from sample to sample; intervals for white noise would be a quarter as long."""
@@ -116,6 +118,7 @@ def test_intervals_hold_where_neighbouring_errors_are_alike(dependency, trials: 
     assert (np.abs(study.bias) < 0.6).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("trials", "part"), [(FEW, OF_FEW), pytest.param(40, 0.85, marks=pytest.mark.long)])
 def test_intervals_of_the_conductivity(dependency, noisy, trials: int, part: float) -> None:
     study = Study(trials, lambda random: [noisy(test, random) for test in dependency.values()], HEAT)

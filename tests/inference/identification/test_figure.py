@@ -3,6 +3,7 @@
 import re
 
 import numpy as np
+import pytest
 
 from dcfp.inference.identification import identify
 from dcfp.present.figures import save_figure
@@ -13,6 +14,7 @@ def texts(figure) -> list[str]:
     return [text.get_text() for text in figure.findobj(lambda artist: hasattr(artist, "get_text"))]
 
 
+@pytest.mark.slow
 def test_every_test_has_its_panel(dependency, noisy, tmp_path) -> None:
     fitted, held = ("V20", "V50", "V400", "P40"), ("V150", "P80")
     random = np.random.default_rng(1)
@@ -32,6 +34,7 @@ def test_every_test_has_its_panel(dependency, noisy, tmp_path) -> None:
     assert path.stat().st_size > 10_000
 
 
+@pytest.mark.slow
 def test_the_same_identification_gives_the_same_figure(dependency, noisy, tmp_path) -> None:
     # with noise: without it the residuals are the rounding of a fit, which memory's layout can change
     random = np.random.default_rng(2)

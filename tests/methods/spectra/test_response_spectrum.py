@@ -49,6 +49,7 @@ def test_resonance(damping):
     assert found == pytest.approx(steady * (1.0 - np.exp(-damping * 2.0 * np.pi * 60.0)), rel=3e-4)
 
 
+@pytest.mark.slow
 def test_against_scipy():
     motion = named_motion("IVD")
     fine = resample(motion, 16)

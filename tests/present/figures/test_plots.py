@@ -65,6 +65,7 @@ def test_each_makes_its_own_axes(draw, precise: Response, tmp_path: Path) -> Non
     assert (tmp_path / "a.png").stat().st_size > 5000
 
 
+@pytest.mark.slow
 def test_the_user_s_settings_and_pyplot_are_left_alone(
     response: Response, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -111,6 +112,7 @@ def test_a_profile_needs_one(response: Response) -> None:
         plot_profile(response)
 
 
+@pytest.mark.slow
 def test_a_figure_is_always_the_same_in_every_format(precise: Response, tmp_path: Path) -> None:
     # a loop has lines in colours, a raster and a scale; sheets in every format are drawn by `dcfp respond`
     for form, draw in (("png", plot_response), ("pdf", plot_loop), ("svg", plot_loop)):
@@ -122,6 +124,7 @@ def test_a_figure_is_always_the_same_in_every_format(precise: Response, tmp_path
         assert not any(dated in file.read_bytes() for file in tmp_path.iterdir())
 
 
+@pytest.mark.slow
 def test_nothing_on_a_sheet_is_cut_off_or_overlaps(response: Response) -> None:
     note = "largest amplitude tested by Li et al. (2020), Table 2; the paper prints no capacity"
     bearing = replace(response.bearing, displacement_capacity=100.0, capacity_note=note)
@@ -144,6 +147,7 @@ def test_nothing_on_a_sheet_is_cut_off_or_overlaps(response: Response) -> None:
     assert all(figure.bbox.x1 >= panel.x1 for panel in panels)
 
 
+@pytest.mark.slow
 def test_names_with_odd_characters_are_drawn(response: Response, tmp_path: Path) -> None:
     origin = replace(response.motion.origin, station="仙台 $x_$ station", event="日本")
     odd = replace(response, motion=replace(response.motion, name="a_b$c{", origin=origin))
@@ -202,6 +206,7 @@ def test_numbers_in_words(written: str, expected: str) -> None:
     assert written == expected
 
 
+@pytest.mark.slow
 def test_motions_stand_beside_each_other_with_their_peaks() -> None:
     motion = load_motion("NCC")
     figure = plot_motions([motion] * 5)

@@ -98,6 +98,7 @@ def points_are_within(figure: Figure) -> bool:
 # ----- pulses -----
 
 
+@pytest.mark.slow
 def test_pulses_and_what_they_do_share_their_time(cases: list[Case]) -> None:
     for case in (cases[0], cases[3], cases[7]):  # the weakest, one between, and the strongest
         figure = plot_pulses(case, march_of(case))
@@ -146,6 +147,7 @@ def test_an_analysis_that_was_not_kept_is_asked_for(cases: list[Case]) -> None:
 # ----- comparison -----
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "number", [1, 8, 240]
 )  # one, each once in large marks, and so many that they are small
@@ -170,6 +172,7 @@ def test_where_nothing_is_predicted_it_lies_hollow_on_the_edge_and_counts(cases:
     assert [list(line.get_ydata()) for line in hollow] == [[axes.get_ylim()[0]]]
 
 
+@pytest.mark.slow
 def test_a_comparison_of_nothing(still: Case, silent: Case) -> None:
     for several in ([silent], [still, silent]):  # no prediction at all, and of nothing
         assert_all_is_inside(plot_comparison(several))
@@ -186,6 +189,7 @@ def test_a_method_that_cannot_be_used_is_not_in_the_legend(cases: list[Case]) ->
 # ----- the figures of the paper -----
 
 
+@pytest.mark.slow
 def test_every_figure_of_the_paper_is_drawn(figures: list[PaperFigure], tmp_path: Path) -> None:
     numbers = [one.number for one in figures]
     assert numbers == ["10", "11", "13", "14", "15", "18", "19", "20", "22", "23", "24", "25", "26", "27"]
@@ -197,6 +201,7 @@ def test_every_figure_of_the_paper_is_drawn(figures: list[PaperFigure], tmp_path
         assert (tmp_path / f"{one.number}.png").stat().st_size > 4000
 
 
+@pytest.mark.slow
 def test_nothing_in_them_is_cut_off(figures: list[PaperFigure]) -> None:
     for one in figures:
         assert_all_is_inside(one.figure)
@@ -229,6 +234,7 @@ def test_the_lines_are_those_of_the_equations(figures: list[PaperFigure]) -> Non
     assert np.interp(0.25, at, drawn) == pytest.approx((1.25 * 0.25 / 0.5) ** 0.5, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_one_case_no_pulse_and_many_records(cases: list[Case], still: Case, silent: Case) -> None:
     many = [replace(cases[i % 8], record=f"P695_FF-{i + 10}-a$") for i in range(12)]
     for several, drawn in (
@@ -274,6 +280,7 @@ def test_the_design_method_with_and_without_intervals() -> None:
     assert_all_is_inside(one)
 
 
+@pytest.mark.slow
 def test_figures_know_nothing_of_kernels_and_of_windows_when_they_are_imported() -> None:
     code = """
 import importlib, pkgutil, sys

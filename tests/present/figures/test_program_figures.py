@@ -22,6 +22,7 @@ def runs(program):
     return {name: run_program(program, LI_2020, Li2020(), heating) for name, heating in HEATINGS.items()}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("models", [1, 2, 4])  # 4 are more than there are models of heating
 def test_any_number_of_models_is_drawn(program, runs, models) -> None:
     shown = dict([*runs.items(), ("again", runs["none"])][:models])
@@ -55,6 +56,7 @@ def test_a_program_without_the_tests_is_refused() -> None:
         plot_dependency(program, {"one": run_program(program)}, {})
 
 
+@pytest.mark.slow
 def test_a_long_name_stays_above_its_panel() -> None:
     tests = [RigTest(f"{i} of a long name {'x' * 40}", Sine(50.0, 50.0, 1), VerticalLoad((60.0,))) for i in range(10)]  # fmt: skip
     program = Program("long", tuple(tests))

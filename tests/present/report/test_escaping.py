@@ -1,9 +1,12 @@
 """Whatever a user wrote is words, in Typst and in HTML."""
 
+import pytest
+
 from dcfp.present.report import Document, page_of
 from dcfp.present.report.forms import breakable, data_of
 
 
+@pytest.mark.slow
 def test_typst_shows_what_was_written(nasty: Document, nasty_pdf: bytes, reading) -> None:
     text = reading.of_pdf(nasty_pdf).replace(" ", "")
     heading = nasty.heading
@@ -18,6 +21,7 @@ def test_typst_shows_what_was_written(nasty: Document, nasty_pdf: bytes, reading
         assert reading.plain(word).replace(" ", "") in text
 
 
+@pytest.mark.slow
 def test_html_shows_what_was_written(nasty: Document, reading) -> None:
     page = page_of(nasty)
     parsed = reading.parsed(page)

@@ -48,6 +48,7 @@ def test_numbers_are_those_of_the_analyses(calculation: Calculation, document: D
     assert numbers["version"] == dcfp.version()
 
 
+@pytest.mark.slow
 def test_the_peaks_of_every_case_are_in_the_text(document: Document, text: str) -> None:
     for case in document.numbers["cases"]:
         row = " ".join([case["record"], *(written(key, case[key]) for key in PEAKS), case["status"]])

@@ -61,6 +61,7 @@ def test_each_case_has_one_page_with_both_figures(document: Document, pages: lis
         assert "governs by the pulse method" in found
 
 
+@pytest.mark.slow
 def test_the_same_report_has_the_same_bytes(small: Document, small_pdf: bytes) -> None:
     assert pdf_of(small) == small_pdf
     assert page_of(small) == page_of(small)

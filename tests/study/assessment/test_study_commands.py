@@ -63,6 +63,7 @@ WORDS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", WORDS)
 def test_every_command_writes_table_json_csv_and_figure(run, stores, tmp_path, command):
     name, store, *options = WORDS[command]
