@@ -33,8 +33,9 @@ TOGETHER = ("doors/app", "study", "verify", "frozen", "present/report", "docs")
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     """Offer what takes long."""
-    parser.addoption("--slow", action="store_true", help="run the tests that take seconds, too")
-    parser.addoption("--long", action="store_true", help="run these and the checks at full size, too")
+    words = "run the tests that take seconds, too, or a share of them such as 2/3: those of every third file from the second on"
+    parser.addoption("--slow", nargs="?", const="1/1", metavar="SHARE", help=words)
+    parser.addoption("--long", action="store_true", help="run all of these and the checks at full size, too")
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -81,8 +82,16 @@ def pytest_collection_finish() -> None:
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Leave out what takes long where it is not asked for, and put those first that take longest."""
-    left = () if config.getoption("long") else ("long",) if config.getoption("slow") else ("long", "slow")
-    out = {item for item in items if any(item.get_closest_marker(name) for name in left)}
+    every = config.getoption("long")
+    share, _, shares = ("1/1" if every else config.getoption("slow") or "0/1").partition("/")
+    files = sorted({item.path for item in items if item.get_closest_marker("slow")})
+    taken = set(files[int(share) - 1 :: int(shares)]) if int(share) else set[Path]()
+    out = {
+        item
+        for item in items
+        if (item.get_closest_marker("long") and not every)
+        or (item.get_closest_marker("slow") and item.path not in taken)
+    }
     config.hook.pytest_deselected(items=list(out))
     items[:] = [item for item in items if item not in out]
     places = {folder: place for place, folder in enumerate(TOGETHER)}

@@ -78,6 +78,7 @@ def test_the_command_line(capsys: pytest.CaptureFixture[str], tmp_path: Path) ->
     assert "must be a number of mm/s from 10 to 100000, not '4'" in " ".join(capsys.readouterr().err.split())
 
 
+@pytest.mark.slow
 def test_tables_and_files(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     table = answer(capsys, *TOY)
     assert "toy_speed" in table
@@ -142,6 +143,7 @@ def test_workbook_and_report(
         assert "half of the largest relative velocity" in text
 
 
+@pytest.mark.slow
 def test_studies(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     file = tmp_path / "toy-study.toml"
     factors = '[factors]\nrecord = ["NCC"]\npgv = { values = [0.5], unit = "m/s" }\n"friction.halving_speed" = { values = [0.4, 0.8], unit = "m/s" }\n'

@@ -97,6 +97,7 @@ def test_a_short_record_after_a_long_one_ends_where_it_ends() -> None:
         assert_same(peaks, lane, dcfp.respond(motion.scaled(2.0)))
 
 
+@pytest.mark.slow
 def test_a_law_that_a_user_wrote(motions: list[dcfp.GroundMotion]) -> None:
     friction = dcfp.UserFriction(law)
     peaks = batch(motions[:1], np.array([[1.0]]), [System(friction=friction)])
@@ -133,6 +134,7 @@ def bad_law(pressure: float, speed: float, temperature: float) -> float:
     return 0.05 if speed < 300.0 else np.nan
 
 
+@pytest.mark.slow
 def test_an_analysis_that_fails_leaves_the_others_alone(motions: list[dcfp.GroundMotion]) -> None:
     models = [System(friction=dcfp.UserFriction(bad_law)), System()]
     peaks = batch(motions[:1], np.array([[2.0]]), models)

@@ -233,6 +233,7 @@ def test_a_single_plate_takes_all_the_travel(motion):
     np.testing.assert_allclose(one.temperature - 20.0, 2.0 * (two.temperature - 20.0), atol=1e-6)
 
 
+@pytest.mark.slow
 def test_a_user_law_equal_to_a_built_in_one_gives_its_answer(motion):
     def law(pressure, speed, temperature):
         gamma = 2.03 * pressure**-0.19 + 0.068
@@ -327,6 +328,7 @@ def test_bad_settings_get_a_sentence(motion, arguments, words):
         respond(motion, **arguments)
 
 
+@pytest.mark.slow
 def test_unequal_bearing_with_speed_of_the_surface():
     """A law of the surface's speed on a double bearing sees half of the relative speed."""
     motion = dcfp.load_motion("KNA").scaled_to_pgv(400.0)

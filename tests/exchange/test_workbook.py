@@ -155,6 +155,7 @@ def test_each_case_has_its_histories_and_two_charts(book, calculation) -> None:
         assert series.yVal.numRef.f.replace("'", "") == f"{name}!$F$4:$F${len(rows) + 3}"
 
 
+@pytest.mark.slow
 def test_a_long_history_is_thinned_and_says_so(calculation, tmp_path, monkeypatch) -> None:
     monkeypatch.setattr(workbook, "MOST_SAMPLES", 500)
     book = written(calculation, tmp_path / "r.xlsx")

@@ -131,7 +131,6 @@ def test_the_cache_answers_until_a_callee_in_another_file_is_edited_and_again_wh
     assert mini.call(NUMBA_BOUNDSCHECK="1") == Answer(6.0, hits=0)  # checked code is kept apart
 
 
-@pytest.mark.slow
 def test_folder_changes_with_any_kernel_source(mini):
     names = ["__init__.py", "_jit.py", "law.py", "step.py", "new.py"]
     code = f"""
@@ -154,7 +153,6 @@ print(cache_folder())
     assert all(folders)
 
 
-@pytest.mark.slow
 def test_processes_that_compile_at_once_all_answer_rightly(mini):
     courses = [RISING, FALLING] * 2
     waiting = [started(CALL.format(course=course), mini.root, mini.environment()) for course in courses]
@@ -185,7 +183,6 @@ def test_a_file_cut_short_is_replaced(mini):
     assert mini.call() == Answer(6.0, hits=1)
 
 
-@pytest.mark.slow
 def test_a_process_of_its_own_answers_as_a_forked_one_and_finds_its_code(mini):
     mini.call()
     command = [sys.executable, "-W", "error", "-c", CALL.format(course=RISING)]
@@ -210,7 +207,6 @@ def test_numba_chooses_no_place_of_its_own(mini):
     assert not list((mini.root / "mini").rglob("*.nbi"))
 
 
-@pytest.mark.slow
 def test_folder_that_goes_away_before_the_first_call_does_no_harm(mini):
     blocked = """
 import os, pathlib, shutil
@@ -227,12 +223,13 @@ def test_without_compilation_no_folder_is_made(mini):
     assert not mini.cache.exists()
 
 
-@pytest.mark.slow
 def test_numba_settings_of_the_user_are_left_alone(mini):
     code = """
 from numba.core import config
 before = config.CACHE_DIR
 import mini.kernels.step
+
+pytestmark = pytest.mark.slow
 assert config.CACHE_DIR == before, config.CACHE_DIR
 print(before)
 """

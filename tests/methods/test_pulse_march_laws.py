@@ -173,6 +173,7 @@ def constant_law(pressure, speed, temperature):
     return 0.043
 
 
+@pytest.mark.slow
 def test_a_law_of_the_users_own(six_legs: Pulses) -> None:
     own = march_through_pulses(six_legs, LI_2020, UserFriction(constant_law), SimplifiedHeating())
     built_in = march_through_pulses(six_legs, LI_2020, ConstantFriction(0.043), SimplifiedHeating())

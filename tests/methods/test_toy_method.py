@@ -78,6 +78,7 @@ def test_an_installed_package_adds_by_its_entry_points(tmp_path: Path) -> None:
     assert CODE in [one["method"] for one in comparison["answers"]]
 
 
+@pytest.mark.slow
 def test_codes(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     said = " ".join(answer(capsys, "codes", *RECORD, "--details").split())
     assert CODE in said

@@ -96,6 +96,7 @@ def test_any_bytes(content, tmp_path):
     read_safely(path, {"units": "g", "time_step": 0.01})
 
 
+@pytest.mark.slow
 @given(text=st.text("0123456789.,;+-eEdDnaif \t\n", max_size=200))
 @settings(RELAXED, max_examples=300)
 def test_any_numbers(text, tmp_path):

@@ -57,6 +57,7 @@ def law_of(value: float, other=None):
     return dcfp.UserFriction(mu)
 
 
+@pytest.mark.slow
 def test_laws_of_a_user_are_told_apart_by_what_they_use(motions, monkeypatch) -> None:
     def digest_of(friction: dcfp.UserFriction) -> str:
         return digest(Study(motions[:1], model=dcfp.system.System(friction=friction)).plan)

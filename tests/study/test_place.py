@@ -38,6 +38,7 @@ def test_a_store_that_is_there_is_not_touched(
     assert open_store(store).identical(run_study(small))
 
 
+@pytest.mark.slow
 def test_another_version_does_not_go_on(study: Study, store: Path, content, whole, monkeypatch) -> None:
     monkeypatch.setattr("dcfp.study.store.source_digest", lambda: "of other kernels")
     with pytest.raises(InputError, match=r"this store is made by another version \(dcfp "):
@@ -45,6 +46,7 @@ def test_another_version_does_not_go_on(study: Study, store: Path, content, whol
     assert content(store) == whole
 
 
+@pytest.mark.slow
 def test_a_link_is_followed_and_stays(small: Study, tmp_path: Path) -> None:
     (tmp_path / "real.zarr").symlink_to(tmp_path / "there.zarr")
     run_study(small, tmp_path / "real.zarr")
@@ -75,6 +77,7 @@ def test_a_store_that_cannot_be_replaced_is_still_there(
     assert content(tmp_path) == {f"s.zarr/{name}": data for name, data in whole.items()}
 
 
+@pytest.mark.slow
 def test_only_one_of_several_starters_runs(study: Study, tmp_path: Path, results) -> None:
     """Threads stand for processes here: the lock is on the file, not in the process."""
     from concurrent.futures import ThreadPoolExecutor

@@ -25,6 +25,7 @@ def plan_of(pgvs: int, mus: int, ambients: int) -> Plan:
     return Plan(Study(motions=[NCC], factors=factors))
 
 
+@pytest.mark.slow
 @settings(max_examples=40)
 @given(st.integers(1, 300), st.integers(1, 70), st.integers(1, 40))
 def test_blocks_tile_the_grid(pgvs: int, mus: int, ambients: int) -> None:

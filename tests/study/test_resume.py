@@ -34,6 +34,7 @@ def stop_after(blocks: int, error: BaseException):
 
 
 # an interruption writes what is at work, an error does not: of 12 blocks after the first and in the middle
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("blocks", "error"), [(1, KeyboardInterrupt()), (5, StopError()), (7, KeyboardInterrupt())]
 )
@@ -58,6 +59,7 @@ def test_what_was_interrupted_is_taken_up_again(
     assert sorted(path.name for path in tmp_path.iterdir()) == ["part.zarr"]
 
 
+@pytest.mark.slow
 def test_resume_begins_where_there_is_nothing(study: Study, tmp_path: Path, results) -> None:
     assert run_study(study, tmp_path / "new.zarr", resume=True).identical(results)
 
@@ -84,6 +86,7 @@ def test_a_damaged_store_is_mended(study: Study, store: Path, content, whole, wh
     assert content(store) == whole
 
 
+@pytest.mark.slow
 def test_a_full_disk_gets_one_sentence_and_loses_nothing(
     study: Study, tmp_path: Path, content, whole, monkeypatch
 ) -> None:

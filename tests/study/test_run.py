@@ -114,6 +114,7 @@ def failing(pressure: float, speed: float, temperature: float) -> float:
     return 0.05 if temperature < 30.0 else np.nan
 
 
+@pytest.mark.slow
 def test_an_analysis_that_fails_is_marked_and_the_others_are_not(motions) -> None:
     model = dcfp.system.System(friction=dcfp.UserFriction(failing))
     dataset = run_study(Study(motions=motions, factors={"pgv": [60.0, 900.0]}, model=model))

@@ -82,6 +82,7 @@ def test_coefficients_broadcast():
     assert (np.diff(values, axis=0) > 0.0).all()
 
 
+@pytest.mark.slow
 def test_a_user_law_may_be_plain_or_compiled():
     def plain(pressure, speed, temperature):
         return 0.04 + 1e-5 * speed + 1e-6 * pressure - 1e-5 * temperature
@@ -91,6 +92,7 @@ def test_a_user_law_may_be_plain_or_compiled():
         assert float(law.coefficient(60.0, 100.0, 20.0)) == pytest.approx(0.04086)
 
 
+@pytest.mark.slow
 def test_a_user_law_that_cannot_be_compiled_is_refused():
     with pytest.raises(InputError, match="cannot be compiled"):
         UserFriction(lambda pressure, speed, temperature: str(pressure).no_such_method())

@@ -54,6 +54,7 @@ DOORS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("door", DOORS)
 @pytest.mark.parametrize("law", [raises, divides, is_infinite, is_nan])
 def test_a_law_without_a_number_is_named_at_once(law, door: str) -> None:
@@ -66,6 +67,7 @@ def test_the_time_and_the_label_are_told() -> None:
         dcfp.respond(dcfp.load_motion("NCC"), friction=UserFriction(raises, "my law"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("door", DOORS)
 def test_a_law_travels_as_a_function(door: str) -> None:
     law = pickle.loads(pickle.dumps(UserFriction(slow_rise, "slow")))

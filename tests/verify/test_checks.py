@@ -24,6 +24,9 @@ DEAR = (
 
 #: What takes more than a second as it is.
 SLOW = (
+    "OpenSees: peak displacement, heated",
+    "90 % interval",
+    "Plain explicit integration: peak temperature",
     "OpenSees: peak temperature",
     "brute force",
     "Plain explicit integration: peak displacement",
@@ -92,6 +95,7 @@ def test_every_tenth_of_the_components(heating: str, monkeypatch: pytest.MonkeyP
     assert len(laws.converged_and_default("100 components at 0.5 m/s", heating)) == 10
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("task", named("a pause"), ids=identifier)
 def test_a_pause_after_one_fast_cycle(task: Task, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(rig_explicit, "_PAUSED", "ASCE T10")

@@ -168,6 +168,7 @@ def test_a_socket_of_another_page_is_refused(server):
     assert head.get("Access-Control-Allow-Origin") is None
 
 
+@pytest.mark.slow
 def test_nothing_may_be_loaded_from_elsewhere(server):
     policy = ask(server)[1].get("Content-Security-Policy", "")
     assert "default-src 'self'" in policy

@@ -46,6 +46,7 @@ def test_a_script(run, tmp_path) -> None:
     assert "radius 3000 and 3000 mm" in text
 
 
+@pytest.mark.slow
 def test_a_workbook_has_the_peaks_of_the_json(run, tmp_path) -> None:
     file = tmp_path / "results.xlsx"
     outcome = run("export", scenario(tmp_path, pgvs="[0.25, 0.5]"), "--out", file, "--json")
@@ -56,6 +57,7 @@ def test_a_workbook_has_the_peaks_of_the_json(run, tmp_path) -> None:
         assert rows[name][3] == pytest.approx(one["y_max_mm"], rel=1e-14)
 
 
+@pytest.mark.slow
 def test_netcdf_and_csv(run, tmp_path) -> None:
     file = scenario(tmp_path, pgvs="[0.25, 0.5]")
     assert run("export", file, "--out", tmp_path / "r.nc").status == 0

@@ -38,6 +38,7 @@ def document(outcome) -> dict:
     return json.loads(outcome.out)
 
 
+@pytest.mark.slow
 def test_the_tables_say_what_was_found_and_what_was_not(run, tests) -> None:
     status, out, err = run("identify", *tests.values())
     assert (status, err) == (0, "")

@@ -99,6 +99,7 @@ def test_an_unexpected_error_asks_to_be_reported(run, monkeypatch) -> None:
         main(["respond", "NCC"])
 
 
+@pytest.mark.slow
 def test_a_closed_pipe_is_no_error() -> None:
     process = subprocess.Popen(
         [sys.executable, "-m", "dcfp.doors.cli.main", "records", "--json"],

@@ -27,6 +27,7 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
+@pytest.mark.slow
 def test_a_study_file_alone_runs_it_into_a_store_beside(run, here: Path) -> None:
     outcome = run("study", "few.toml")
     assert (outcome.status, outcome.err) == (0, "")
@@ -37,6 +38,7 @@ def test_a_study_file_alone_runs_it_into_a_store_beside(run, here: Path) -> None
     assert found["peak_displacement"].item() == alone.peak_displacement
 
 
+@pytest.mark.slow
 def test_json_says_what_the_store_holds(run, here: Path) -> None:
     document = json.loads(run("study", "run", "few.toml", "--out", "s.zarr", "--threads", "1", "--json").out)
     assert document["dimensions"] == {"record": 2, "pgv": 3, "mu": 2}

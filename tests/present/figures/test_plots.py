@@ -171,6 +171,7 @@ def test_an_overview_is_a_table_of_records_and_velocities() -> None:
     assert figure.get_supylabel() == "$F$ [kN]"
 
 
+@pytest.mark.slow
 def test_an_overview_of_records_as_they_are_names_each_panel(tmp_path: Path) -> None:
     responses = [respond(load_motion(name)) for name in ("NCC", "KNA", "LPG")]
     figure = plot_overview(responses)

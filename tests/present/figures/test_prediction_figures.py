@@ -126,6 +126,7 @@ def test_the_pulses_that_govern_are_named_once_where_they_are_one(cases: list[Ca
     assert "in the analysis" in one[0]
 
 
+@pytest.mark.slow
 def test_no_pulse_and_no_swing_are_said_and_do_not_fail(still: Case, silent: Case) -> None:
     assert silent.analysed.swing is None
     assert silent.pulses.count == 0
@@ -266,6 +267,7 @@ def test_constants_without_a_simplified_method_draw_no_line_for_it(cases: list[C
 # ----- the PGV alone -----
 
 
+@pytest.mark.slow
 def test_the_design_method_with_and_without_intervals() -> None:
     pgvs = [500.0, 250.0, 1000.0]
     predictions = [predict_from_pgv(pgv) for pgv in pgvs]

@@ -10,6 +10,8 @@ from dcfp.present.report.document import DECIMALS, powered, written
 from dcfp.schema.formulas import number
 from dcfp.study.scenario import Calculation
 
+pytestmark = pytest.mark.slow
+
 PEAKS = (
     "pgv_m_s", "y_max_mm", "dy_max_mm", "v_max_mm_s", "residual_mm", "force_max_kN", "temperature_max_degC", "friction_min", "V_E_mm_s",
     "V_Eh_mm_s",
@@ -48,7 +50,6 @@ def test_numbers_are_those_of_the_analyses(calculation: Calculation, document: D
     assert numbers["version"] == dcfp.version()
 
 
-@pytest.mark.slow
 def test_the_peaks_of_every_case_are_in_the_text(document: Document, text: str) -> None:
     for case in document.numbers["cases"]:
         row = " ".join([case["record"], *(written(key, case[key]) for key in PEAKS), case["status"]])

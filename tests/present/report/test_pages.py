@@ -13,6 +13,8 @@ from pypdf import PdfReader
 from dcfp.present.report import Document, page_of, pdf_of
 from dcfp.present.report.forms import data_of, fonts_suffice
 
+pytestmark = pytest.mark.slow
+
 #: Margins of a page that stay empty [cm]: of the text there are 2.2 at the sides.
 _SIDES, _ENDS, _DOTS = 2.0, 0.9, 50.0
 
@@ -61,7 +63,6 @@ def test_each_case_has_one_page_with_both_figures(document: Document, pages: lis
         assert "governs by the pulse method" in found
 
 
-@pytest.mark.slow
 def test_the_same_report_has_the_same_bytes(small: Document, small_pdf: bytes) -> None:
     assert pdf_of(small) == small_pdf
     assert page_of(small) == page_of(small)

@@ -8,6 +8,7 @@ from dcfp.study.assessment import bounds, select
 from dcfp.study.assessment.selection import remarks_of
 
 
+@pytest.mark.slow
 def test_the_least_friction_moves_most_and_the_largest_pushes_most(properties):
     found = bounds(properties)
     assert set(found["peak_displacement_largest_at"].to_numpy().ravel()) == {"lambda 0.8, ambient 40 °C"}

@@ -84,6 +84,7 @@ def test_every_command_writes_table_json_csv_and_figure(run, stores, tmp_path, c
     assert "--overwrite" in err
 
 
+@pytest.mark.slow
 def test_ida(run, stores, records):
     found = ida(records)
     document = json.loads(run("ida", stores["records"], "--json").out)
@@ -140,6 +141,7 @@ def test_fragility(run, stores, records):
     assert "9000 mm: none of the 40 records exceeds it up to 2 m/s" in " ".join(table.split())
 
 
+@pytest.mark.slow
 def test_bounds(run, stores, properties):
     found = bounds(properties)
     words = (
@@ -166,6 +168,7 @@ def test_bounds(run, stores, properties):
     assert "force" not in only
 
 
+@pytest.mark.slow
 def test_sensitivity_table(run, stores, sampled):
     found = sensitivity(sampled, over_records=0.5)
     words = ("sensitivity", stores["sampled"], "--over-records", "0.5")

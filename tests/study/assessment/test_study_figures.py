@@ -18,6 +18,8 @@ from dcfp.present.figures.assessment import (
 )
 from dcfp.study.assessment import bounds, design_space, fragility, ida, select, sensitivity
 
+pytestmark = pytest.mark.slow
+
 
 def assert_all_is_inside(figure: Figure) -> None:
     """Nothing that is written is cut off, no panel covers another, and the legend covers none."""

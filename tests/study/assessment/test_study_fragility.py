@@ -128,6 +128,7 @@ def test_a_record_at_the_capacity_is_not_counted_among_those_beyond_it(build):
 # ----- the whole -----
 
 
+@pytest.mark.slow
 def test_the_fragility_of_a_study_is_that_of_its_formula(build):
     """y = 0.1 e pgv^1.2 reaches the capacity at pgv = (capacity / (0.1 e))^(1/1.2): median of 10 capacity, to the 1/1.2, and a dispersion of that of e over 1.2."""
     strength = np.exp(0.36 * np.random.default_rng(8).standard_normal(2000))

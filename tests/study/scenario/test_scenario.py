@@ -32,6 +32,7 @@ def write(tmp_path: Path, text: str) -> Path:
     return path
 
 
+@pytest.mark.slow
 def test_every_result_is_that_of_the_parts_alone(tmp_path) -> None:
     scenario = read_scenario(write(tmp_path, TEXT))
     assert scenario.heading == Heading(project="Tower", author="A. Engineer")
