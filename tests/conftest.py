@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 from hypothesis import settings
 
+gc.disable()  # what is imported and collected is there for good: see pytest_collection_finish
 TESTS = Path(__file__).parent
 # `pytest -n` has a process for every processor already: a library's own threads would only get in each other's way
 for library in ("OMP", "OPENBLAS", "MKL"):
@@ -77,6 +78,7 @@ def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:
 def pytest_collection_finish() -> None:
     """Let the collector of garbage leave alone what is there for good, and come less often."""
     gc.freeze()
+    gc.enable()
     gc.set_threshold(50_000, 10, 10)
 
 

@@ -16,6 +16,7 @@ from forked import output, started
 
 import dcfp.kernels
 
+pytestmark = pytest.mark.slow
 DECORATOR = Path(dcfp.kernels.__file__).with_name("_jit.py")
 
 LAW = """
@@ -228,8 +229,6 @@ def test_numba_settings_of_the_user_are_left_alone(mini):
 from numba.core import config
 before = config.CACHE_DIR
 import mini.kernels.step
-
-pytestmark = pytest.mark.slow
 assert config.CACHE_DIR == before, config.CACHE_DIR
 print(before)
 """

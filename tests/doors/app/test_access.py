@@ -55,6 +55,7 @@ def focused_names(page, count: int) -> list[str]:
     return names
 
 
+@pytest.mark.slow
 def test_every_control_can_be_reached_in_order_and_seen_there(open_page):
     page = open_page()
     names = focused_names(page, 60)

@@ -161,6 +161,7 @@ def test_precise_heating_shows_the_plate(shared_page):
     plate.wait_for(state="hidden")
 
 
+@pytest.mark.slow
 def test_what_can_be_taken_away(shared_page, tmp_path):
     page = shared_page
     slide(page, "PGV of every record", "ArrowRight", 5)
@@ -272,6 +273,7 @@ def test_a_path_is_not_followed(shared_page):
     page.locator("h2", has_text=re.compile("^passwd, PGV")).wait_for()
 
 
+@pytest.mark.slow
 def test_too_many_files(shared_page):
     page = shared_page
     content = at2_text(pulse_motion(points=400)).encode()

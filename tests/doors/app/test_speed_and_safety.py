@@ -33,6 +33,7 @@ async (step) => {
 """
 
 
+@pytest.mark.slow
 def test_from_the_slider_to_the_number(open_page, capsys):
     page = open_page()
     page.wait_for_timeout(500)
