@@ -34,8 +34,9 @@ TOGETHER = ("doors/app", "study", "verify", "frozen", "present/report", "docs")
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     """Offer what takes long."""
-    words = "run the tests that take seconds, too, or a share of them such as 2/3: those of every third file from the second on"
-    parser.addoption("--slow", nargs="?", const="1/1", metavar="SHARE", help=words)
+    parser.addoption("--slow", action="store_true", help="run the tests that take seconds, too")
+    words = "run a share of the tests that take seconds, too: with 2/3 those of every third file from the second on"
+    parser.addoption("--slow-share", default="0/1", metavar="K/N", help=words)
     parser.addoption("--long", action="store_true", help="run all of these and the checks at full size, too")
 
 
@@ -85,7 +86,9 @@ def pytest_collection_finish() -> None:
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Leave out what takes long where it is not asked for, and put those first that take longest."""
     every = config.getoption("long")
-    share, _, shares = ("1/1" if every else config.getoption("slow") or "0/1").partition("/")
+    share, _, shares = (
+        "1/1" if every or config.getoption("slow") else config.getoption("slow_share")
+    ).partition("/")
     files = sorted({item.path for item in items if item.get_closest_marker("slow")})
     taken = set(files[int(share) - 1 :: int(shares)]) if int(share) else set[Path]()
     out = {
