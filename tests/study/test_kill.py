@@ -26,12 +26,14 @@ mu = { from = 0.02, to = 0.12, count = 6 }
 [analysis]
 step = 0.0002
 """
-#: Ten seconds of work in 64 blocks: they are not done before the interruption comes, which waits for those at work alone.
+#: A minute of work in 64 blocks: they are not done before the interruption comes, which waits for those at work alone.
 LONG = """
 [factors]
 record = ["NCC", "KNA"]
 pgv = { from = 0.1, to = 2.0, count = 64, unit = "m/s" }
 mu = { from = 0.02, to = 0.12, count = 64 }
+[analysis]
+step = 0.0005
 """
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="kill -9 is of POSIX")
