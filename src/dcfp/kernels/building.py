@@ -12,7 +12,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from dcfp.kernels._jit import called_kernel, kernel
+from dcfp.kernels._jit import kernel
 from dcfp.kernels.friction import BearingModel, mean_coefficient, store_ratios
 from dcfp.kernels.heat_state import EXPECTED, ODD_LENGTH, POINT, PRESENT, RATIO, Heat
 from dcfp.kernels.heating import cool_down, expect, heat_up, prepare, prepare_cooling
@@ -94,7 +94,7 @@ def _yields(
     return abs(elongation) - friction * system.yield_per_mu > outside
 
 
-@called_kernel
+@kernel
 def _walk(
     law: Law,
     system: SystemConstants,
@@ -181,7 +181,7 @@ def _acceleration(building: Building, system: SystemConstants, elongation: float
     return total
 
 
-@called_kernel
+@kernel
 def _stick(
     law: Law, system: SystemConstants, heat: Heat, building: Building, state: Floats, most: int
 ) -> int:
@@ -212,7 +212,7 @@ def _stick(
     return walked.ticks
 
 
-@called_kernel
+@kernel
 def _slide(
     law: Law, system: SystemConstants, heat: Heat, building: Building, state: Floats, most: int, time: float
 ) -> tuple[int, bool]:

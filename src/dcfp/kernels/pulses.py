@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from dcfp.kernels._jit import Records, called_kernel, kernel, record_type
+from dcfp.kernels._jit import Records, kernel, record_type
 from dcfp.kernels.friction import BearingModel, mean_coefficient
 from dcfp.kernels.heat_state import BETWEEN, ODD_LENGTH, PRESENT, Heat
 from dcfp.kernels.heating import cool_down, expect, heat_up, interpolate, prepare
@@ -108,7 +108,7 @@ def _slides(model: BearingModel, displacement: float, ground: float) -> bool:
     return not abs(ground + system.restoring * displacement) <= held
 
 
-@called_kernel
+@kernel
 def _step(model: BearingModel, state: Any, leg: int, time: float, step: float, ground: float) -> bool:
     """Take one step under a constant ground acceleration [mm/s2], through every start and stop within it."""
     system = model.system
