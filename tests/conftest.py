@@ -86,9 +86,8 @@ def pytest_collection_finish() -> None:
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Leave out what takes long where it is not asked for, and put those first that take longest."""
     every = config.getoption("long")
-    share, _, shares = (
-        "1/1" if every or config.getoption("slow") else config.getoption("slow_share")
-    ).partition("/")
+    all_slow = every or config.getoption("slow")
+    share, _, shares = ("1/1" if all_slow else config.getoption("slow_share")).partition("/")
     files = sorted({item.path for item in items if item.get_closest_marker("slow")})
     taken = set(files[int(share) - 1 :: int(shares)]) if int(share) else set[Path]()
     out = {
