@@ -7,7 +7,7 @@ from dcfp.schema.parameters import HIGH_PASS, PGV, TIME_STEP
 
 PGVS = replace(
     PGV,
-    words="scale each record to these peak ground velocities",
+    words="peak ground velocities that each record is scaled to",
     more="without it a record is used as it is",
 )
 
