@@ -1,4 +1,5 @@
 from .analysis import Keep as Keep
+from .analysis import PlaneResponse as PlaneResponse
 from .analysis import Response as Response
 from .analysis import respond as respond
 from .analysis.building import ShearBuilding as ShearBuilding
@@ -17,6 +18,8 @@ from .methods import find_pulses as find_pulses
 from .methods import march_through_pulses as march_through_pulses
 from .motion.ground_motion import GroundMotion as GroundMotion
 from .motion.load import load_motion as load_motion
+from .motion.load import load_station as load_station
+from .motion.station import Station as Station
 from .study import Sampling as Sampling
 from .study import Study as Study
 from .study import open_store as open_store

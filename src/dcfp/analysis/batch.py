@@ -7,9 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from dcfp.analysis.integration import DEFAULT, Integration
+from dcfp.analysis.integration import DEFAULT, Integration, halvings
 from dcfp.analysis.response import FAILED, NUMBERS, Status, states_at_rest
-from dcfp.analysis.response_history import halvings
 from dcfp.arrays import FloatArray, IntArray
 from dcfp.kernels._jit import Records, as_bytes
 from dcfp.kernels.heat_state import MODE_ROWS, Heat

@@ -1,8 +1,10 @@
 """How finely and how far an analysis goes, and what it keeps beside its histories."""
 
+import math
 from typing import Annotated
 
 from dcfp.errors import InputError
+from dcfp.kernels.heat_state import MOST_HALVINGS
 from dcfp.schema.declared import Declared, declared
 from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import FRACTION, NONE, SECOND
@@ -50,6 +52,8 @@ class Integration(Declared):
     ] = 0.02  # fmt: skip
 
 
+#: Longest step of sliding [s], whatever the record's own: peaks are looked for at the ends of steps.
+LONGEST_STEP = 0.01
 #: How an analysis goes unless something else is said.
 DEFAULT = Integration()
 
@@ -96,3 +100,8 @@ class Keep(Declared):
 PLATES = Keep(profiles=200)
 #: Nothing but histories, peaks and the last state.
 NOTHING = Keep()
+
+
+def halvings(interval: float) -> int:
+    """Return how often a sample interval [s] must be halved not to exceed the longest step."""
+    return min(max(0, math.ceil(math.log2(interval / LONGEST_STEP * (1.0 - 1e-9)))), MOST_HALVINGS)

@@ -1,29 +1,45 @@
 """Response history analysis of a rigid structure on a bearing."""
 
-import math
 import time
 from dataclasses import replace
 from functools import cache
+from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
-from dcfp.analysis.integration import DEFAULT, NOTHING, Integration, Keep
+from dcfp.analysis.integration import DEFAULT, NOTHING, Integration, Keep, halvings
 from dcfp.analysis.response import Response, State, state_at_rest
 from dcfp.arrays import FloatArray, freeze, integral
 from dcfp.errors import InputError
 from dcfp.kernels import integrate as k
-from dcfp.kernels.heat_state import MOST_HALVINGS
 from dcfp.kernels.motion import AT_REST, NO_NUMBER, NO_PROGRESS, OUT_OF_CELLS, StepControl
 from dcfp.motion.ground_motion import GroundMotion, parts_in, refined, with_tail
-from dcfp.motion.load import Motion, motion_of
+from dcfp.motion.load import Motion, Record, record_of
+from dcfp.motion.station import Station
 from dcfp.schema.parameters import refuse_other
 from dcfp.system import FrictionLaw, Heating, System, SystemLike
 from dcfp.system.plates import Profiles, kernel_model, profile_now
 
-#: Longest step of sliding [s], whatever the record's own: peaks are looked for at the ends of steps.
-LONGEST_STEP = 0.01
+if TYPE_CHECKING:
+    from dcfp.analysis.plane_response import PlaneResponse, PlaneState
 
 
+@overload
+def respond(
+    motion: Station,
+    bearing: SystemLike = None,
+    friction: FrictionLaw | str | None = None,
+    heating: Heating | str | None = None,
+    *,
+    pgv: float | None = None,
+    vertical: bool = False,
+    tail: float | None = None,
+    tolerance: float = DEFAULT.tolerance,
+    step: float | None = None,
+    start: "PlaneState | None" = None,
+    keep: Keep = NOTHING,
+) -> "PlaneResponse": ...
+@overload
 def respond(
     motion: Motion,
     bearing: SystemLike = None,
@@ -31,26 +47,43 @@ def respond(
     heating: Heating | str | None = None,
     *,
     pgv: float | None = None,
+    vertical: bool = False,
     tail: float | None = None,
     tolerance: float = DEFAULT.tolerance,
     step: float | None = None,
     start: State | None = None,
     keep: Keep = NOTHING,
-) -> Response:
+) -> Response: ...
+def respond(
+    motion: Record,
+    bearing: SystemLike = None,
+    friction: FrictionLaw | str | None = None,
+    heating: Heating | str | None = None,
+    *,
+    pgv: float | None = None,
+    vertical: bool = False,
+    tail: float | None = None,
+    tolerance: float = DEFAULT.tolerance,
+    step: float | None = None,
+    start: "State | PlaneState | None" = None,
+    keep: Keep = NOTHING,
+) -> "Response | PlaneResponse":
     """Analyse a rigid structure on a bearing under a ground motion.
 
     Parameters
     ----------
     motion
-        Ground motion, linear between its samples; or the name of a record, or a file.
+        Ground motion, linear between its samples; or the name of a record, or a file. A station is analysed in the plane.
     bearing
         By default that of Li et al. (2020); or a whole `System`, or a bearing file, whose law and heating model then stand for those not given.
     friction
         Friction law or its name; by default that of Li et al. (2020), Eqs (7)-(10).
     heating
-        Heating model or its name; by default the simplified one, Li et al. (2020), section 4.2.
+        Heating model or its name; by default the simplified one, Li et al. (2020), section 4.2, and of a station the precise one.
     pgv
         PGV to scale the motion to [mm/s]; by default it is taken as it is.
+    vertical
+        Of a station: whether the vertical force follows its vertical component.
     tail, tolerance, step
         How far and how finely [s, -, s]: `Integration`.
     start
@@ -61,7 +94,7 @@ def respond(
 
     Returns
     -------
-    Response
+    Response, PlaneResponse
         Histories at the record's samples (at the steps where `step` is shorter), peaks, and the state at the end.
 
     Raises
@@ -72,15 +105,24 @@ def respond(
         If the analysis cannot be finished.
     """
     refuse_other(keep, Keep, "keep", "a Keep")
+    record, integration = record_of(motion, pgv), Integration(step=step, tail=tail, tolerance=tolerance)
+    if isinstance(record, Station):
+        from dcfp.analysis.plane_history import (
+            PlaneState,
+            analyse_plane,
+            plane_system,
+        )  # late: most motions are of one direction
+
+        if start is not None:
+            refuse_other(start, PlaneState, "start", "the final state of a PlaneResponse")
+        system = plane_system(bearing, friction, heating)
+        return analyse_plane(record, system, integration, vertical=vertical, start=start)
+    if vertical:
+        msg = f"{record.name}: a single component has no vertical one; give a station, as in east.AT2+north.AT2+up.AT2."
+        raise InputError(msg)
     if start is not None:
         refuse_other(start, State, "start", "the final state of a Response")
-    return analyse(
-        motion_of(motion, pgv),
-        System.of(bearing, friction, heating),
-        Integration(step=step, tail=tail, tolerance=tolerance),
-        start=start,
-        keep=keep,
-    )
+    return analyse(record, System.of(bearing, friction, heating), integration, start=start, keep=keep)
 
 
 def analyse(
@@ -123,11 +165,6 @@ def analyse(
         profiles=Profiles.of(profiles, system) if profiles else None,
         elapsed=elapsed,
     )
-
-
-def halvings(interval: float) -> int:
-    """Return how often a sample interval [s] must be halved not to exceed the longest step."""
-    return min(max(0, math.ceil(math.log2(interval / LONGEST_STEP * (1.0 - 1e-9)))), MOST_HALVINGS)
 
 
 @cache

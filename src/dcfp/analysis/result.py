@@ -52,6 +52,8 @@ class EnergyBalance:
         E_k of the relative velocity, Eq. (5); E_h, dissipated by friction; E_xi, taken by the damping of a building.
     pendulum, spring, storeys
         Parts of the elastic strain energy E_s: in spring (a), in spring (b), and in the storeys of a building.
+    lifting
+        Work of the part of the pendulum's force that a changing vertical force makes.
     """
 
     input: FloatArray
@@ -62,6 +64,7 @@ class EnergyBalance:
     hysteretic: FloatArray
     storeys: FloatArray | float = 0.0
     damping: FloatArray | float = 0.0
+    lifting: FloatArray | float = 0.0
 
     @property
     def strain(self) -> FloatArray:
@@ -70,8 +73,8 @@ class EnergyBalance:
 
     @property
     def residual(self) -> FloatArray:
-        """E - E_s - E_k - E_xi - E_h, by which Eq. (6) fails to close [N mm]."""
-        return self.input - self.strain - self.kinetic - self.damping - self.hysteretic
+        """E - E_s - E_k - E_xi - E_h, less the lifting, by which Eq. (6) fails to close [N mm]."""
+        return self.input - self.strain - self.kinetic - self.damping - self.hysteretic - self.lifting
 
     @property
     def relative_residual(self) -> float:
@@ -279,7 +282,11 @@ class Result(ABC):
             "title": f"{self.title}, {self.bearing.name}",
             "source": f"dcfp {version()}",
             "references": "\n".join(citations_of(self.friction_law.citation, "li_2020")),
-            **self.attributes,
+            # NetCDF knows no truth values
+            **{
+                key: int(value) if isinstance(value, bool) else value
+                for key, value in self.attributes.items()
+            },
             "bearing": json.dumps(asdict(self.bearing)),
             "friction_law": repr(self.friction_law),
             "heating_model": repr(self.heating),

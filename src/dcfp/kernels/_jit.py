@@ -162,7 +162,7 @@ Records: TypeAlias = Any
 
 def record_type(kind: type) -> np.dtype[np.void]:
     """Return the type of a record with the numbers of a class of named tuples; a field of such a class becomes a record within."""
-    numbers = {float: np.float64, int: np.int64, bool: np.bool_}
+    numbers = {float: np.float64, complex: np.complex128, int: np.int64, bool: np.bool_}
     fields: list[tuple[str, Any]] = []
     for name, hint in get_type_hints(kind).items():
         if hint in numbers:

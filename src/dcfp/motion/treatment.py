@@ -9,6 +9,7 @@ import numpy as np
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.station import Station
 
 #: Largest number of values that resampling makes.
 MAXIMUM_POINTS = 50_000_000
@@ -30,6 +31,15 @@ def treated(motion: GroundMotion, *, baseline: bool = False, corner: float | Non
             motion = remove_mean(motion)
         motion = high_pass(motion, corner)
     return motion
+
+
+def station_treated(station: Station, *, baseline: bool = False, corner: float | None = None) -> Station:
+    """Return a station with every component treated as `treated` does, which raises the same errors."""
+    x, y, *rest = (treated(one, baseline=baseline, corner=corner) for one in station.components)
+    steps = x.treatment[len(station.x.treatment) :]
+    return replace(
+        station, x=x, y=y, vertical=rest[0] if rest else None, treatment=(*station.treatment, *steps)
+    )
 
 
 def remove_leading_mean(motion: GroundMotion, duration: float) -> GroundMotion:

@@ -108,6 +108,7 @@ CONDUCTIVITY = Unit("N/(s °C)", 1.0, "N s-1 K-1", "N/(s*K)")
 DIFFUSIVITY = Unit("mm²/s", 1.0, "mm2 s-1", "mm2/s", meant=(("m2/s", 1e6),))
 S_PER_MM = Unit("s/mm", 1.0, "s mm-1", meant=(("s/m", 1e-3),))
 N_PER_S = Unit("N/s", 1.0, "N s-1")
+DEGREE = Unit("°", 1.0, "degree", "deg")
 PERCENT = Unit("%", 0.01, "%", base=NONE)
 
 

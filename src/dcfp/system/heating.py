@@ -98,6 +98,8 @@ class PreciseHeating(Heating):
     cells
         Number of cells that the length of the contact is divided into. 64 is within 0.02 degC and
         0.01 % of the peak displacement of 200.
+    points
+        In two directions: number of spacings of the grid of points that the diameter of the slider is long. 50 is within 0.3 degC of 100.
     """
 
     name: ClassVar[str] = "precise"
@@ -110,6 +112,9 @@ class PreciseHeating(Heating):
     cells: Annotated[
         int, Parameter("number of cells across the contact", NONE, 2, 10_000, step=16, vary=False)
     ] = 64
+    points: Annotated[
+        int, Parameter("number of points across the slider, in the plane", NONE, 4, 1000, step=10, vary=False)
+    ] = 50
 
 
 @declared

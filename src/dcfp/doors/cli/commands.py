@@ -13,12 +13,13 @@ from dcfp.errors import InputError
 from dcfp.files import DATA_EXTENSIONS
 from dcfp.schema.declared import parameters
 from dcfp.schema.parameters import PGV, Parameter
-from dcfp.schema.units import FRACTION, MM, NONE, SECOND
+from dcfp.schema.units import DEGREE, FRACTION, MM, NONE, SECOND
 
 if TYPE_CHECKING:
     from dcfp.doors.cli.outputs import Answer
 
 RECORD = "name of a record (dcfp records lists them) or a file, FILE::COMPONENT"
+RECORD_OR_STATION = f"{RECORD}; or a station, analysed in the plane: P695-FF-2, files joined by + (x, y), FILE::NS+::EW, what K-NET files have before .EW and .NS"
 RECORD_OR_SET = "name of a record or set, or a file, FILE::COMPONENT"
 FIGURE = "a figure"
 
@@ -36,6 +37,9 @@ DAMPING = Parameter("ratio of critical damping", FRACTION, 0.0, 0.99, key="dampi
 PERIODS = Parameter("increasing periods", SECOND, 0.01, 100.0, key="periods", more="default 200 from 0.05 to 10")  # fmt: skip
 ALLOWED = Parameter("displacement that is to hold", MM, 1.0, 1e4, key="allow")
 PART = Parameter("percentage", NONE, 1.0, 99.0)
+ROTATE = Parameter(
+    "angle by which the motion of a station is turned from x towards y", DEGREE, -360.0, 360.0, key="rotate"
+)
 PORT = Parameter("port", NONE, 1, 65535, key="port", kind=int, default=8080)
 
 
@@ -359,8 +363,10 @@ def respond(parser: Parser) -> None:
     """Response history analysis of a rigid structure on a friction pendulum bearing."""
     from dcfp.analysis.integration import Integration  # late: other commands analyse nothing
 
-    options.add_records(parser, "+", RECORD)
-    options.add_treatment(parser)
+    options.add_records(parser, "+", RECORD_OR_STATION)
+    group = options.add_treatment(parser)
+    add_parameter(group, ROTATE)
+    add_switch(group, "--vertical", "let the vertical force of a station follow its vertical component")
     options.add_bearing(parser)
     add_declared(parser.add_argument_group("integration"), Integration)
     options.add_output(

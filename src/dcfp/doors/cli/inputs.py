@@ -3,15 +3,19 @@
 import argparse
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypeVar
 
 from dcfp.doors.cli.options import option_name
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import load_motions as load
+from dcfp.motion.load import load_records as load_stations
 from dcfp.motion.measures import refuse_a_drift
-from dcfp.motion.treatment import treated
+from dcfp.motion.station import Station
+from dcfp.motion.treatment import station_treated, treated
 from dcfp.schema.declared import Declared, parameters
 from dcfp.system import System, read_bearing, system_parameters
+
+Moved = TypeVar("Moved", bound=GroundMotion | Station)
 
 
 def given(chosen: argparse.Namespace, kind: type[Declared]) -> dict[str, Any]:
@@ -29,14 +33,21 @@ def load_motions(chosen: argparse.Namespace) -> list[GroundMotion]:
     return [treated(motion, baseline=chosen.baseline, corner=chosen.high_pass) for motion in motions]
 
 
+def load_records(chosen: argparse.Namespace) -> list[GroundMotion | Station]:
+    """Return every station and single record as it will be used but for the scale."""
+    records = load_stations(chosen.records, chosen.component, units=chosen.units, time_step=chosen.time_step)
+    how = {"baseline": chosen.baseline, "corner": chosen.high_pass}
+    return [
+        station_treated(one, **how) if isinstance(one, Station) else treated(one, **how) for one in records
+    ]
+
+
 def motions(chosen: argparse.Namespace) -> list[GroundMotion]:
     """Return every record at every PGV."""
     return scaled(load_motions(chosen), chosen.pgv)
 
 
-def scaled(
-    motions: Sequence[GroundMotion], pgvs: list[float] | None, *, allow_drift: bool = False
-) -> list[GroundMotion]:
+def scaled(motions: Sequence[Moved], pgvs: list[float] | None, *, allow_drift: bool = False) -> list[Moved]:
     """Return every motion at every PGV [mm/s]; one whose PGV is that of its baseline is refused, unless it may drift and is not scaled."""
     if pgvs is not None or not allow_drift:
         for motion in motions:

@@ -1,6 +1,7 @@
 """The options that several commands share: records, bearing, integration, prediction, output."""
 
 from dataclasses import replace
+from typing import Any
 
 from dcfp.doors.cli.parser import Parser, add_declared, add_parameter, add_switch
 from dcfp.schema.parameters import HIGH_PASS, PGV, TIME_STEP
@@ -23,13 +24,14 @@ def add_records(parser: Parser, count: str, words: str) -> None:
     add_parameter(group, TIME_STEP)
 
 
-def add_treatment(parser: Parser) -> None:
-    """Add how the records are scaled and treated."""
+def add_treatment(parser: Parser) -> Any:
+    """Add how the records are scaled and treated; return the group of these options."""
     group = parser.add_argument_group("motion")
     add_parameter(group, PGVS, any_number=True)
     words = "remove the constant acceleration whose velocity fits best (an instrument's offset)"
     add_switch(group, "--baseline", words)
     add_parameter(group, HIGH_PASS)
+    return group
 
 
 def option_name(key: str) -> str:

@@ -7,17 +7,20 @@ from typing import TYPE_CHECKING
 
 from dcfp.analysis import Response
 from dcfp.analysis.integration import NOTHING, PLATES, Integration
-from dcfp.analysis.response import PEAKS
 from dcfp.analysis.response_history import analyse
 from dcfp.doors.cli import inputs
 from dcfp.doors.cli.console import Page, each, grid, grouped
 from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.errors import InputError
+from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import motion_remarks
+from dcfp.motion.station import Station
 from dcfp.present.tables import write_responses
 from dcfp.schema.table import Table
+from dcfp.system import PreciseHeating, System
 
 if TYPE_CHECKING:
+    from dcfp.analysis.plane_response import PlaneResponse
     from dcfp.study.scenario import Calculation
 
 #: A script for OpenSees, and a workbook.
@@ -27,9 +30,54 @@ SCRIPT, WORKBOOK = ".py", ".xlsx"
 def run(chosen: argparse.Namespace) -> Answer:
     """Analyse every record at every PGV."""
     system = inputs.system(chosen)
-    records = inputs.load_motions(chosen)
-    motions = inputs.scaled(records, chosen.pgv, allow_drift=True)
+    records = inputs.load_records(chosen)
     kind = Path(chosen.out or "").suffix.lower()
+    stations = [one for one in records if isinstance(one, Station)]
+    if stations:
+        if len(stations) != len(records):
+            msg = "Stations are analysed in the plane and single components in one direction; give only stations, or only single components."
+            raise InputError(msg)
+        return _in_the_plane(chosen, stations, system, kind)
+    singles = [one for one in records if isinstance(one, GroundMotion)]
+    return _in_one_direction(chosen, singles, system, kind)
+
+
+def _in_the_plane(
+    chosen: argparse.Namespace, stations: Sequence[Station], system: System, kind: str
+) -> Answer:
+    from dcfp.analysis.plane_history import analyse_plane  # late: most records are of one direction
+
+    if kind in (SCRIPT, WORKBOOK):
+        msg = f"{chosen.out}: an analysis in the plane is written as .nc or .csv; a script or a workbook is of one direction, so give a single component."
+        raise InputError(msg)
+    if chosen.heating is None and chosen.bearing is None:
+        system = system.changed({"heating": PreciseHeating.name})
+    if chosen.rotate is not None:
+        stations = [one.rotated(chosen.rotate) for one in stations]
+    integration = Integration(**inputs.given(chosen, Integration))
+    motions = inputs.scaled(stations, chosen.pgv, allow_drift=True)
+    responses = each(
+        "analyses",
+        motions,
+        lambda motion: analyse_plane(motion, system, integration, vertical=chosen.vertical),
+    )
+    alone = len(responses) == 1
+    return Answer(
+        lambda: [{**one.summary(), "remarks": one.all_remarks} for one in responses],
+        lambda: _page(responses),
+        lambda part, kind: write_responses(part, responses, kind),
+        drawn("plane.plot_plane_response", responses[0]) if alone else drawn("plane.plot_orbits", responses),
+    )
+
+
+def _in_one_direction(
+    chosen: argparse.Namespace, records: Sequence[GroundMotion], system: System, kind: str
+) -> Answer:
+    for option in ("rotate", "vertical"):
+        if getattr(chosen, option) not in (None, False):
+            msg = f"--{option} is for stations; a single component has no other direction."
+            raise InputError(msg)
+    motions = inputs.scaled(records, chosen.pgv, allow_drift=True)
     if kind == SCRIPT and len(motions) != 1:
         msg = f"{chosen.out}: a script is of one record at one PGV, not of {len(motions)} analyses; give one, or write .xlsx, .nc or .csv."
         raise InputError(msg)
@@ -76,7 +124,7 @@ def answer_of(responses: Sequence[Response], calculated: "Callable[[], Calculati
     )
 
 
-def _page(responses: Sequence[Response]) -> Page:
+def _page(responses: "Sequence[Response] | Sequence[PlaneResponse]") -> Page:
     first = responses[0]
     lines = [
         ("Bearing", str(first.bearing)),
@@ -89,4 +137,4 @@ def _page(responses: Sequence[Response]) -> Page:
         for one in responses
         for remark in (*motion_remarks(one.motion, with_scale=False), *one.remarks)
     )
-    return Page([lines, grid(Table(tuple(PEAKS.values()), responses))], remarks)
+    return Page([lines, grid(Table(tuple(first.quantities.values()), responses))], remarks)

@@ -17,6 +17,9 @@ from dcfp.present.figures.identification import plot_identification as plot_iden
 from dcfp.present.figures.motions import plot_motions as plot_motions
 from dcfp.present.figures.overviews import plot_overview as plot_overview
 from dcfp.present.figures.overviews import plot_program as plot_program
+from dcfp.present.figures.plane import plot_orbit as plot_orbit
+from dcfp.present.figures.plane import plot_orbits as plot_orbits
+from dcfp.present.figures.plane import plot_plane_response as plot_plane_response
 from dcfp.present.figures.predictions import plot_comparison as plot_comparison
 from dcfp.present.figures.pulses import plot_pulses as plot_pulses
 from dcfp.present.figures.style import save_figure as save_figure

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from dcfp.analysis.response import PEAKS, Response
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import MEASURES
 from dcfp.schema.quantities import Quantity
@@ -18,6 +17,8 @@ from dcfp.version import version
 if TYPE_CHECKING:
     import xarray
 
+    from dcfp.analysis.plane_response import PlaneResponse
+    from dcfp.analysis.response import Response
     from dcfp.analysis.rig import Loops
 
 REMARKS = Quantity("remarks", "what a reader must know", get="remarks", printed=False)
@@ -31,10 +32,10 @@ class Tabulated(Protocol):
         ...
 
 
-def write_responses(path: Path, responses: Sequence[Response], kind: str) -> None:
+def write_responses(path: Path, responses: "Sequence[Response] | Sequence[PlaneResponse]", kind: str) -> None:
     """Write analyses as ``".nc"`` or ``".csv"``: the histories of one, or the peaks of several and in NetCDF a group for each."""
     table = Table(
-        (*PEAKS.values(), REMARKS),
+        (*responses[0].quantities.values(), REMARKS),
         responses,
         "Peaks of several response history analyses; the histories are in a group for each",
     )
@@ -119,7 +120,7 @@ def _words(array: "xarray.DataArray") -> list[str]:
     return [str(value) for value in values.tolist()]
 
 
-def group_names(responses: Sequence[Response]) -> list[str]:
+def group_names(responses: "Sequence[Response] | Sequence[PlaneResponse]") -> list[str]:
     """Return a name for each analysis, such as ``NCC_0.50``: the record and the PGV [m/s]."""
     return _different(
         [

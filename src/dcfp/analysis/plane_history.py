@@ -1,0 +1,163 @@
+"""Response history analysis of a rigid structure on a bearing in two horizontal directions."""
+
+import time
+from dataclasses import replace
+from functools import cache, lru_cache
+from pathlib import Path
+
+import numpy as np
+
+from dcfp.analysis.integration import DEFAULT, Integration, halvings
+from dcfp.analysis.plane_response import PlaneResponse, PlaneState, plane_state_at_rest
+from dcfp.arrays import FloatArray, freeze, integral
+from dcfp.constants import STANDARD_GRAVITY
+from dcfp.errors import InputError
+from dcfp.kernels import plane_integrate as k
+from dcfp.kernels.heat_state import MOST_HALVINGS
+from dcfp.kernels.motion import NO_NUMBER, OUT_OF_CELLS
+from dcfp.kernels.plane_slide import PlaneControl
+from dcfp.kernels.plane_step import oscillator_rows
+from dcfp.motion.ground_motion import parts_in, refined, with_tail
+from dcfp.motion.station import Station
+from dcfp.system import FrictionLaw, Heating, PreciseHeating, System, SystemLike
+from dcfp.system.plates import system_constants
+
+#: Distance of the friction from its chord in the middle of a step that is allowed by default, over mu g [-]; it goes with the tolerance of an analysis.
+TOLERANCE = 5e-3
+#: Part of the pressure at rest below which a friction law is not asked for less [-].
+LEAST_RATIO = 0.01
+
+
+def plane_system(
+    bearing: SystemLike, friction: FrictionLaw | str | None, heating: Heating | str | None
+) -> System:
+    """Return the system of parts or of their names as `System.of`; the precise heating model where nothing says which."""
+    said = heating is not None or isinstance(bearing, (System, str, Path))
+    return System.of(bearing, friction, heating if said else PreciseHeating.name)
+
+
+def analyse_plane(
+    motion: Station,
+    system: System,
+    integration: Integration = DEFAULT,
+    *,
+    vertical: bool = False,
+    start: PlaneState | None = None,
+) -> PlaneResponse:
+    """Analyse a system under the ground motion of a station.
+
+    Parameters
+    ----------
+    motion
+        Of the station.
+    system
+        Bearing with its friction law and heating model.
+    integration
+        How finely and how far it goes.
+    vertical
+        Whether the vertical force follows the vertical component, N = N0 (1 + a_z / g), and is none where that would pull.
+    start
+        State to begin from, the final one of another analysis; by default at rest and cold.
+
+    Raises
+    ------
+    InputError
+        If the starting state is that of another system, or there is no vertical component.
+    AnalysisError
+        If the analysis cannot be finished.
+    """
+    if start is not None and start.system != system:
+        msg = f"{motion.name}: the starting state is that of another bearing, friction law or heating model."
+        raise InputError(msg)
+    if vertical and motion.vertical is None:
+        msg = f"{motion.name}: the station has no vertical component; join it as the third one, as in east.AT2+north.AT2+up.AT2."
+        raise InputError(msg)
+    parts = 1 if integration.step is None else parts_in(motion.time_step, integration.step)
+    interval = motion.time_step / parts
+    x, y = (refined(with_tail(one, integration.tail), parts) for one in (motion.x, motion.y))
+    loads = np.empty((0, 2))
+    if vertical and motion.vertical is not None:
+        ratio = 1.0 + refined(with_tail(motion.vertical, integration.tail), parts) / STANDARD_GRAVITY
+        loads = np.column_stack((ratio, references(system, np.maximum(ratio, 0.0))))
+    free_from = motion.x.acceleration.size * parts if integration.tail is None else x.size
+    _load_kernels()
+    control = PlaneControl(
+        interval, halvings(interval), TOLERANCE * integration.tolerance / DEFAULT.tolerance
+    )
+    factor = 1.0
+    while True:
+        state = plane_state_at_rest(system) if start is None else start.copy()
+        state = state if factor == 1.0 else state.with_room(factor)
+        run = _integrated(motion.name, state, x, y, loads, control, free_from)
+        if run is not None:
+            break
+        factor *= 2.0  # the slider left the grid
+    lines, elapsed = run
+    ground = (
+        np.column_stack([integral(one[: len(lines)], interval) for one in (x, y)]) + state.ground_velocity
+    )
+    return PlaneResponse(
+        motion=motion,
+        system=system,
+        integration=integration,
+        time=freeze(np.arange(len(lines)) * interval),
+        ground_acceleration=freeze(np.column_stack((x, y))[: len(lines)]),
+        ground_velocity=freeze(ground),
+        lines=freeze(lines),
+        final_state=replace(state, ground_velocity=ground[-1]),
+        loads=freeze(system.bearing.vertical_force * np.maximum(loads[: len(lines), 0], 0.0))
+        if vertical
+        else np.array([system.bearing.vertical_force]),
+        rests=bool(state.integration["at_rest"][0]),
+        elapsed=elapsed,
+    )
+
+
+def references(system: System, ratio: FloatArray) -> FloatArray:
+    """Return the reference of the friction law at so many times the pressure at rest, shape (n,); levels are told apart to a ten thousandth."""
+    levels, place = np.unique(np.round(ratio, 4), return_inverse=True)
+    law, pressure = system.friction, system.bearing.pressure
+    known = [law.at_pressure(max(float(level), LEAST_RATIO) * pressure).reference for level in levels]
+    return np.array(known)[place]
+
+
+@lru_cache(maxsize=64)
+def _tables(restoring: float, elastic: float, interval: float) -> FloatArray:
+    lengths = interval * 0.5 ** np.arange(MOST_HALVINGS + 1.0)
+    return np.stack([oscillator_rows(restoring, lengths), oscillator_rows(restoring + elastic, lengths)])
+
+
+@cache
+def _load_kernels() -> None:
+    """Have the kernels compiled or loaded, so that the time of an analysis is its own."""
+    still = np.zeros(2)
+    _integrated(
+        "", plane_state_at_rest(System()), still, still, np.empty((0, 2)), PlaneControl(1e-3, 0, TOLERANCE), 2
+    )
+
+
+def _integrated(
+    name: str,
+    state: PlaneState,
+    x: FloatArray,
+    y: FloatArray,
+    loads: FloatArray,
+    control: PlaneControl,
+    free_from: int,
+) -> tuple[FloatArray, float] | None:
+    """Return histories and the computing time [s], or None if the slider left the grid; the state changes."""
+    system = state.system
+    began = time.perf_counter()
+    constants = system_constants(system)
+    tables = _tables(constants.restoring, constants.elastic, control.interval)
+    lines = np.empty((x.size, k.TEMPERATURE + constants.plates))
+    model, integration = state.heat.model(system), state.integration
+    done = k.integrate_plane(
+        model, state.heat.field, x, y, loads, control, tables, free_from, integration, 0, lines, True
+    )
+    status = int(integration["status"][0])
+    if status == OUT_OF_CELLS:
+        return None
+    if status == NO_NUMBER:
+        raise system.friction.no_number(name, done * control.interval)
+    return lines[: done + 1], time.perf_counter() - began

@@ -1,0 +1,354 @@
+"""The result of an analysis in the plane: histories in two directions, energies, peaks, and how it ended."""
+
+import json
+import math
+from dataclasses import asdict, dataclass, replace
+from functools import cached_property
+from typing import Any, ClassVar
+
+import numpy as np
+
+from dcfp.analysis.assumptions import OF_RESPONSE
+from dcfp.analysis.integration import Integration
+from dcfp.analysis.response import HISTORIES as OF_LINE
+from dcfp.analysis.response import PEAKS, Status
+from dcfp.analysis.result import MotionResult
+from dcfp.arrays import FloatArray, freeze
+from dcfp.kernels._jit import Records
+from dcfp.kernels.plane_integrate import PLANE_STATE, PlaneExtremes
+from dcfp.motion.measures import motion_remarks
+from dcfp.motion.station import Station
+from dcfp.schema.check import Check
+from dcfp.schema.quantities import Quantities, Quantity
+from dcfp.schema.units import DEGC, KN, M_PER_S, M_PER_S2, MM, MM_PER_S, MM_PER_S2, NEWTON
+from dcfp.system import System
+from dcfp.system.fields import PlaneHeat, cold_heat
+
+
+@dataclass(frozen=True)
+class PlaneState:
+    """Everything that an integration in the plane changes: where it can be taken up again.
+
+    Attributes
+    ----------
+    integration
+        Motion, energies and peaks: one `dcfp.kernels.plane_integrate.PlaneState`, shape (1,).
+    heat
+        Heat in the plates.
+    ground_velocity
+        Of the ground at this moment [mm/s], shape (2,).
+    system
+        What it is the state of.
+    """
+
+    integration: Records
+    heat: PlaneHeat
+    ground_velocity: FloatArray
+    system: System
+
+    @property
+    def extremes(self) -> PlaneExtremes:
+        """What was added up or compared on the way, per unit mass."""
+        return PlaneExtremes(*self.integration["extremes"][0].item())
+
+    @property
+    def elongation(self) -> complex:
+        """Elongation of spring (b) [mm], x + i y."""
+        return complex(self.integration["motion"]["elongation"][0])
+
+    def copy(self) -> "PlaneState":
+        """Return a copy that shares no array with this one."""
+        return replace(self, integration=self.integration.copy(), heat=self.heat.copy())
+
+    def with_room(self, factor: float) -> "PlaneState":
+        """Return a copy that shares no array with this one, whose plates have room for so many times the displacement."""
+        heat = self.heat.with_room(factor, self.system)
+        return replace(self, integration=self.integration.copy(), heat=heat)
+
+    def afresh(self) -> "PlaneState":
+        """Return the same motion and heat with energies and peaks begun anew, for the next earthquake."""
+        state = self.copy()
+        new = _integration_at_rest(float(self.heat.plates.temperature.max()))
+        for name in ("extremes", "steps", "status", "at_rest"):
+            state.integration[name] = new[name]
+        return state
+
+
+def _integration_at_rest(temperature: float) -> Records:
+    integration = np.zeros(1, PLANE_STATE)
+    integration["extremes"]["temperature"] = temperature
+    integration["extremes"]["friction"] = math.inf
+    return integration
+
+
+def plane_state_at_rest(system: System) -> PlaneState:
+    """Return the state at rest and at the ambient temperature."""
+    return PlaneState(_integration_at_rest(system.heating.ambient), cold_heat(system), np.zeros(2), system)
+
+
+_POINT = Quantity("temperature_point_max_degC", "highest temperature of a point of a plate", DEGC, decimals=0, symbol=r"T_{\mathrm{point,max}}", name="temperature_point_max", head="T_point", get="peak_point_temperature")  # fmt: skip
+
+#: What is told of one analysis in the plane; the names of one direction mean the magnitude in the plane.
+PLANE_PEAKS = Quantities("peak of a response in the plane")
+PLANE_PEAKS.take(PEAKS, "record", "peak_ground_velocity", "law", "heating", "peak_displacement")
+for _place, _name in enumerate(("x", "y"), 1):
+    PLANE_PEAKS.add(
+        f"peak_displacement_{_name}",
+        Quantity(f"y{_place}_max_mm", f"largest displacement in direction {_name}", MM, decimals=1, symbol=rf"y_{{{_place},\mathrm{{max}}}}", name=f"y{_place}_max"),
+    )  # fmt: skip
+PLANE_PEAKS.take(PEAKS, "peak_change", "peak_velocity", "residual_displacement", "peak_force", "force_ratio", "peak_temperature")  # fmt: skip
+PLANE_PEAKS.add("peak_point_temperature", _POINT)
+for _name, _key, _words in (("least_load", "load_min", "smallest"), ("largest_load", "load_max", "largest")):
+    PLANE_PEAKS.add(_name, Quantity(f"{_key}_kN", f"{_words} vertical force", KN, decimals=0, name=_key, symbol=rf"N_{{\mathrm{{{_key[-3:]}}}}}", printed=False))  # fmt: skip
+PLANE_PEAKS.add("uplift", Quantity("uplift", "whether it ever lifts off", printed=False))
+PLANE_PEAKS.take(PEAKS, "least_friction", "input_velocity", "hysteretic_velocity", "relative_energy_residual", "status", "elapsed")  # fmt: skip
+
+#: Its histories: by direction, and the magnitudes.
+PLANE_HISTORIES = Quantities("history of a response in the plane")
+for _key, _words, _unit, _shown, _symbol in (
+    ("ground_acceleration", "ground acceleration", MM_PER_S2, M_PER_S2, "a_{{g,{0}}}"),
+    ("ground_velocity", "ground velocity", MM_PER_S, M_PER_S, "v_{{g,{0}}}"),
+    ("displacement", "displacement of the isolation layer", MM, MM, "y_{0}"),
+    ("velocity", "relative velocity", MM_PER_S, M_PER_S, "v_{0}"),
+    ("force", "horizontal force", NEWTON, KN, "F_{0}"),
+):
+    for _place, _name in enumerate(("x", "y"), 1):
+        PLANE_HISTORIES.add(
+            f"{_key}_{_name}",
+            Quantity(f"{_key}_{_name}", f"{_words} in direction {_name}", _unit, _shown, symbol=_symbol.format(_place)),
+        )  # fmt: skip
+PLANE_HISTORIES.take(OF_LINE, "displacement", "velocity", "force", "friction", "temperature", "sliding")
+PLANE_HISTORIES.take(OF_LINE, "input_energy", "absolute_input_energy", "kinetic_energy", "strain_energy", "hysteretic_energy", "energy_residual")  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class PlaneResponse(MotionResult):
+    """Histories, peaks and energies of a rigid structure on a bearing in two directions; its ``final_state`` is where it can be gone on with.
+
+    What is called as in one direction is the magnitude in the plane.
+    """
+
+    quantities: ClassVar[Quantities] = PLANE_PEAKS
+    histories: ClassVar[Quantities] = PLANE_HISTORIES
+    columns: ClassVar[tuple[str, ...]] = (
+        "displacement_x", "displacement_y", "velocity_x", "velocity_y", "elongation_x", "elongation_y", "friction", "sliding",
+        "input", "hysteretic", "lifting", "point_temperature",
+    )  # fmt: skip
+
+    motion: Station
+    loads: FloatArray
+    integration: Integration
+    final_state: PlaneState
+
+    @property
+    def title(self) -> str:
+        """What it is, in words."""
+        return f"Response to {self.motion.name} in the plane"
+
+    @property
+    def load(self) -> FloatArray:
+        """Vertical force [N]: one number where it does not change."""
+        return self.loads
+
+    def _vectors(self, name: str) -> FloatArray:
+        """Return both columns of that name, shape (n, 2)."""
+        return np.column_stack((self.line(f"{name}_x"), self.line(f"{name}_y")))
+
+    @cached_property
+    def displacement_vectors(self) -> FloatArray:
+        """Displacement of the isolation layer [mm], shape (n, 2)."""
+        return freeze(self._vectors("displacement"))
+
+    @cached_property
+    def velocity_vectors(self) -> FloatArray:
+        """Relative velocity [mm/s], shape (n, 2)."""
+        return freeze(self._vectors("velocity"))
+
+    @cached_property
+    def force_vectors(self) -> FloatArray:
+        """Horizontal force of the bearing [N], shape (n, 2)."""
+        bearing = self.bearing
+        ratio = (self.load / bearing.vertical_force)[:, np.newaxis]
+        pendulum = bearing.restoring_stiffness * ratio * self.displacement_vectors
+        return freeze(pendulum + bearing.elastic_stiffness * self._vectors("elongation"))
+
+    @property
+    def displacement(self) -> FloatArray:
+        """Distance |y| of the isolation layer from the middle [mm]."""
+        return np.linalg.norm(self.displacement_vectors, axis=1)
+
+    @property
+    def velocity(self) -> FloatArray:
+        """Relative speed |v| [mm/s]."""
+        return np.linalg.norm(self.velocity_vectors, axis=1)
+
+    @property
+    def elongation(self) -> FloatArray:
+        """Length of the elongation of spring (b), |y - O_Y| [mm]."""
+        return np.linalg.norm(self._vectors("elongation"), axis=1)
+
+    @property
+    def force(self) -> FloatArray:
+        """Magnitude of the horizontal force [N]."""
+        return np.linalg.norm(self.force_vectors, axis=1)
+
+    def _energies(self) -> tuple[FloatArray, FloatArray, dict[str, FloatArray]]:
+        mass, ground = self.bearing.mass, self.ground_velocity
+        of_ground = mass * (ground * (0.5 * ground + self.velocity_vectors)).sum(axis=1)
+        return of_ground, 0.5 * mass * self.velocity**2, {"lifting": mass * self.line("lifting")}
+
+    @property
+    def peak_displacement(self) -> float:
+        """Largest distance from the middle y_max [mm]."""
+        return self.final_state.extremes.displacement
+
+    @property
+    def peak_displacement_x(self) -> float:
+        """Largest displacement in direction x, at the ends of steps [mm]."""
+        return self.final_state.extremes.displacement_x
+
+    @property
+    def peak_displacement_y(self) -> float:
+        """Largest displacement in direction y, at the ends of steps [mm]."""
+        return self.final_state.extremes.displacement_y
+
+    @cached_property
+    def peak_change(self) -> float:
+        """Largest change of displacement between two successive peaks, dy_max [mm], in whatever direction it is largest."""
+        return largest_change(self.displacement_vectors, self.velocity_vectors, self.time)
+
+    @property
+    def peak_velocity(self) -> float:
+        """Largest relative speed at the ends of steps [mm/s]."""
+        return self.final_state.extremes.velocity
+
+    @property
+    def peak_force(self) -> float:
+        """Largest horizontal force at the ends of steps [N]."""
+        return self.final_state.extremes.force * self.bearing.mass
+
+    @property
+    def force_ratio(self) -> float:
+        """Largest horizontal force over the weight [-]."""
+        return self.peak_force / self.bearing.vertical_force
+
+    @property
+    def peak_temperature(self) -> float:
+        """Highest mean temperature of the contact of any plate [degC]."""
+        return self.final_state.extremes.temperature
+
+    @property
+    def peak_point_temperature(self) -> float:
+        """Highest temperature of a point of any plate [degC]; without a field, that of the contact."""
+        return max(self.peak_temperature, float(self.line("point_temperature")[-1]))
+
+    @property
+    def least_friction(self) -> float:
+        """Smallest coefficient of friction while sliding [-]; where it never slides, the one at rest at the start."""
+        least = self.final_state.extremes.friction
+        return least if math.isfinite(least) else float(self.friction[0])
+
+    @property
+    def residual_displacement(self) -> float:
+        """Distance from the middle at which it stays when the last elastic oscillation has died away [mm]."""
+        stuck = complex(*self.displacement_vectors[-1]) - self.final_state.elongation
+        elastic = self.bearing.elastic_stiffness
+        return abs(stuck) * elastic / (elastic + self.bearing.restoring_stiffness)
+
+    @property
+    def least_load(self) -> float:
+        """Smallest vertical force [N]."""
+        return float(self.load.min())
+
+    @property
+    def largest_load(self) -> float:
+        """Largest vertical force [N]."""
+        return float(self.load.max())
+
+    @property
+    def uplift(self) -> bool:
+        """Whether it ever lifts off."""
+        return self.least_load <= 0.0
+
+    @property
+    def slip_work(self) -> float:
+        """Sum of mu N times the slip [N mm], which the hysteretic energy of the balance equals but for the error of the steps."""
+        return self.final_state.extremes.rubbed * self.bearing.mass
+
+    @property
+    def steps(self) -> int:
+        """Number of steps that the integration took."""
+        return int(self.final_state.integration["steps"][0])
+
+    @property
+    def status(self) -> Status:
+        """How the analysis ended."""
+        capacity = self.bearing.displacement_capacity
+        if capacity is not None and self.peak_displacement > capacity:
+            return Status.BEYOND_CAPACITY
+        return Status.OK if self.rests else Status.STILL_MOVING
+
+    @property
+    def checks(self) -> tuple[Check, ...]:
+        """What it ought to keep to, and every assumption, with whether it was kept to."""
+        return (*(one for check in OF_RESPONSE.values() for one in check(self)), *super().checks)
+
+    @property
+    def all_remarks(self) -> list[str]:
+        """Sentences that a reader must know, those on the motion first."""
+        return [*motion_remarks(self.motion), *self.remarks]
+
+    @property
+    def attributes(self) -> dict[str, Any]:
+        """What a data set says of it besides its system."""
+        motion = self.motion
+        return {
+            **self.summary(),
+            "record_sha256": motion.digest,
+            "record_origin": json.dumps(asdict(motion.origin)),
+            "record_treatment": "; ".join(motion.treatment) or "none",
+            "settings": json.dumps(asdict(self.integration)),
+        }
+
+
+def _by_direction(name: str, place: int) -> property:
+    def one(self: PlaneResponse) -> FloatArray:
+        values: FloatArray = getattr(self, name)
+        return values[:, place]
+
+    return property(one, doc=f"Column {place} of `{name}`.")
+
+
+for _history, _source in (
+    ("ground_acceleration", "ground_acceleration"), ("ground_velocity", "ground_velocity"), ("displacement", "displacement_vectors"),
+    ("velocity", "velocity_vectors"), ("force", "force_vectors"),
+):  # fmt: skip
+    for _place, _name in enumerate(("x", "y")):
+        setattr(PlaneResponse, f"{_history}_{_name}", _by_direction(_source, _place))
+
+
+def largest_change(
+    displacement: FloatArray, velocity: FloatArray, time: FloatArray, directions: int = 180
+) -> float:
+    """Return the largest change of displacement between two successive peaks in any direction [mm].
+
+    Parameters
+    ----------
+    displacement, velocity
+        Histories [mm, mm/s], shape (n, 2).
+    time
+        Of each row [s].
+    directions
+        Number of directions of half a turn that are looked at.
+    """
+    largest = 0.0
+    for angle in np.arange(directions) * (math.pi / directions):
+        unit = np.array([math.cos(angle), math.sin(angle)])
+        y, v = displacement @ unit, velocity @ unit
+        turns = np.flatnonzero(v[:-1] * v[1:] < 0.0)
+        steps = np.diff(time)[turns]
+        # the velocity as linear in the step of the turn
+        peaks = y[turns] + 0.5 * steps * v[turns] ** 2 / (v[turns] - v[turns + 1])
+        places = np.concatenate((y[:1], peaks, y[-1:]))
+        largest = max(largest, float(np.abs(np.diff(places)).max(initial=0.0)))
+    return largest

@@ -1,0 +1,241 @@
+"""A step of a rigid structure on a bearing in the plane, stuck or sliding, under a vertical force that may change.
+
+With the vertical force N0 r(t) the pendulum's force is that under N0 and a part wf2 (r - 1) u besides, whose work is told apart: *lifting*.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from dcfp.kernels import plane_heat
+from dcfp.kernels._jit import kernel
+from dcfp.kernels.friction import BearingModel, mean_coefficient, store_ratios, with_reference
+from dcfp.kernels.heat_state import BETWEEN, EXPECTED, MOST_HALVINGS, RATIO
+from dcfp.kernels.heating import interpolate
+from dcfp.kernels.law import CYCLING
+from dcfp.kernels.motion import SystemConstants
+from dcfp.kernels.plane_heat import Field
+from dcfp.kernels.plane_step import Course, Force, areas, dot, length_of, sail, through, times, turn, work_of
+
+#: Halvings beyond the fewest with which a point in the centre comes under the slider.
+_AT_THE_EDGE = 3
+#: Part of the tolerance below which the next step may be twice as long.
+_EASY = 0.2
+
+
+class PlaneControl(NamedTuple):
+    """How finely an interval is stepped through."""
+
+    interval: float  # between samples [s]
+    fewest_halvings: int
+    tolerance: float  # of the friction's distance from its chord in the middle of a step, over mu g [-]
+
+
+class PlaneMotion(NamedTuple):
+    """Motion of the structure relative to the ground, and spring (b)."""
+
+    displacement: complex  # [mm]
+    velocity: complex  # [mm/s]
+    elongation: complex  # [mm]
+    rim: float  # radius of the yield surface [mm]
+    friction: float  # coefficient
+    slides: bool
+
+
+class Load(NamedTuple):
+    """Vertical force over that at rest, and the reference of the friction law at its pressure: at the start of a step, in the middle, at the end."""
+
+    changes: bool
+    start: float
+    middle: float
+    end: float
+    middle_reference: float
+    end_reference: float
+
+
+class PlaneStep(NamedTuple):
+    """What a step brings; its works are per unit mass [mm2/s2]."""
+
+    motion: PlaneMotion
+    middle: complex  # displacement in the middle [mm]
+    input: float
+    hysteretic: float
+    rubbed: float  # sum of mu N |slip|
+    lifting: float
+    accepted: bool
+    easy: bool  # the next one may be longer
+    fits: bool  # False if the slider left the grid
+
+
+@kernel
+def under(model: BearingModel, ratio: float, reference: float) -> BearingModel:
+    """Return the bearing under another load."""
+    s = model.system
+    here = SystemConstants(
+        s.restoring, s.elastic, s.gravity * ratio, s.pressure * ratio, s.yield_per_mu * ratio,
+        s.plates, s.first_share, s.second_share, s.first_speed, s.second_speed,
+    )  # fmt: skip
+    # the constants of a law by address are its own
+    law = with_reference(model.law, reference) if model.law.form <= CYCLING else model.law
+    return BearingModel(law, here, model.heat)
+
+
+@kernel
+def friction_between(
+    model: BearingModel, field: Field, load: Load, place: int, length: float, start: float, end: float,
+    middle_speed: float, end_speed: float, opening: float, closing: float, rubbing: float,
+) -> tuple[float, float]:  # fmt: skip
+    """Coefficients of friction in the middle of a step and at its end, at the temperatures to expect there; arguments as of `plane_heat.expect`."""
+    plane_heat.expect(model.heat, field, model.system, place, length, start, end, opening, closing, rubbing)
+    interpolate(model.heat, model.system, 0.5, BETWEEN)
+    if not load.changes:
+        return mean_coefficient(model, middle_speed, BETWEEN), mean_coefficient(model, end_speed, EXPECTED)
+    return (
+        mean_coefficient(under(model, load.middle, load.middle_reference), middle_speed, BETWEEN),
+        mean_coefficient(under(model, load.end, load.end_reference), end_speed, EXPECTED),
+    )
+
+
+@kernel
+def stick(
+    model: BearingModel,
+    field: Field,
+    row: NDArray[np.float64],
+    load: Load,
+    begin: PlaneMotion,
+    ground: complex,
+    rate: complex,
+    level: int,
+    length: float,
+) -> PlaneStep:
+    """Take a step as an oscillator on both springs; it is accepted if the elongation stays inside the yield surface.
+
+    `ground` [mm/s2] is the ground's acceleration at the start, and `rate` [mm/s3] how it changes.
+    """
+    system = model.system
+    wf2, kf, h = system.restoring, system.elastic, length
+    u, v, e = begin.displacement, begin.velocity, begin.elongation
+    held = times(kf, u - e) - ground
+    force = Force(held, -rate, 0j)
+    course = sail(row, wf2 + kf, u, v, force)
+    lifted = Force(0j, 0j, 0j)
+    if load.changes:
+        for _ in range(2):
+            lifted = _lifted(wf2, load, u, course, h)
+            force = Force(held - lifted.constant, -rate - lifted.rate, -lifted.curvature)
+            course = sail(row, wf2 + kf, u, v, force)
+    middle, end = e + (course.middle - u), e + (course.end - u)
+    r0 = length_of(u)
+    mu_m, mu_1 = friction_between(
+        model, field, load, level, h, r0, r0, length_of(course.middle_velocity), length_of(course.end_velocity), 0.0, 0.0, 0.0
+    )  # fmt: skip
+    rim_m, rim_1 = mu_m * system.yield_per_mu * load.middle, mu_1 * system.yield_per_mu * load.end
+    accepted = dot(middle, middle) <= rim_m * rim_m and dot(end, end) <= rim_1 * rim_1
+    energy, lifting = 0.0, 0.0
+    if accepted:
+        area, moment = areas(row, wf2 + kf, u, v, force)
+        energy = work_of(Force(-ground, -rate, 0j), h, course.end - u, area, moment)
+        if load.changes:
+            lifting = work_of(lifted, h, course.end - u, area, moment)
+        plane_heat.cool_down(model.heat, field, system, level, h)
+    motion = PlaneMotion(course.end, course.end_velocity, end, rim_1, mu_1, False)
+    return PlaneStep(motion, course.middle, energy, 0.0, 0.0, lifting, accepted, True, True)
+
+
+@kernel
+def _lifted(wf2: float, load: Load, start: complex, course: Course, length: float) -> Force:
+    """Return the part of the pendulum's force that a vertical force other than that at rest makes."""
+    return through(
+        times(wf2 * (load.start - 1.0), start),
+        times(wf2 * (load.middle - 1.0), course.middle),
+        times(wf2 * (load.end - 1.0), course.end),
+        length,
+    )
+
+
+@kernel
+def slide(
+    model: BearingModel,
+    field: Field,
+    row: NDArray[np.float64],
+    control: PlaneControl,
+    load: Load,
+    begin: PlaneMotion,
+    ground: complex,
+    rate: complex,
+    level: int,
+    length: float,
+    time: float,
+) -> PlaneStep:
+    """Take a step on spring (a) under the friction, in two passes; it is accepted if the friction is close enough to its chord in the middle.
+
+    `ground` [mm/s2] is the ground's acceleration at the start, `rate` [mm/s3] how it changes, `time` [s] the start of the step.
+    """
+    system = model.system
+    wf2, kf, pressure, h = system.restoring, system.elastic, system.pressure, length
+    u, v, e, rim, mu = begin.displacement, begin.velocity, begin.elongation, begin.rim, begin.friction
+    f0, r0, s0 = times(kf, e), length_of(u), length_of(v)
+    f_m, f_1, e_m, e_1, mu_m, mu_1, rim_1 = f0, f0, e, e, mu, mu, rim
+    opening = pressure * load.start * mu * s0
+    friction = Force(f0, 0j, 0j)
+    lifted, force = Force(0j, 0j, 0j), Force(-ground - f0, -rate, 0j)
+    course = sail(row, wf2, u, v, force)
+    rubbing, sliding = 0.0, True
+    for _ in range(2):
+        s_m, s_1 = length_of(course.middle_velocity), length_of(course.end_velocity)
+        rubbing = pressure * load.middle * (h / 6.0) * (s0 * s0 + 4.0 * s_m * s_m + s_1 * s_1)
+        closing = pressure * load.end * mu_1 * s_1
+        mu_m, mu_1 = friction_between(
+            model, field, load, level, h, r0, length_of(course.end), s_m, s_1, opening, closing, rubbing
+        )
+        rim_m, rim_1 = mu_m * system.yield_per_mu * load.middle, mu_1 * system.yield_per_mu * load.end
+        e_m, sliding = turn(e, rim, rim_m, course.middle - u, v, course.middle_velocity)
+        e_1, sliding = turn(e_m, rim_m, rim_1, course.end - course.middle, course.middle_velocity, course.end_velocity)  # fmt: skip
+        f_m, f_1 = times(kf, e_m), times(kf, e_1)
+        friction = through(f0, f_m, f_1, h)
+        force = Force(-ground - f0, -rate - friction.rate, -friction.curvature)
+        if load.changes:
+            lifted = _lifted(wf2, load, u, course, h)
+            force = Force(force.constant - lifted.constant, force.rate - lifted.rate, force.curvature - lifted.curvature)  # fmt: skip
+        course = sail(row, wf2, u, v, force)
+    allowed = control.tolerance * mu_1 * system.gravity
+    defect = length_of(f_m - times(0.5, f0 + f_1))
+    motion = PlaneMotion(course.end, course.end_velocity, e_1, rim_1, mu_1, sliding)
+    if level < MOST_HALVINGS and (
+        defect > allowed
+        or (
+            level < control.fewest_halvings + _AT_THE_EDGE
+            and plane_heat.crosses_edge(model.heat, system, r0, length_of(course.end))
+        )
+    ):
+        return PlaneStep(motion, course.middle, 0.0, 0.0, 0.0, 0.0, False, False, True)
+
+    travel = course.end - u
+    area, moment = areas(row, wf2, u, v, force)
+    absorbed = work_of(friction, h, travel, area, moment)
+    energy = work_of(Force(-ground, -rate, 0j), h, travel, area, moment)
+    lifting = work_of(lifted, h, travel, area, moment) if load.changes else 0.0
+    first = length_of((course.middle - u) - (e_m - e))
+    second = length_of((course.end - course.middle) - (e_1 - e_m))
+    slipped = 0.5 * (
+        (mu * load.start + mu_m * load.middle) * first + (mu_m * load.middle + mu_1 * load.end) * second
+    )
+    # the flux is taken as linear, and raised so that the heat is the work of friction
+    flux = pressure * slipped / h
+    s_1 = length_of(course.end_velocity)
+    closing = pressure * load.end * mu_1 * s_1 if sliding else 0.0
+    opening = opening if begin.slides or first > 0.0 else 0.0
+    ends = opening + closing
+    if ends > 0.0:
+        opening, last = 2.0 * flux * opening / ends, 2.0 * flux * closing / ends
+    else:
+        opening, last = flux, flux
+    store_ratios(model, s_1, EXPECTED, RATIO)
+    fits = plane_heat.heat_up(
+        model.heat, field, system, level, time, h, u, course.middle, course.end, opening, last, closing, rubbing
+    )  # fmt: skip
+    hysteretic = absorbed - 0.5 * kf * (dot(e_1, e_1) - dot(e, e))
+    return PlaneStep(
+        motion, course.middle, energy, hysteretic, system.gravity * slipped, lifting, True, defect < _EASY * allowed, fits
+    )  # fmt: skip

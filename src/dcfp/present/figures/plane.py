@@ -1,0 +1,164 @@
+"""Analyses in the plane drawn: the orbit of the isolation layer, and the histories of both directions and their resultant."""
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.collections import LineCollection
+from matplotlib.colors import Normalize
+
+from dcfp.present.figures import style
+from dcfp.present.figures.drawing import between_equal_limits, draw_cross
+from dcfp.schema.formulas import metres_per_second, millimetres
+from dcfp.schema.quantities import Quantity, quantity
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from dcfp.analysis.plane_response import PlaneResponse
+    from dcfp.arrays import FloatArray
+
+#: Points of a circle.
+_CIRCLE = np.linspace(0.0, 2.0 * math.pi, 181)
+
+
+@style.styled
+def plot_orbit(
+    response: "PlaneResponse", axes: "Axes | None" = None, *, of: str = "displacement", norm: Normalize | None = None, colour_bar: bool = True
+) -> "Axes":  # fmt: skip
+    """Draw the path of the isolation layer in the plane, coloured by the temperature of the contact, or by the time where nothing heats up.
+
+    Parameters
+    ----------
+    response
+        The analysis.
+    axes
+        Where to draw; by default on a new figure.
+    of
+        ``"displacement"``, or ``"force"`` for the path of the horizontal force.
+    norm
+        Range of the colours, when several figures share one.
+    colour_bar
+        Whether a scale of the colours is drawn beside the axes.
+    """
+    axes = style.new_axes(height=3.2) if axes is None else axes
+    x, y = (response.histories[f"{of}_{name}"] for name in ("x", "y"))
+    path = np.column_stack([one.display(one.of(response)) for one in (x, y)])
+    shows = "temperature" if np.ptp(response.temperature) > 0.0 else "time"
+    values: FloatArray = getattr(response, shows)
+    drawn = LineCollection(
+        list(np.stack((path[:-1], path[1:]), axis=1)),
+        array=0.5 * (values[:-1] + values[1:]),
+        cmap=style.colours_of(shows),
+        norm=norm or Normalize(float(values.min()), float(values.max())),
+        linewidths=0.8,
+        capstyle="round",
+        rasterized=len(path) > 6000,
+    )
+    draw_cross(axes)
+    axes.add_collection(drawn)
+    reach = 1.08 * max(float(np.abs(path).max()), 1e-6)
+    capacity = response.bearing.displacement_capacity
+    if of == "displacement":
+        peak = response.peak_displacement
+        axes.plot(
+            peak * np.cos(_CIRCLE),
+            peak * np.sin(_CIRCLE),
+            color=style.GREY,
+            linewidth=0.6,
+            linestyle=style.DASHED,
+        )
+        reach = max(reach, 1.08 * peak)
+        if capacity is not None and capacity < reach:
+            axes.plot(
+                capacity * np.cos(_CIRCLE),
+                capacity * np.sin(_CIRCLE),
+                color=style.RED,
+                linewidth=0.7,
+                linestyle=style.DASHED,
+            )
+    axes.set_xlim(-reach, reach)
+    axes.set_ylim(-reach, reach)
+    axes.set_aspect("equal")
+    style.label_axes(axes, x.label, y.label, 5, 5)
+    if colour_bar:
+        style.colour_bar_beside(axes, drawn, quantity(shows).label)
+    return axes
+
+
+@style.styled
+def plot_plane_response(response: "PlaneResponse") -> "Figure":
+    """Compose orbits and histories of one analysis in the plane on a new figure."""
+    figure = style.new_figure(6.4)
+    left, right = figure.subfigures(1, 2, width_ratios=(1.0, 1.25))
+    upper, lower = left.subplots(2, 1)
+    plot_orbit(response, upper)
+    plot_orbit(response, lower, of="force", colour_bar=False)
+    axes: Any = right.subplots(5, 1, sharex=True, height_ratios=(1.0, 1.4, 1.0, 1.0, 1.0))
+    quantities, known = response.histories, response.time
+    _draw_directions(axes[0], response, "ground_velocity")
+    _draw_directions(axes[1], response, "displacement")
+    entry = quantities["displacement"]
+    style.draw_line(axes[1], known, entry.display(response.displacement), style.INK, 0.8, label="resultant")
+    style.legend_above(axes[1])
+    for one, name in zip(axes[2:4], ("temperature", "friction"), strict=True):
+        entry = quantities[name]
+        style.draw_line(
+            one,
+            known,
+            entry.display(entry.of(response)),
+            style.RED if name == "temperature" else style.BLUE,
+            0.7,
+        )
+        one.set_ylabel(entry.label)
+    for name, colour in (("input_energy", style.INK), ("hysteretic_energy", style.OCHRE)):
+        entry = quantities[name]
+        style.draw_line(
+            axes[4], known, entry.display(entry.of(response)), colour, 0.8, label=f"${entry.symbol}$"
+        )
+    axes[4].set_ylabel(f"$E$ [{entry.shown.name}]")
+    style.legend_above(axes[4])
+    axes[-1].set_xlabel(quantity("time").label)
+    axes[-1].set_xlim(float(known[0]), float(known[-1]))
+    figure.suptitle(_head(response))
+    return figure
+
+
+def _draw_directions(axes: "Axes", response: "PlaneResponse", name: str) -> None:
+    entries: list[Quantity] = [response.histories[f"{name}_{direction}"] for direction in ("x", "y")]
+    drawn = [entry.display(entry.of(response)) for entry in entries]
+    for direction, values, colour in zip(("x", "y"), drawn, (style.BLUE, style.OCHRE), strict=True):
+        style.draw_line(axes, response.time, values, colour, 0.6, label=f"direction {direction}")
+    between_equal_limits(axes, *drawn)
+    entry = quantity(name)
+    axes.set_ylabel(entry.label)
+    style.legend_above(axes)
+
+
+def _head(response: "PlaneResponse") -> str:
+    name = style.drawable(response.motion.name, 60)
+    return f"{name}, PGV {metres_per_second(response.motion.peak_velocity)}, largest displacement {millimetres(response.peak_displacement)}"
+
+
+@style.styled
+def plot_orbits(responses: "Sequence[PlaneResponse]") -> "Figure":
+    """Draw the orbits of several analyses side by side, with one scale of colours."""
+    columns = min(4, len(responses))
+    rows = math.ceil(len(responses) / columns)
+    figure = style.new_figure(0.4 + 1.9 * rows)
+    axes: Any = figure.subplots(rows, columns, squeeze=False)
+    hottest = max(float(one.temperature.max()) for one in responses)
+    coldest = min(float(one.temperature.min()) for one in responses)
+    norm = Normalize(coldest, hottest) if hottest > coldest else None
+    for one, response in zip(axes.flat, responses, strict=False):
+        plot_orbit(response, one, norm=norm, colour_bar=False)
+        one.set_title(
+            f"{style.drawable(response.motion.name, 24)}\n{metres_per_second(response.motion.peak_velocity)}, {millimetres(response.peak_displacement)}",
+            fontsize="small",
+        )
+    for one in axes.flat[len(responses) :]:
+        one.set_visible(False)
+    return figure

@@ -1,0 +1,89 @@
+"""The heat in the plates under a disc of contact, as the kernels of the plane take it."""
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from dcfp.arrays import FloatArray
+from dcfp.kernels import plane_heat as k
+from dcfp.kernels.friction import BearingModel
+from dcfp.kernels.heat_state import DISC
+from dcfp.kernels.sum_of_exponentials import MODES
+from dcfp.system.heating import PreciseHeating
+from dcfp.system.plates import FIRST_REACH, PlateHeat, cold_plates, kernel_model
+from dcfp.system.system import System
+
+
+@dataclass(frozen=True)
+class PlaneHeat:
+    """Heat in the plates, which the kernels change in place: that of the points that have felt every flux, and the grids, with the displacement that they have room for [mm]."""
+
+    plates: PlateHeat
+    field: k.Field
+    reach: float
+
+    def copy(self) -> "PlaneHeat":
+        """Return a copy that shares no array with this one."""
+        field = self.field
+        grid = field._replace(
+            points=field.points.copy(), spans=field.spans.copy(), tallies=field.tallies.copy()
+        )
+        return replace(self, plates=self.plates.with_room(0), field=grid)
+
+    def with_room(self, factor: float, system: System) -> "PlaneHeat":
+        """Return a copy that shares no array with this one, with room for a displacement of so many times the one before."""
+        wider = cold_heat(system, factor * self.reach).field
+        rows = self.field.points.shape[1]
+        first = (wider.points.shape[1] - rows) // 2
+        inside = slice(first, first + rows)
+        wider.points[:, inside, inside] = self.field.points
+        wider.spans[:] = 0
+        wider.spans[:, inside] = self.field.spans + first
+        wider.tallies[:] = self.field.tallies
+        wider.tallies[:, k.HOT_ROW : k.HOT_COLUMN + 1] += first
+        return PlaneHeat(self.plates.with_room(0), wider, factor * self.reach)
+
+    def model(self, system: System) -> BearingModel:
+        """Return the kernels' view of a bearing under its own load, with this heat."""
+        model = kernel_model(system, self.plates)
+        if not isinstance(system.heating, PreciseHeating):
+            return model
+        return model._replace(heat=model.heat._replace(kind=DISC))
+
+    def temperatures(self, plate: int, system: System, time: float) -> FloatArray:
+        """Return the temperature of every point of a plate [degC] at a time [s] at which nothing slides, shape (rows, columns)."""
+        field, modes = self.field, self.plates.modes
+        rates, common = modes[k.RATES], modes[k.PLATE_ROW + plate * k.PLATE_ROWS + k.COMMON]
+        points = field.points[plate]
+        own = (points[..., :MODES] * np.exp(-rates * (time - points[..., MODES:]))).sum(axis=-1)
+        columns = np.arange(points.shape[1])
+        covered = (columns >= field.spans[plate, :, :1]) & (columns < field.spans[plate, :, 1:])
+        return system.heating.ambient + own + covered * float(common.sum())
+
+
+def cold_heat(system: System, reach: float = FIRST_REACH) -> PlaneHeat:
+    """Return plates at the ambient temperature with room for a displacement of `reach` [mm]; other heating models than the precise one have no grid."""
+    plates = cold_plates(system, reach=0.0)
+    bearing, heating = system.bearing, system.heating
+    radius, count = 0.5 * bearing.slider_diameter, len(set(bearing.radii))
+    if not isinstance(heating, PreciseHeating):
+        empty = k.Field(
+            1.0, radius, np.zeros((count, 0, 0, MODES + 1)), np.zeros((count, 0, 2), np.int64), np.zeros((count, k.TALLIES))
+        )  # fmt: skip
+        return PlaneHeat(plates, empty, math.inf)
+    spacing = bearing.slider_diameter / heating.points
+    middle = math.ceil((radius + max(bearing.shares) * reach) / spacing) + 3
+    rows = 2 * middle + 1
+    field = k.Field(
+        spacing, radius, np.zeros((count, rows, rows, MODES + 1)), np.zeros((count, rows, 2), np.int64), np.zeros((count, k.TALLIES))
+    )  # fmt: skip
+    away = (np.arange(rows) - middle) * spacing
+    inside = np.abs(away) <= radius
+    half = np.floor(np.sqrt(np.maximum(radius**2 - away**2, 0.0)) / spacing).astype(np.int64)
+    field.spans[:, inside, 0] = middle - half[inside]
+    field.spans[:, inside, 1] = middle + half[inside] + 1
+    covered = float(np.diff(field.spans[0], axis=1).sum())
+    field.tallies[:, k.COVERED_POINTS] = field.tallies[:, k.ALWAYS] = covered
+    field.tallies[:, k.HOTTEST] = heating.ambient
+    return PlaneHeat(plates, field, reach)

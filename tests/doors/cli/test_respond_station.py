@@ -1,0 +1,72 @@
+"""`dcfp respond` of stations, from end to end."""
+
+import json
+
+import pytest
+import xarray
+
+from dcfp import load_station, respond
+
+
+def test_the_keys_and_all_digits(run) -> None:
+    outcome = run("respond", "P695-FF-2", "--pgv", "0.25", "0.5", "--json")
+    found = json.loads(outcome.out)
+    station = load_station("P695-FF-2")
+    assert station is not None
+    response = respond(station.scaled_to_pgv(500.0))
+    assert found[1]["heating"] == "precise"
+    assert found[1]["y_max_mm"] == response.peak_displacement
+    for key in ("y1_max_mm", "y2_max_mm", "dy_max_mm", "residual_mm", "temperature_point_max_degC", "load_min_kN", "load_max_kN", "V_E_mm_s"):  # fmt: skip
+        assert isinstance(found[1][key], float), key
+    assert found[1]["uplift"] is False
+    assert found[1]["pgv_m_s"] == pytest.approx(0.5)
+
+
+def test_a_table_a_figure_and_files(run, tmp_path) -> None:
+    outcome = run(
+        "respond", "P695-FF-2", "--pgv", "0.5", "--heating", "none", "--plot", "one.png", "--out", "one.nc"
+    )
+    assert (outcome.status, outcome.err) == (0, "")
+    assert "T_point" in outcome.out
+    data = xarray.open_dataset(tmp_path / "one.nc")
+    assert {"displacement_x", "displacement_y", "displacement", "force_x", "temperature"} <= set(data)
+    assert data["displacement_x"].attrs["units"] == "mm"
+    assert data.attrs["y_max_mm"] == pytest.approx(float(abs(data["displacement"]).max()), rel=1e-3)
+    assert (tmp_path / "one.png").stat().st_size > 10_000
+    outcome = run("respond", "P695-FF-2", "P695-NF-9", "--pgv", "0.5", "--heating", "none", "--plot", "two.png", "--out", "two.csv")  # fmt: skip
+    assert (outcome.status, outcome.err) == (0, "")
+    head, *lines = (tmp_path / "two.csv").read_text().splitlines()
+    assert "y1_max [mm]" in head
+    assert len(lines) == 2
+
+
+def test_turned_by_an_option(run) -> None:
+    words = ("respond", "P695-FF-2", "--pgv", "0.5", "--heating", "none", "--json")
+    one, other = (json.loads(run(*words, *more).out)[0] for more in ((), ("--rotate", "90")))
+    assert other["y_max_mm"] == pytest.approx(one["y_max_mm"], rel=1e-9)
+    assert other["y1_max_mm"] == pytest.approx(one["y2_max_mm"], rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("P695-FF-2", "NCC"), "give only stations, or only single components"),
+        (("NCC", "--rotate", "30"), "--rotate is for stations"),
+        (("NCC", "--vertical"), "--vertical is for stations"),
+        (("P695-FF-2", "--vertical"), "the station has no vertical component"),
+        (("KNA+NCC",), "are of different earthquakes"),
+        (("P695-FF-2", "--out", "script.py"), "is of one direction"),
+    ],
+)
+def test_what_does_not_go_together(run, words, sentence: str) -> None:
+    outcome = run("respond", *words)
+    assert outcome.status == 2
+    assert sentence in outcome.err
+    assert len(outcome.err.strip().splitlines()) == 1
+
+
+@pytest.mark.parametrize("command", ["predict", "compare", "building"])
+def test_what_is_of_one_direction_says_so(run, command: str) -> None:
+    outcome = run(command, "P695-FF-2")
+    assert outcome.status == 2
+    assert "this takes one direction; choose P695-FF-2-a or P695-FF-2-b" in outcome.err
