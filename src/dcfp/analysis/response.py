@@ -15,6 +15,7 @@ from dcfp.analysis.result import MotionResult
 from dcfp.arrays import FloatArray
 from dcfp.kernels._jit import Records, as_bytes
 from dcfp.kernels.integrate import INTEGRATION_STATE, Extremes
+from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import motion_remarks
 from dcfp.schema.check import Check
 from dcfp.schema.quantities import Quantities, Quantity
@@ -137,6 +138,7 @@ class Response(MotionResult):
         "displacement", "velocity", "elongation", "friction", "sliding", "input", "hysteretic",
     )  # fmt: skip
 
+    motion: GroundMotion
     integration: Integration
     final_state: State
 

@@ -16,7 +16,7 @@ from dcfp.kernels.motion import AT_REST, NO_NUMBER, NO_PROGRESS, OUT_OF_CELLS, S
 from dcfp.motion.ground_motion import GroundMotion, parts_in, refined, with_tail
 from dcfp.motion.load import Motion, Record, record_of
 from dcfp.motion.station import Station
-from dcfp.schema.parameters import refuse_other
+from dcfp.schema.parameters import other, refuse_other
 from dcfp.system import FrictionLaw, Heating, System, SystemLike
 from dcfp.system.plates import Profiles, kernel_model, profile_now
 
@@ -107,21 +107,18 @@ def respond(
     refuse_other(keep, Keep, "keep", "a Keep")
     record, integration = record_of(motion, pgv), Integration(step=step, tail=tail, tolerance=tolerance)
     if isinstance(record, Station):
-        from dcfp.analysis.plane_history import (
-            PlaneState,
-            analyse_plane,
-            plane_system,
-        )  # late: most motions are of one direction
+        # late: most motions are of one direction
+        from dcfp.analysis.plane_history import PlaneState, analyse_plane, plane_system
 
-        if start is not None:
-            refuse_other(start, PlaneState, "start", "the final state of a PlaneResponse")
+        if start is not None and not isinstance(start, PlaneState):
+            raise InputError(other(start, "start", "the final state of a PlaneResponse"))
         system = plane_system(bearing, friction, heating)
         return analyse_plane(record, system, integration, vertical=vertical, start=start)
     if vertical:
         msg = f"{record.name}: a single component has no vertical one; give a station, as in east.AT2+north.AT2+up.AT2."
         raise InputError(msg)
-    if start is not None:
-        refuse_other(start, State, "start", "the final state of a Response")
+    if start is not None and not isinstance(start, State):
+        raise InputError(other(start, "start", "the final state of a Response"))
     return analyse(record, System.of(bearing, friction, heating), integration, start=start, keep=keep)
 
 

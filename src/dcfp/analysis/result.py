@@ -16,6 +16,7 @@ from dcfp.analysis.assumptions import OF_MODEL
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.station import Station
 from dcfp.schema.check import Check
 from dcfp.schema.citations import citations_of
 from dcfp.schema.notebook import card, fields_card, told
@@ -315,7 +316,7 @@ class Result(ABC):
 class MotionResult(Result):
     """A result of a ground motion, with the histories of the ground [mm/s2, mm/s], and whether it rests: no more sliding can come."""
 
-    motion: GroundMotion
+    motion: GroundMotion | Station
     ground_acceleration: FloatArray
     ground_velocity: FloatArray
     rests: bool

@@ -25,7 +25,7 @@ RATIO, REFERENCE = range(2)
 
 #: Parts of a sample interval that the shortest step is one of.
 PARTS = 1 << MOST_HALVINGS
-_LENGTHS = tuple(0.5**n for n in range(MOST_HALVINGS + 1))
+_LENGTHS: tuple[float, ...] = tuple(0.5**n for n in range(MOST_HALVINGS + 1))
 # how many places of an elastic oscillation are looked at, and by how much of the yield elongation what is left may slide
 _ANGLES, _TURN, _SLIVER = 64, math.tau / 64, 1e-5
 
@@ -83,11 +83,12 @@ def integrate_plane(
     heat and the field are where it starts from, and are left where it ends. From sample `free_from` on, where the ground must have stopped
     accelerating, it stops as soon as it rests.
     """
-    interval, changes = control.interval, loads.shape[0] > 0
+    changes = loads.shape[0] > 0
+    interval: float = control.interval
     state = states[run]
     motion = PlaneMotion(*fields_of(state["motion"]))
     extremes = PlaneExtremes(*fields_of(state["extremes"]))
-    level = max(state["halvings"], control.fewest_halvings)
+    level: int = max(state["halvings"], control.fewest_halvings)
     began, done, status, steps = state["time"], 0, DONE, 0
     if motion.rim == 0.0:  # it has not begun yet
         first = under(model, loads[0, RATIO], loads[0, REFERENCE]) if changes else model

@@ -331,9 +331,13 @@ def refuse_other(
         If it is not.
     """
     if not isinstance(value, kinds):
-        known = f" ({', '.join(names)})" if names else ""
-        msg = f"{name} must be {wanted}{known}, not {value!r}."
-        raise InputError(msg)
+        raise InputError(other(value, name, wanted, names))
+
+
+def other(value: object, name: str, wanted: str, names: Iterable[str] = ()) -> str:
+    """Return the sentence that a value is not what is wanted; arguments as for `refuse_other`."""
+    known = f" ({', '.join(names)})" if names else ""
+    return f"{name} must be {wanted}{known}, not {value!r}."
 
 
 def unknown(given: object, known: Iterable[str], what: str) -> str:

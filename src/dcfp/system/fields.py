@@ -55,10 +55,11 @@ class PlaneHeat:
         """Return the temperature of every point of a plate [degC] at a time [s] at which nothing slides, shape (rows, columns)."""
         field, modes = self.field, self.plates.modes
         rates, common = modes[k.RATES], modes[k.PLATE_ROW + plate * k.PLATE_ROWS + k.COMMON]
-        points = field.points[plate]
+        points: FloatArray = field.points[plate]
         own = (points[..., :MODES] * np.exp(-rates * (time - points[..., MODES:]))).sum(axis=-1)
-        columns = np.arange(points.shape[1])
-        covered = (columns >= field.spans[plate, :, :1]) & (columns < field.spans[plate, :, 1:])
+        columns = np.arange(int(field.points.shape[2]))
+        first, beyond = field.spans[plate, :, :1], field.spans[plate, :, 1:]
+        covered = (columns >= first) & (columns < beyond)
         return system.heating.ambient + own + covered * float(common.sum())
 
 

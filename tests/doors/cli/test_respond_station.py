@@ -22,7 +22,8 @@ def test_the_keys_and_all_digits(run) -> None:
     assert found[1]["pgv_m_s"] == pytest.approx(0.5)
 
 
-def test_a_table_a_figure_and_files(run, tmp_path) -> None:
+def test_a_table_a_figure_and_files(run, tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
     outcome = run(
         "respond", "P695-FF-2", "--pgv", "0.5", "--heating", "none", "--plot", "one.png", "--out", "one.nc"
     )

@@ -15,7 +15,7 @@ from dcfp.motion.treatment import station_treated, treated
 from dcfp.schema.declared import Declared, parameters
 from dcfp.system import System, read_bearing, system_parameters
 
-Moved = TypeVar("Moved", bound=GroundMotion | Station)
+Moved = TypeVar("Moved", GroundMotion, Station)
 
 
 def given(chosen: argparse.Namespace, kind: type[Declared]) -> dict[str, Any]:

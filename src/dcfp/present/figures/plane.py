@@ -93,7 +93,8 @@ def plot_orbit(
 def plot_plane_response(response: "PlaneResponse") -> "Figure":
     """Compose orbits and histories of one analysis in the plane on a new figure."""
     figure = style.new_figure(6.4)
-    left, right = figure.subfigures(1, 2, width_ratios=(1.0, 1.25))
+    sides: Any = figure.subfigures(1, 2, width_ratios=(1.0, 1.25))
+    left, right = sides
     upper, lower = left.subplots(2, 1)
     plot_orbit(response, upper)
     plot_orbit(response, lower, of="force", colour_bar=False)
