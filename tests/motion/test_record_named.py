@@ -72,10 +72,10 @@ def test_unknown_name(name):
         named_motion(name)
 
 
-def test_unknown_name_suggests_the_nearest():
+def test_unknown_name_suggests_the_nearest_and_a_station_its_components():
     with pytest.raises(InputError, match=r"did you mean .*KNA"):
         load_motion("KNAA")
-    with pytest.raises(InputError, match=r"did you mean .*P695-FF-7-"):
+    with pytest.raises(InputError, match=r"choose P695-FF-7-a or P695-FF-7-b"):
         load_motion("P695-FF-7")
 
 
