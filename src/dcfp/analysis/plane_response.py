@@ -10,10 +10,11 @@ import numpy as np
 
 from dcfp.analysis.assumptions import OF_RESPONSE
 from dcfp.analysis.integration import Integration
+from dcfp.analysis.plane_result import PlaneResult, add_directions
 from dcfp.analysis.response import HISTORIES as OF_LINE
 from dcfp.analysis.response import PEAKS, Status
 from dcfp.analysis.result import MotionResult
-from dcfp.arrays import FloatArray, freeze
+from dcfp.arrays import FloatArray
 from dcfp.kernels._jit import Records
 from dcfp.kernels.plane_integrate import PLANE_STATE, PlaneExtremes
 from dcfp.motion.measures import motion_remarks
@@ -122,7 +123,7 @@ PLANE_HISTORIES.take(OF_LINE, "input_energy", "absolute_input_energy", "kinetic_
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class PlaneResponse(MotionResult):
+class PlaneResponse(PlaneResult, MotionResult):
     """Histories, peaks and energies of a rigid structure on a bearing in two directions; its ``final_state`` is where it can be gone on with.
 
     What is called as in one direction is the magnitude in the plane.
@@ -149,48 +150,6 @@ class PlaneResponse(MotionResult):
     def load(self) -> FloatArray:
         """Vertical force [N]: one number where it does not change."""
         return self.loads
-
-    def _vectors(self, name: str) -> FloatArray:
-        """Return both columns of that name, shape (n, 2)."""
-        return np.column_stack((self.line(f"{name}_x"), self.line(f"{name}_y")))
-
-    @cached_property
-    def displacement_vectors(self) -> FloatArray:
-        """Displacement of the isolation layer [mm], shape (n, 2)."""
-        return freeze(self._vectors("displacement"))
-
-    @cached_property
-    def velocity_vectors(self) -> FloatArray:
-        """Relative velocity [mm/s], shape (n, 2)."""
-        return freeze(self._vectors("velocity"))
-
-    @cached_property
-    def force_vectors(self) -> FloatArray:
-        """Horizontal force of the bearing [N], shape (n, 2)."""
-        bearing = self.bearing
-        ratio = (self.load / bearing.vertical_force)[:, np.newaxis]
-        pendulum = bearing.restoring_stiffness * ratio * self.displacement_vectors
-        return freeze(pendulum + bearing.elastic_stiffness * self._vectors("elongation"))
-
-    @property
-    def displacement(self) -> FloatArray:
-        """Distance |y| of the isolation layer from the middle [mm]."""
-        return np.linalg.norm(self.displacement_vectors, axis=1)
-
-    @property
-    def velocity(self) -> FloatArray:
-        """Relative speed |v| [mm/s]."""
-        return np.linalg.norm(self.velocity_vectors, axis=1)
-
-    @property
-    def elongation(self) -> FloatArray:
-        """Length of the elongation of spring (b), |y - O_Y| [mm]."""
-        return np.linalg.norm(self._vectors("elongation"), axis=1)
-
-    @property
-    def force(self) -> FloatArray:
-        """Magnitude of the horizontal force [N]."""
-        return np.linalg.norm(self.force_vectors, axis=1)
 
     def _energies(self) -> tuple[FloatArray, FloatArray, dict[str, FloatArray]]:
         mass, ground = self.bearing.mass, self.ground_velocity
@@ -236,11 +195,6 @@ class PlaneResponse(MotionResult):
     def peak_temperature(self) -> float:
         """Highest mean temperature of the contact of any plate [degC]."""
         return self.final_state.extremes.temperature
-
-    @property
-    def peak_point_temperature(self) -> float:
-        """Highest temperature of a point of any plate [degC]; without a field, that of the contact."""
-        return max(self.peak_temperature, float(self.line("point_temperature")[-1]))
 
     @property
     def least_friction(self) -> float:
@@ -311,20 +265,7 @@ class PlaneResponse(MotionResult):
         }
 
 
-def _by_direction(name: str, place: int) -> property:
-    def one(self: PlaneResponse) -> FloatArray:
-        values: FloatArray = getattr(self, name)
-        return values[:, place]
-
-    return property(one, doc=f"Column {place} of `{name}`.")
-
-
-for _history, _source in (
-    ("ground_acceleration", "ground_acceleration"), ("ground_velocity", "ground_velocity"), ("displacement", "displacement_vectors"),
-    ("velocity", "velocity_vectors"), ("force", "force_vectors"),
-):  # fmt: skip
-    for _place, _name in enumerate(("x", "y")):
-        setattr(PlaneResponse, f"{_history}_{_name}", _by_direction(_source, _place))
+add_directions(PlaneResponse, ground_acceleration="ground_acceleration", ground_velocity="ground_velocity")
 
 
 def largest_change(
