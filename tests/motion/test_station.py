@@ -5,7 +5,8 @@ import pytest
 
 from dcfp import GroundMotion, InputError, Station, load_motion, load_station
 from dcfp.motion.ground_motion import Origin
-from dcfp.motion.station import joined
+from dcfp.motion.load import load_motions, load_records, seen_from
+from dcfp.motion.station import joined, stations_of
 from dcfp.motion.treatment import station_treated
 
 
@@ -146,3 +147,33 @@ def test_parts_that_do_not_fit_make_no_station() -> None:
         Station(motion("EW"), motion("NS", size=40))
     with pytest.raises(InputError, match="every value is zero"):
         Station(motion("EW").scaled(0.0), motion("NS").scaled(0.0)).scaled_to_pgv(500.0)
+
+
+def test_a_set_of_stations_is_one_word() -> None:
+    stations = load_records(["p695-FF-Stations"])
+    assert [one.name for one in stations] == [f"P695-FF-{number}" for number in range(1, 23)]
+    second = load_station("P695-FF-2")
+    assert second is not None
+    assert stations[1].digest == second.digest
+    with pytest.raises(InputError, match=r"P695-FF-stations is a set of stations .* P695-FF is the set of"):
+        load_motions(["P695-FF-stations"])
+
+
+def test_stations_and_single_components_are_not_mixed() -> None:
+    found = joined([motion("EW"), motion("NS", seed=2)], "pair")
+    assert stations_of([found]) == [found]
+    assert stations_of([motion("EW")]) == []
+    with pytest.raises(InputError, match="give only stations, or only single components"):
+        stations_of([found, motion("EW")])
+
+
+def test_files_are_seen_from_a_folder(tmp_path) -> None:
+    for name in ("east.AT2", "north.AT2", "AKT0.EW", "AKT0.NS", "a+b.csv"):
+        (tmp_path / name).write_text("")
+    here = f"{tmp_path}/"
+    assert seen_from(tmp_path, "east.AT2+north.AT2") == f"{here}east.AT2+{here}north.AT2"
+    assert seen_from(tmp_path, "east.AT2::NS+::EW") == f"{here}east.AT2::NS+::EW"
+    assert seen_from(tmp_path, "a+b.csv") == f"{here}a+b.csv"
+    assert seen_from(tmp_path, "AKT0") == f"{here}AKT0"
+    assert seen_from(tmp_path, "P695-FF-2") == "P695-FF-2"
+    assert seen_from(tmp_path, "NCC+east.AT2") == f"NCC+{here}east.AT2"

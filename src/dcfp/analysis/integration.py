@@ -1,14 +1,17 @@
 """How finely and how far an analysis goes, and what it keeps beside its histories."""
 
 import math
+from collections.abc import Sequence
 from typing import Annotated
 
 from dcfp.errors import InputError
 from dcfp.kernels.heat_state import MOST_HALVINGS
+from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.station import Station, stations_of
 from dcfp.schema.declared import Declared, declared
 from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import FRACTION, NONE, SECOND
-from dcfp.system import Heating, PreciseHeating
+from dcfp.system import Heating, PreciseHeating, SimplifiedHeating
 
 
 @declared
@@ -50,6 +53,11 @@ class Integration(Declared):
             FRACTION, 0.0, 0.9999, above=True,
         ),
     ] = 0.02  # fmt: skip
+
+
+def usual_heating(records: Sequence[GroundMotion | Station]) -> str:
+    """Return the name of the heating model of analyses for which none is said: that of Li et al. (2020) in one direction, of stations the precise one."""
+    return (PreciseHeating if stations_of(records) else SimplifiedHeating).name
 
 
 #: Longest step of sliding [s], whatever the record's own: peaks are looked for at the ends of steps.

@@ -3,7 +3,6 @@
 import time
 from dataclasses import replace
 from functools import cache, lru_cache
-from pathlib import Path
 
 import numpy as np
 
@@ -32,8 +31,7 @@ def plane_system(
     bearing: SystemLike, friction: FrictionLaw | str | None, heating: Heating | str | None
 ) -> System:
     """Return the system of parts or of their names as `System.of`; the precise heating model where nothing says which."""
-    said = heating is not None or isinstance(bearing, (System, str, Path))
-    return System.of(bearing, friction, heating if said else PreciseHeating.name)
+    return System.of(bearing, friction, heating, usual=PreciseHeating.name)
 
 
 def analyse_plane(

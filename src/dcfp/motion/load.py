@@ -9,7 +9,7 @@ from dcfp.errors import InputError
 from dcfp.motion.formats.registry import read_components, select_component
 from dcfp.motion.formats.source import read_source, source_of
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.named import named_motion, named_station, record_set
+from dcfp.motion.named import named_motion, named_station, record_set, station_set
 from dcfp.motion.station import Station, joined
 from dcfp.schema.parameters import refuse_other
 
@@ -151,9 +151,22 @@ def load_record(
 def load_records(
     names: Iterable[str], component: str | None = None, **reading: Any
 ) -> list[GroundMotion | Station]:
-    """Return the stations and ground motions of several names or files; the name of a set stands for all components in it."""
-    sets = [record_set(name) or [load_record(name, component, **reading)] for name in names]
-    return [motion for one in sets for motion in one]
+    """Return the stations and ground motions of several names or files; the name of a set stands for all components or stations in it."""
+    found: list[GroundMotion | Station] = []
+    for name in names:
+        found += record_set(name) or station_set(name) or [load_record(name, component, **reading)]
+    return found
+
+
+def seen_from(folder: Path, record: str) -> str:
+    """Return the name of a record; where it names files that are there, as they are seen from a folder."""
+    beside = str(folder / record)
+    if _is_file(beside) or any(_is_file(beside + endings[0]) for endings in _TRIPLES):
+        return beside
+    if STATION_MARK in record:
+        return STATION_MARK.join(seen_from(folder, one) for one in record.split(STATION_MARK))
+    file, mark, component = record.partition(COMPONENT_MARK)
+    return f"{folder / file}{mark}{component}" if file and _is_file(str(folder / file)) else record
 
 
 def load_motions(names: Iterable[str], component: str | None = None, **reading: Any) -> list[GroundMotion]:
@@ -177,6 +190,10 @@ def _exists(text: str) -> bool:
         return Path(text).exists()
     except (OSError, ValueError):
         return False
+
+
+def _is_file(text: str) -> bool:
+    return _exists(text) and Path(text).is_file()
 
 
 def read_motions(

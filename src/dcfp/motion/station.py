@@ -213,6 +213,21 @@ def joined(components: Sequence[GroundMotion], name: str) -> Station:
     return Station(x, y, rest[0] if rest else None, name, tuple(treatment))
 
 
+def stations_of(records: Sequence[GroundMotion | Station]) -> list[Station]:
+    """Return records that are all stations; none where all are single components.
+
+    Raises
+    ------
+    InputError
+        If there are both.
+    """
+    stations = [one for one in records if isinstance(one, Station)]
+    if stations and len(stations) != len(records):
+        msg = "Stations are analysed in the plane and single components in one direction; give only stations, or only single components."
+        raise InputError(msg)
+    return stations
+
+
 def _lengthened(values: FloatArray, size: int) -> FloatArray:
     return np.concatenate((values, np.zeros(size - values.size)))
 

@@ -42,6 +42,15 @@ def station_treated(station: Station, *, baseline: bool = False, corner: float |
     )
 
 
+def record_treated(
+    record: GroundMotion | Station, *, baseline: bool = False, corner: float | None = None
+) -> GroundMotion | Station:
+    """Return a station or a single component treated as `treated` does, which raises the same errors."""
+    if isinstance(record, Station):
+        return station_treated(record, baseline=baseline, corner=corner)
+    return treated(record, baseline=baseline, corner=corner)
+
+
 def remove_leading_mean(motion: GroundMotion, duration: float) -> GroundMotion:
     """Subtract the mean of the first part of the acceleration, as for an instrument's offset.
 

@@ -43,8 +43,16 @@ class System:
         bearing: "System | Bearing | str | Path | None" = None,
         friction: FrictionLaw | str | None = None,
         heating: Heating | str | None = None,
+        usual: str = SimplifiedHeating.name,
     ) -> "System":
         """Return the system of parts or of their names; what is None is that of Li et al. (2020), or of the bearing file.
+
+        Parameters
+        ----------
+        bearing, friction, heating
+            The parts.
+        usual
+            Heating model where neither `heating` nor a system or file says which.
 
         Raises
         ------
@@ -59,8 +67,10 @@ class System:
             if part is not None:
                 refuse_other(part, kinds, name, wanted, names)
         if isinstance(bearing, (str, Path)):
-            bearing = read_bearing(bearing)
-        base = bearing if isinstance(bearing, System) else cls(bearing or LI_2020)
+            bearing = read_bearing(bearing, usual)
+        base = (
+            bearing if isinstance(bearing, System) else cls(bearing or LI_2020, heating=_usual_heating(usual))
+        )
         if isinstance(friction, str):
             friction = friction_law(friction)
         if isinstance(heating, str):
@@ -68,7 +78,13 @@ class System:
         return cls(base.bearing, friction or base.friction, heating or base.heating)
 
     @classmethod
-    def from_table(cls, content: Mapping[str, Any], where: str, name: str | None = None) -> "System":
+    def from_table(
+        cls,
+        content: Mapping[str, Any],
+        where: str,
+        name: str | None = None,
+        usual: str = SimplifiedHeating.name,
+    ) -> "System":
         """Return the system of a bearing file; what it leaves out is that of Li et al. (2020).
 
         Parameters
@@ -79,6 +95,8 @@ class System:
             What to begin a complaint with.
         name
             Of the bearing, unless it has one of its own; None for that of Li et al. (2020).
+        usual
+            Heating model where the file says none.
 
         Raises
         ------
@@ -91,7 +109,7 @@ class System:
         law = friction_law(
             tables["friction"].pop("law", Li2020.name), tables["friction"], f"{where}: [friction]"
         )
-        kind = HEATINGS.find(tables["heating"].pop("model", SimplifiedHeating.name), f"{where}: [heating]")
+        kind = HEATINGS.find(tables["heating"].pop("model", usual), f"{where}: [heating]")
         heating = kind.from_table(tables["heating"], f"{where}: [heating]")
         bearing = build(LI_2020.changed, values, where)
         return cls(replace(bearing, name=values.get("name", name or LI_2020.name)), law, heating)
@@ -204,7 +222,12 @@ def _system_parameters(
     return {**first, **of_laws, "heating": heating, **of_heatings}
 
 
-def read_bearing(path: str | Path) -> System:
+@cache
+def _usual_heating(name: str) -> Heating:
+    return _HEATING if name == _HEATING.name else heating_model(name)
+
+
+def read_bearing(path: str | Path, usual: str = SimplifiedHeating.name) -> System:
     """Read a bearing file; what it leaves out is that of Li et al. (2020).
 
     Parameters
@@ -212,6 +235,8 @@ def read_bearing(path: str | Path) -> System:
     path
         TOML with any of the keys of a `Bearing` and the tables ``[friction]`` (``law`` and its parameters) and ``[heating]`` (``model`` and its parameters). A plain number is
         in the declared unit; a text may name another, as in ``radius = "4.5 m"``.
+    usual
+        Heating model where the file says none.
 
     Raises
     ------
@@ -219,7 +244,7 @@ def read_bearing(path: str | Path) -> System:
         If the file cannot be read, or has an unknown key or a value out of range.
     """
     content = read_toml(path, "a bearing file is TOML with keys such as radius and slider")
-    return System.from_table(content, str(path), Path(path).stem)
+    return System.from_table(content, str(path), Path(path).stem, usual)
 
 
 def friction_law(name: object, table: Mapping[str, Any] | None = None, where: str = "") -> FrictionLaw:

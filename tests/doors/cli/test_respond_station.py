@@ -48,6 +48,16 @@ def test_turned_by_an_option(run) -> None:
     assert other["y1_max_mm"] == pytest.approx(one["y2_max_mm"], rel=1e-9)
 
 
+def test_a_bearing_file_without_a_heating_model_has_that_of_stations(run, tmp_path) -> None:
+    (tmp_path / "b.toml").write_text("radius = 3000\n[heating]\nambient = 5\n")
+    words = ("respond", "P695-FF-8", "--bearing", str(tmp_path / "b.toml"), "--json")
+    (found,) = json.loads(run(*words).out)
+    station = load_station("P695-FF-8")
+    assert station is not None
+    assert found["heating"] == "precise"
+    assert found["y_max_mm"] == respond(station, tmp_path / "b.toml").peak_displacement
+
+
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [

@@ -11,9 +11,9 @@ from dcfp.motion.load import load_motions as load
 from dcfp.motion.load import load_records as load_stations
 from dcfp.motion.measures import refuse_a_drift
 from dcfp.motion.station import Station
-from dcfp.motion.treatment import station_treated, treated
+from dcfp.motion.treatment import record_treated, treated
 from dcfp.schema.declared import Declared, parameters
-from dcfp.system import System, read_bearing, system_parameters
+from dcfp.system import SimplifiedHeating, System, system_parameters
 
 Moved = TypeVar("Moved", GroundMotion, Station)
 
@@ -36,10 +36,7 @@ def load_motions(chosen: argparse.Namespace) -> list[GroundMotion]:
 def load_records(chosen: argparse.Namespace) -> list[GroundMotion | Station]:
     """Return every station and single record as it will be used but for the scale."""
     records = load_stations(chosen.records, chosen.component, units=chosen.units, time_step=chosen.time_step)
-    how = {"baseline": chosen.baseline, "corner": chosen.high_pass}
-    return [
-        station_treated(one, **how) if isinstance(one, Station) else treated(one, **how) for one in records
-    ]
+    return [record_treated(one, baseline=chosen.baseline, corner=chosen.high_pass) for one in records]
 
 
 def motions(chosen: argparse.Namespace) -> list[GroundMotion]:
@@ -57,9 +54,9 @@ def scaled(motions: Sequence[Moved], pgvs: list[float] | None, *, allow_drift: b
     )
 
 
-def system(chosen: argparse.Namespace) -> System:
-    """Return the system of the bearing file, or of Li et al. (2020), with the options put before it."""
-    base = System() if chosen.bearing is None else read_bearing(chosen.bearing)
+def system(chosen: argparse.Namespace, usual: str = SimplifiedHeating.name) -> System:
+    """Return the system of the bearing file, or of Li et al. (2020), with the options put before it; `usual` is the heating model where none is said."""
+    base = System.of(chosen.bearing, usual=usual)
     options = {key: option_name(key) for key, one in system_parameters().items() if one.option}
     values = {key: value for key, name in options.items() if (value := getattr(chosen, name)) is not None}
     changed = base.changed(values) if values else base

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from dcfp.analysis import Response
-from dcfp.analysis.integration import NOTHING, PLATES, Integration
+from dcfp.analysis.integration import NOTHING, PLATES, Integration, usual_heating
 from dcfp.analysis.response_history import analyse
 from dcfp.doors.cli import inputs
 from dcfp.doors.cli.console import Page, each, grid, grouped
@@ -14,10 +14,10 @@ from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import motion_remarks
-from dcfp.motion.station import Station
+from dcfp.motion.station import Station, stations_of
 from dcfp.present.tables import write_responses
 from dcfp.schema.table import Table
-from dcfp.system import PreciseHeating, System
+from dcfp.system import System
 
 if TYPE_CHECKING:
     from dcfp.analysis.plane_response import PlaneResponse
@@ -29,14 +29,11 @@ SCRIPT, WORKBOOK = ".py", ".xlsx"
 
 def run(chosen: argparse.Namespace) -> Answer:
     """Analyse every record at every PGV."""
-    system = inputs.system(chosen)
     records = inputs.load_records(chosen)
+    stations = stations_of(records)
+    system = inputs.system(chosen, usual_heating(records))
     kind = Path(chosen.out or "").suffix.lower()
-    stations = [one for one in records if isinstance(one, Station)]
     if stations:
-        if len(stations) != len(records):
-            msg = "Stations are analysed in the plane and single components in one direction; give only stations, or only single components."
-            raise InputError(msg)
         return _in_the_plane(chosen, stations, system, kind)
     singles = [one for one in records if isinstance(one, GroundMotion)]
     return _in_one_direction(chosen, singles, system, kind)
@@ -50,8 +47,6 @@ def _in_the_plane(
     if kind in (SCRIPT, WORKBOOK):
         msg = f"{chosen.out}: an analysis in the plane is written as .nc or .csv; a script or a workbook is of one direction, so give a single component."
         raise InputError(msg)
-    if chosen.heating is None and chosen.bearing is None:
-        system = system.changed({"heating": PreciseHeating.name})
     if chosen.rotate is not None:
         stations = [one.rotated(chosen.rotate) for one in stations]
     integration = Integration(**inputs.given(chosen, Integration))
