@@ -8,14 +8,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.analysis.integration import DEFAULT, Integration, halvings
+from dcfp.analysis.lanes import Lanes as Lanes
+from dcfp.analysis.plane_batch import StationSet, respond_to_stations
 from dcfp.analysis.response import FAILED, NUMBERS, Status, states_at_rest
-from dcfp.arrays import FloatArray, IntArray
+from dcfp.arrays import FloatArray
 from dcfp.kernels._jit import Records, as_bytes
 from dcfp.kernels.heat_state import MODE_ROWS, Heat
 from dcfp.kernels.integrate import BATCH_RECORD, BATCH_RUN, BATCH_SYSTEM, TEMPERATURE, run_batch
 from dcfp.kernels.motion import AT_REST, DONE, OUT_OF_CELLS
 from dcfp.kernels.sum_of_exponentials import MODES
 from dcfp.motion.ground_motion import LONGEST_TAIL, GroundMotion, parts_in, refined
+from dcfp.motion.station import Station
 from dcfp.system import System
 from dcfp.system.plates import (
     cell_width,
@@ -29,42 +32,6 @@ from dcfp.system.plates import (
 
 
 @dataclass(frozen=True, eq=False)
-class Lanes:
-    """Analyses to be made, each one lane.
-
-    Attributes
-    ----------
-    record, scale, model
-        Number of its record in the `GroundSet`, factor on the acceleration [-], and number of its model, shape (lanes,).
-    """
-
-    record: IntArray
-    scale: FloatArray
-    model: IntArray
-    models: Sequence[System]
-
-    def __len__(self) -> int:
-        return self.record.size
-
-    @classmethod
-    def grid(cls, records: int, scales: FloatArray, models: Sequence[System]) -> "Lanes":
-        """Return every one of so many records at its scales [-], shape (records, scales), on every model, which varies fastest.
-
-        Parameters
-        ----------
-        records
-            Number of records.
-        scales
-            Of each record, shape (records, scales) [-].
-        models
-            As in `Lanes`.
-        """
-        shape = (records, scales.shape[1], len(models))
-        record, _, model = (axis.ravel() for axis in np.indices(shape, dtype=np.intp))
-        return cls(record, np.repeat(scales.ravel(), len(models)), model, models)
-
-
-@dataclass(frozen=True, eq=False)
 class GroundSet:
     """Records one after the other [mm/s2], unscaled, and how each is stepped through: `dcfp.kernels.integrate.BatchRecord`."""
 
@@ -73,12 +40,22 @@ class GroundSet:
     integration: Integration
 
     @classmethod
-    def of(cls, motions: Sequence[GroundMotion], integration: Integration = DEFAULT) -> "GroundSet":
-        """Put records side by side, to be analysed as finely and as far as `integration` says."""
+    def of(
+        cls, motions: Sequence[GroundMotion] | Sequence[Station], integration: Integration = DEFAULT
+    ) -> "GroundSet | StationSet":
+        """Put records side by side, to be analysed as finely and as far as `integration` says; stations become a `StationSet`.
+
+        Raises
+        ------
+        InputError
+            If some are stations and others single components.
+        """
+        if any(isinstance(one, Station) for one in motions):
+            return StationSet.of(motions, integration)
         tail, step = integration.tail, integration.step
         records = np.zeros(len(motions), BATCH_RECORD)
         accelerations: list[FloatArray] = []
-        for i, motion in enumerate(motions):
+        for i, motion in enumerate(one for one in motions if isinstance(one, GroundMotion)):
             parts = 1 if step is None else parts_in(motion.time_step, step)
             # what `dcfp.respond` makes of a record, but the zeros after it as their number alone
             after = round((LONGEST_TAIL if tail is None else tail) / motion.time_step)
@@ -159,7 +136,9 @@ def _equivalent_velocity(energy: FloatArray, mass: FloatArray) -> FloatArray:
     return np.sqrt(np.maximum(2.0 * (energy * mass) / mass, 0.0))
 
 
-def respond_in_batch(grounds: GroundSet, lanes: Lanes) -> dict[str, NDArray[np.float64] | NDArray[np.uint8]]:
+def respond_in_batch(
+    grounds: GroundSet | StationSet, lanes: Lanes
+) -> dict[str, NDArray[np.float64] | NDArray[np.uint8]]:
     """Analyse every lane on the calling thread; the interpreter's lock is free meanwhile.
 
     The numbers of a lane are those of `dcfp.respond` for its record, scale and model, and do not depend on what else is in the
@@ -168,16 +147,18 @@ def respond_in_batch(grounds: GroundSet, lanes: Lanes) -> dict[str, NDArray[np.f
     Parameters
     ----------
     grounds
-        The records.
+        The records, or stations.
     lanes
         What is analysed; lanes of the same record and scale are best side by side.
 
     Returns
     -------
     dict
-        Peaks and energies of each lane by the names of a `dcfp.Response`, shape (lanes,). ``status`` counts as
+        Peaks and energies of each lane by the names of a `dcfp.Response` or `PlaneResponse`, shape (lanes,). ``status`` counts as
         `dcfp.analysis.response.NUMBERS`; where it is `FAILED` all else is not a number.
     """
+    if isinstance(grounds, StationSet):
+        return respond_to_stations(grounds, lanes)
     ambient = np.array([model.heating.ambient for model in lanes.models])
     states = states_at_rest(len(lanes), 0.0)
     states["extremes"]["temperature"] = ambient[lanes.model]

@@ -67,15 +67,14 @@ def analyse_plane(
     if start is not None and start.system != system:
         msg = f"{motion.name}: the starting state is that of another bearing, friction law or heating model."
         raise InputError(msg)
-    if vertical and motion.vertical is None:
-        msg = f"{motion.name}: the station has no vertical component; join it as the third one, as in east.AT2+north.AT2+up.AT2."
-        raise InputError(msg)
     parts = 1 if integration.step is None else parts_in(motion.time_step, integration.step)
     interval = motion.time_step / parts
     x, y = (refined(with_tail(one, integration.tail), parts) for one in (motion.x, motion.y))
     loads = np.empty((0, 2))
-    if vertical and motion.vertical is not None:
-        ratio = 1.0 + refined(with_tail(motion.vertical, integration.tail), parts) / STANDARD_GRAVITY
+    if vertical:
+        ratio = (
+            1.0 + refined(with_tail(motion.require_vertical(), integration.tail), parts) / STANDARD_GRAVITY
+        )
         loads = np.column_stack((ratio, references(system, np.maximum(ratio, 0.0))))
     free_from = motion.x.acceleration.size * parts if integration.tail is None else x.size
     _load_kernels()

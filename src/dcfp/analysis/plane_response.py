@@ -15,6 +15,7 @@ from dcfp.analysis.response import HISTORIES as OF_LINE
 from dcfp.analysis.response import PEAKS, Status
 from dcfp.analysis.result import MotionResult
 from dcfp.arrays import FloatArray
+from dcfp.kernels import plane_swings
 from dcfp.kernels._jit import Records
 from dcfp.kernels.plane_integrate import PLANE_STATE, PlaneExtremes
 from dcfp.motion.measures import motion_remarks
@@ -174,7 +175,7 @@ class PlaneResponse(PlaneResult, MotionResult):
     @cached_property
     def peak_change(self) -> float:
         """Largest change of displacement between two successive peaks, dy_max [mm], in whatever direction it is largest."""
-        return largest_change(self.displacement_vectors, self.velocity_vectors, self.time)
+        return largest_change(self.displacement_vectors, self.velocity_vectors, float(self.time[1]))
 
     @property
     def peak_velocity(self) -> float:
@@ -269,7 +270,7 @@ add_directions(PlaneResponse, ground_acceleration="ground_acceleration", ground_
 
 
 def largest_change(
-    displacement: FloatArray, velocity: FloatArray, time: FloatArray, directions: int = 180
+    displacement: FloatArray, velocity: FloatArray, interval: float, directions: int = 180
 ) -> float:
     """Return the largest change of displacement between two successive peaks in any direction [mm].
 
@@ -277,19 +278,11 @@ def largest_change(
     ----------
     displacement, velocity
         Histories [mm, mm/s], shape (n, 2).
-    time
-        Of each row [s].
+    interval
+        Between two rows [s].
     directions
         Number of directions of half a turn that are looked at.
     """
-    largest = 0.0
-    for angle in np.arange(directions) * (math.pi / directions):
-        unit = np.array([math.cos(angle), math.sin(angle)])
-        y, v = displacement @ unit, velocity @ unit
-        turns = np.flatnonzero(v[:-1] * v[1:] < 0.0)
-        steps = np.diff(time)[turns]
-        # the velocity as linear in the step of the turn
-        peaks = y[turns] + 0.5 * steps * v[turns] ** 2 / (v[turns] - v[turns + 1])
-        places = np.concatenate((y[:1], peaks, y[-1:]))
-        largest = max(largest, float(np.abs(np.diff(places)).max(initial=0.0)))
-    return largest
+    angles = np.arange(directions) * (math.pi / directions)
+    work = np.stack([np.cos(angles), np.sin(angles), np.zeros(directions)])
+    return plane_swings.largest_change(displacement, velocity, interval, work)

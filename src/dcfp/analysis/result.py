@@ -348,9 +348,9 @@ class MotionResult(Result):
     @property
     def input_velocity(self) -> float:
         """Equivalent velocity V_E of the input energy up to the end, with all of the mass [mm/s]; an analysis that was taken up again counts on."""
-        return equivalent_velocity(float(self.energy.input[-1]), self.bearing.mass)
+        return equivalent_velocity(float(self.line("input")[-1]) * self.bearing.mass, self.bearing.mass)
 
     @property
     def hysteretic_velocity(self) -> float:
         """Equivalent velocity V_Eh of the hysteretic energy up to the end [mm/s], counted as `input_velocity`."""
-        return equivalent_velocity(float(self.energy.hysteretic[-1]), self.bearing.mass)
+        return equivalent_velocity(float(self.line("hysteretic")[-1]) * self.bearing.mass, self.bearing.mass)

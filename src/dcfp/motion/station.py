@@ -57,6 +57,19 @@ class Station:
         """The two or three components."""
         return (self.x, self.y) if self.vertical is None else (self.x, self.y, self.vertical)
 
+    def require_vertical(self) -> GroundMotion:
+        """Return the vertical component.
+
+        Raises
+        ------
+        InputError
+            If there is none.
+        """
+        if self.vertical is None:
+            msg = f"{self.name}: the station has no vertical component; join it as the third one, as in east.AT2+north.AT2+up.AT2."
+            raise InputError(msg)
+        return self.vertical
+
     @property
     def origin(self) -> Origin:
         """Where the motion came from: what the two horizontal components have in common, and their names."""

@@ -11,6 +11,7 @@ import numpy as np
 
 from dcfp.analysis.batch import GroundSet, Lanes
 from dcfp.analysis.integration import DEFAULT, Integration
+from dcfp.analysis.plane_batch import StationSet
 from dcfp.analysis.response import HISTORIES
 from dcfp.arrays import FloatArray, IntArray
 from dcfp.errors import InputError
@@ -312,7 +313,7 @@ class Plan:
             yield Block(number, tuple(slice(a, b) for a, b in zip(starts, ends, strict=True)))
 
     @cached_property
-    def grounds(self) -> GroundSet:
+    def grounds(self) -> GroundSet | StationSet:
         """The ground motions as the kernel takes them."""
         return GroundSet.of(self.study.motions, self.study.settings)
 

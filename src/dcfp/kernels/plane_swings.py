@@ -1,0 +1,59 @@
+"""Swings of a path in the plane: the largest change of its projection between two successive peaks, over all directions."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from dcfp.kernels._jit import kernel
+
+#: Of a row of what `largest_change` works in: the directions' cosine and sine, and the last peak in each [mm].
+COSINE, SINE, LAST_PEAK = range(3)
+_SLIVER = 1e-6
+
+
+@kernel
+def largest_change(
+    displacement: NDArray[np.float64],
+    velocity: NDArray[np.float64],
+    interval: float,
+    directions: NDArray[np.float64],
+) -> float:
+    """Return the largest change of displacement between two successive peaks in any of the directions [mm].
+
+    Rows of `displacement` [mm] and `velocity` [mm/s] are `interval` [s] apart; `directions`, shape (3, n), are evenly spaced over half a turn.
+    In a direction it turns where the velocity is at right angles to it, so that each interval concerns only those directions that the
+    velocity turns past.
+    """
+    count = directions.shape[1]
+    for k in range(count):
+        directions[LAST_PEAK, k] = _along(directions, k, displacement[0])
+    largest = 0.0
+    angle = math.atan2(velocity[0, 1], velocity[0, 0])
+    for i in range(displacement.shape[0] - 1):
+        before, angle = angle, math.atan2(velocity[i + 1, 1], velocity[i + 1, 0])
+        turned = angle - before
+        if abs(turned) > math.pi:  # the other way round
+            turned -= math.copysign(math.tau, turned)
+        # places among the directions, which are a quarter of a turn behind the velocity at right angles to them
+        first = (before / math.pi - 0.5) * count
+        last = first + turned / math.pi * count
+        # a little more on either side, for the rounding of an angle; the velocities decide
+        for place in range(math.ceil(min(first, last) - _SLIVER), math.floor(max(first, last) + _SLIVER) + 1):
+            k = place % count
+            v0, v1 = _along(directions, k, velocity[i]), _along(directions, k, velocity[i + 1])
+            if v0 * v1 < 0.0:
+                # the velocity as linear in the interval of the turn
+                peak = _along(directions, k, displacement[i]) + 0.5 * interval * v0 * v0 / (v0 - v1)
+                largest = max(largest, abs(peak - directions[LAST_PEAK, k]))
+                directions[LAST_PEAK, k] = peak
+    for k in range(count):
+        end = _along(directions, k, displacement[-1])
+        largest = max(largest, abs(end - directions[LAST_PEAK, k]))
+    return largest
+
+
+@kernel
+def _along(directions: NDArray[np.float64], k: int, vector: NDArray[np.float64]) -> float:
+    """Component of a vector in a direction."""
+    return directions[COSINE, k] * vector[0] + directions[SINE, k] * vector[1]
