@@ -103,6 +103,97 @@ def test_what_opensees_can_be_has_the_same_peak_displacement(
         assert table[:, 4].max() == pytest.approx(response.peak_temperature, abs=1.5)
 
 
+def station(pgv: float, vertical: float | None = None, seconds: float = 20.0) -> dcfp.Station:
+    """Return two components, and perhaps as the vertical one so many times the first, a little earlier."""
+    pair = dcfp.load_station("P695-FF-2")
+    assert pair is not None
+    samples = round(seconds / pair.time_step)
+    x, y = (replace(one, acceleration=one.acceleration[:samples]) for one in pair.components)
+    up = None if vertical is None else replace(x, acceleration=vertical * np.roll(x.acceleration, -3))
+    return dcfp.Station(x, y, up, "pair").scaled_to_pgv(pgv)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("friction", "vertical", "close"),
+    [
+        (dcfp.ConstantFriction(), None, 2e-3),
+        (dcfp.ConstantFriction(), 0.5, 2e-3),
+        (dcfp.Constantinou1990(), None, 2e-3),
+        (dcfp.Kumar2015(), None, CLOSE),
+    ],
+)
+def test_in_the_plane_the_peaks_are_the_same(tmp_path, friction, vertical, close) -> None:
+    heats = isinstance(friction, dcfp.Kumar2015)
+    # the heat takes time with the square of the steps
+    pair = station(500.0, vertical, STRONG["NCC"] if heats else 20.0)
+    model = System(LI_2020, friction, SimplifiedHeating() if heats else NoHeating())
+    up = vertical is not None
+    response = dcfp.respond(pair, model, vertical=up)
+    step = COARSE if heats else None
+    run = run_script(opensees_script(pair, model, vertical=up, step=step), tmp_path)
+    assert run.displacement == pytest.approx(response.peak_displacement, rel=close)
+    head, *rows = run.history
+    assert head[1:7] == [f"{name} {one} [{unit}]" for name, unit in (("displacement", "mm"), ("velocity", "mm/s"), ("force", "N")) for one in "xy"]  # fmt: skip
+    table = np.array(rows, dtype=float)
+    for column in (1, 2):
+        ours = np.interp(table[:, 0], response.time, response.displacement_vectors[:, column - 1])
+        assert np.abs(table[:, column] - ours).max() < 0.02 * response.peak_displacement
+        assert f"peak displacement {'xy'[column - 1]}" in run.out
+    assert np.hypot(*table[:, 5:7].T).max() == pytest.approx(response.peak_force, rel=1e-2)
+    if heats:
+        assert table[:, 7].max() == pytest.approx(response.peak_temperature, abs=1.5)
+
+
+def test_the_second_component_is_in_the_second_direction() -> None:
+    pair = station(500.0, 0.3)
+    ground = {}
+    for up in (False, True):
+        script = opensees_script(pair, friction="constant", vertical=up)
+        assert ("ops.load(STRUCTURE, 0.0, 0.0, -MASS" in script) is up
+        (found,) = (
+            ast.literal_eval(node.value)
+            for node in ast.parse(script).body
+            if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "GROUND_ACCELERATION"
+        )
+        ground[up] = found
+    assert set(ground[False]) == {1, 2}
+    for number, one in enumerate(pair.components, 1):
+        assert np.array_equal(ground[True][number], one.acceleration)
+
+
+def test_the_step_of_a_script_in_the_plane_is_a_tenth_of_that_of_the_motion() -> None:
+    fine = dcfp.GroundMotion(np.zeros(50), 0.005, "still")
+    assert "STEP = 0.0005 " in opensees_script(dcfp.Station(fine, fine), friction="constant")
+    assert "STEP = 0.001 " in opensees_script(fine, friction="constant")
+
+
+@pytest.mark.parametrize(
+    ("friction", "heating", "up", "words"),
+    [
+        (dcfp.Kumar2015(), SimplifiedHeating(), 0.3, "under a constant vertical force"),
+        (dcfp.ConstantFriction(), NoHeating(), 5.0, "lifts the bearing off"),
+        (dcfp.ConstantFriction(), NoHeating(), None, "has no vertical component"),
+        (dcfp.Lomiento2013(), NoHeating(), 0.3, "near the friction law lomiento2013"),
+    ],
+)
+def test_what_cannot_be_exported_in_the_plane_gets_one_sentence(friction, heating, up, words) -> None:
+    with pytest.raises(InputError, match=words) as caught:
+        opensees_script(station(500.0, up), None, friction, heating, vertical=True)
+    assert str(caught.value).count("\n") == 0
+
+
+def test_a_law_that_knows_the_pressure_is_not_the_element_under_a_vertical_motion() -> None:
+    pair, law = station(500.0, 0.3), dcfp.Li2020(temperature_dependent=False)
+    system = System(friction=law, heating=NoHeating())
+    assert element_for(pair, system).stand_in is None
+    element = element_for(pair, system, vertical=True)
+    assert element.stand_in is not None
+    assert "With the friction of this element dcfp finds" in opensees_script(pair, system, vertical=True)
+    constant = element_for(pair, replace(system, friction=dcfp.ConstantFriction()), vertical=True)
+    assert constant.stand_in is None
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("bearing", "friction", "heating", "step"),
@@ -204,8 +295,8 @@ def test_the_values_are_those_of_the_record_to_the_last_bit() -> None:
         for node in tree.body
         if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name)
     }
-    assert np.array_equal(ast.literal_eval(values["GROUND_ACCELERATION"]), motion.acceleration)
-    assert ast.literal_eval(values["RECORD_SHA256"]) == motion.digest
+    assert np.array_equal(ast.literal_eval(values["GROUND_ACCELERATION"])[1], motion.acceleration)
+    assert ast.literal_eval(values["RECORD_SHA256"]) == {1: motion.digest}
 
 
 def test_names_cannot_leave_their_comments() -> None:

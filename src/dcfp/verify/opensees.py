@@ -117,7 +117,7 @@ def coulomb(record: str) -> Found:
     ours = respond(
         _strong(record), SINGLE_CONCAVE, ConstantFriction(), NoHeating(), tail=0.0
     ).peak_displacement
-    curvature = 50.0 * (ours / SINGLE_CONCAVE.effective_radius) ** 2
+    curvature = 100.0 * (ours / SINGLE_CONCAVE.effective_radius) ** 2
     words = {"failed": theirs["failed_steps"], "curvature": curvature}
     return Found(ours, theirs["peak_displacement"], words=words)
 

@@ -41,6 +41,15 @@ def test_a_table_a_figure_and_files(run, tmp_path, monkeypatch) -> None:
     assert len(lines) == 2
 
 
+def test_a_script_for_opensees(run, tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    outcome = run("respond", "P695-FF-2", "--pgv", "0.5", "--friction", "constant", "--heating", "none", "--out", "model.py")  # fmt: skip
+    assert (outcome.status, outcome.err) == (0, "")
+    script = (tmp_path / "model.py").read_text()
+    compile(script, "model.py", "exec")
+    assert "DCFP_PEAK_DISPLACEMENT_Y = " in script
+
+
 def test_turned_by_an_option(run) -> None:
     words = ("respond", "P695-FF-2", "--pgv", "0.5", "--heating", "none", "--json")
     one, other = (json.loads(run(*words, *more).out)[0] for more in ((), ("--rotate", "90")))
@@ -66,7 +75,9 @@ def test_a_bearing_file_without_a_heating_model_has_that_of_stations(run, tmp_pa
         (("NCC", "--vertical"), "--vertical is for stations"),
         (("P695-FF-2", "--vertical"), "the station has no vertical component"),
         (("KNA+NCC",), "are of different earthquakes"),
-        (("P695-FF-2", "--out", "script.py"), "is of one direction"),
+        (("P695-FF-2", "--out", "workbook.xlsx"), "is of one direction"),
+        (("P695-FF-2", "--pgv", "0.25", "0.5", "--out", "script.py"), "a script is of one record at one PGV"),
+        (("P695-FF-2", "--friction", "lomiento2013", "--out", "script.py"), "OpenSees has no element"),
     ],
 )
 def test_what_does_not_go_together(run, words, sentence: str) -> None:

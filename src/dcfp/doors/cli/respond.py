@@ -44,13 +44,14 @@ def _in_the_plane(
 ) -> Answer:
     from dcfp.analysis.plane_history import analyse_plane  # late: most records are of one direction
 
-    if kind in (SCRIPT, WORKBOOK):
-        msg = f"{chosen.out}: an analysis in the plane is written as .nc or .csv; a script or a workbook is of one direction, so give a single component."
+    if kind == WORKBOOK:
+        msg = f"{chosen.out}: an analysis in the plane is written as .py, .nc or .csv; a workbook is of one direction, so give a single component."
         raise InputError(msg)
     if chosen.rotate is not None:
         stations = [one.rotated(chosen.rotate) for one in stations]
     integration = Integration(**inputs.given(chosen, Integration))
     motions = inputs.scaled(stations, chosen.pgv, allow_drift=True)
+    _check_one_script(chosen, kind, len(motions))
     responses = each(
         "analyses",
         motions,
@@ -60,7 +61,7 @@ def _in_the_plane(
     return Answer(
         lambda: [{**one.summary(), "remarks": one.all_remarks} for one in responses],
         lambda: _page(responses),
-        lambda part, kind: write_responses(part, responses, kind),
+        lambda part, kind: write_analyses(part, kind, responses, None, vertical=chosen.vertical),
         drawn("plane.plot_plane_response", responses[0]) if alone else drawn("plane.plot_orbits", responses),
     )
 
@@ -73,9 +74,7 @@ def _in_one_direction(
             msg = f"--{option} is for stations; a single component has no other direction."
             raise InputError(msg)
     motions = inputs.scaled(records, chosen.pgv, allow_drift=True)
-    if kind == SCRIPT and len(motions) != 1:
-        msg = f"{chosen.out}: a script is of one record at one PGV, not of {len(motions)} analyses; give one, or write .xlsx, .nc or .csv."
-        raise InputError(msg)
+    _check_one_script(chosen, kind, len(motions))
     integration = Integration(**inputs.given(chosen, Integration))
     keep = PLATES if kind == ".nc" or chosen.plot is not None else NOTHING
     responses = each("analyses", motions, lambda motion: analyse(motion, system, integration, keep=keep))
@@ -93,14 +92,25 @@ def _in_one_direction(
     return answer_of(responses, calculated)
 
 
+def _check_one_script(chosen: argparse.Namespace, kind: str, count: int) -> None:
+    if kind == SCRIPT and count != 1:
+        msg = f"{chosen.out}: a script is of one record at one PGV, not of {count} analyses; give one, or write .nc or .csv."
+        raise InputError(msg)
+
+
 def write_analyses(
-    part: Path, kind: str, responses: Sequence[Response], calculated: "Callable[[], Calculation] | None"
+    part: Path,
+    kind: str,
+    responses: "Sequence[Response] | Sequence[PlaneResponse]",
+    calculated: "Callable[[], Calculation] | None",
+    *,
+    vertical: bool = False,
 ) -> str | None:
     """Write one analysis as a script for OpenSees, a workbook of what is calculated, or analyses as data."""
     from dcfp.exchange import opensees_script, write_workbook  # late: scripts and workbooks are rare
 
     if kind == SCRIPT:
-        return opensees_script(responses[0].motion, responses[0].system)
+        return opensees_script(responses[0].motion, responses[0].system, vertical=vertical)
     if kind == WORKBOOK and calculated is not None:
         write_workbook(part, calculated())
     else:

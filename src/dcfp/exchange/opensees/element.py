@@ -9,18 +9,22 @@ that friction dissipates there.
 import math
 from dataclasses import dataclass, replace
 from enum import Enum
-from typing import Any, ClassVar, cast
+from typing import Any, ClassVar, TypeAlias, cast
 
 import numpy as np
 from scipy import optimize
 
-from dcfp.analysis import Response, respond
+from dcfp.analysis import PlaneResponse, Response, respond
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.kernels.law import EXPONENTIAL, Law, exponential_law
 from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.station import Station
 from dcfp.schema.declared import declared
 from dcfp.system import FrictionLaw, Kumar2015, SimplifiedHeating, System
+
+#: What a script repeats: an analysis in one direction or in the plane.
+Analysis: TypeAlias = Response | PlaneResponse
 
 #: What is written into FPBearingPTV: the temperature at the start [degC], and the part of the coefficient that is missing at zero speed [-].
 ELEMENT_AMBIENT = 20.0
@@ -35,6 +39,7 @@ _FEWEST_SAMPLES = 10
 #: Within which the constants are looked for: coefficient over that of the law [-], rate over that of the law [-], factor of the rise [-].
 _LOWEST, _HIGHEST = (0.2, 0.05, 0.05), (5.0, 20.0, 20.0)
 _UNEQUAL = "it has one sliding surface, so that two different plates become two equal ones"
+_OF_LOAD = "its friction does not change with the pressure, which the vertical motion changes"
 
 
 class Kind(Enum):
@@ -70,13 +75,13 @@ class Element:
     reasons: tuple[str, ...] = ()
 
 
-def element_for(motion: GroundMotion, model: System) -> Element:
-    """Return the element that is a model, or comes nearest to it under a ground motion.
+def element_for(motion: GroundMotion | Station, model: System, *, vertical: bool = False) -> Element:
+    """Return the element that is a model, or comes nearest to it under a ground motion; `vertical` as for `dcfp.respond`.
 
     Raises
     ------
     InputError
-        If OpenSees has nothing like the friction law.
+        If OpenSees has nothing like the friction law, or its element heats and the vertical force changes.
     """
     law = model.friction.at_pressure(model.bearing.pressure)
     if law.form != EXPONENTIAL:
@@ -86,24 +91,41 @@ def element_for(motion: GroundMotion, model: System) -> Element:
         )
         raise InputError(msg)
     heats = law.heat_scale * law.heat_rate != 0.0 and model.heating.name != "none"
-    return _heated(motion, model, law) if heats else _cold(model, law)
+    if heats and vertical:
+        msg = (
+            f"{motion.name}: the element of OpenSees that heats is exported under a constant vertical force;"
+            " leave the vertical motion out, or the heating (none)."
+        )
+        raise InputError(msg)
+    return _heated(motion, model, law) if heats else _cold(model, law, vertical)
 
 
-def _cold(model: System, law: Law) -> Element:
+def _cold(model: System, law: Law, vertical: bool) -> Element:
     """Return an element whose friction knows no temperature but that at the start."""
     ambient = model.heating.ambient
     fast = law.reference * (law.heat_scale * math.exp(-law.heat_rate * ambient) + law.heat_floor)
-    if law.speed_drop == 0.0:
-        return Element(Kind.COULOMB, fast)
     slow = fast * (1.0 - law.speed_drop)
-    rate = law.speed_rate * _share(model)
-    if not model.friction.speed_is_of_surface or not _unequal(model):
-        return Element(Kind.VELOCITY, fast, slow, rate)
+    kind, rate = (Kind.VELOCITY, law.speed_rate * _share(model)) if law.speed_drop else (Kind.COULOMB, 0.0)
+    differs = {
+        _UNEQUAL: rate > 0.0 and model.friction.speed_is_of_surface and _unequal(model),
+        _OF_LOAD: vertical and _knows_pressure(model),
+    }
+    reasons = tuple(words for words, found in differs.items() if found)
+    element = Element(kind, fast, slow, rate)
+    if not reasons:
+        return element
     stand_in = replace(model, friction=ElementFriction(fast, law.speed_drop, rate, heated=False))
-    return Element(Kind.VELOCITY, fast, slow, rate, 1.0, stand_in, (_UNEQUAL,))
+    return replace(element, stand_in=stand_in, reasons=reasons)
 
 
-def _heated(motion: GroundMotion, model: System, law: Law) -> Element:
+def _knows_pressure(model: System) -> bool:
+    """Whether the coefficient at twice the pressure is another."""
+    pressure = model.bearing.pressure
+    once, twice = (model.friction.at_pressure(times * pressure).reference for times in (1.0, 2.0))
+    return once != twice
+
+
+def _heated(motion: GroundMotion | Station, model: System, law: Law) -> Element:
     reasons = _differences(model, law)
     if not reasons:
         rate = law.speed_rate * _share(model) if law.speed_drop else 0.0
@@ -135,7 +157,7 @@ def _share(model: System) -> float:
     return 1.0 / len(model.bearing.radii) if model.friction.speed_is_of_surface else 1.0
 
 
-def _fitted(motion: GroundMotion, model: System, law: Law, reasons: tuple[str, ...]) -> Element:
+def _fitted(motion: GroundMotion | Station, model: System, law: Law, reasons: tuple[str, ...]) -> Element:
     """Return the heated element that comes nearest to a model along its analysis under a ground motion."""
     bearing, steel = model.bearing, model.heating
     count = len(bearing.radii)
@@ -158,7 +180,7 @@ def _fitted(motion: GroundMotion, model: System, law: Law, reasons: tuple[str, .
     )
 
 
-def _fit(response: Response, start: tuple[float, float], drop: float) -> tuple[float, float, float]:
+def _fit(response: Analysis, start: tuple[float, float], drop: float) -> tuple[float, float, float]:
     """Return coefficient and rate over those of the law, and the factor of the rise."""
     law: FrictionLaw = response.friction_law
     slides = response.sliding != 0.0

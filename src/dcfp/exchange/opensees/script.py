@@ -1,47 +1,57 @@
 """A script for OpenSeesPy: what is analysed, on which element, with which constants, and by how much that differs."""
 
 import math
-import textwrap
-from collections.abc import Iterable
-from dataclasses import fields
 from importlib.resources import files
 from string import Template
-from typing import Any
 
-from dcfp.analysis import Response, respond
+import numpy as np
+
+from dcfp.analysis import respond
 from dcfp.analysis.integration import Integration
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
-from dcfp.exchange.opensees.element import Element, Kind, element_for
+from dcfp.exchange.opensees.element import Analysis, Element, Kind, element_for
+from dcfp.exchange.opensees.head import difference_in_words, head
 from dcfp.motion.ground_motion import GroundMotion, parts_in
-from dcfp.motion.load import Motion, motion_of
-from dcfp.schema.citations import citations_of
-from dcfp.system import Bearing, FrictionLaw, Heating, System, SystemLike
-from dcfp.version import version
+from dcfp.motion.load import Record, record_of
+from dcfp.motion.station import Station
+from dcfp.system import Bearing, FrictionLaw, Heating, SystemLike
 
-#: Longest step of the script [s].
+#: Longest step of a script by default [s].
 STEP = 0.001
+#: The same over the time step of the motion, where the friction turns with the velocity [-].
+_PART_IN_PLANE = 0.1
+#: What the history of a script has for each horizontal direction, with its unit.
+_HISTORY = (("displacement", "mm"), ("velocity", "mm/s"), ("force", "N"))
 #: Largest displacement over the effective radius for which a pendulum of OpenSees is asked [-].
 _FURTHEST = 0.9
 #: Values of the ground motion in a line.
 _IN_A_LINE = 5
 #: How often a whole analysis is repeated in half the step, where a step that cannot be divided does not converge.
 _HALVINGS = 3
-#: Longest line of a comment.
-_WIDTH = 110
+#: Directions of OpenSees.
+_NAMES = ("x", "y", "z")
 _COLD = {
     Kind.COULOMB: 'ops.frictionModel("Coulomb", 1, FRICTION)',
     Kind.VELOCITY: 'ops.frictionModel("VelDependent", 1, FRICTION_SLOW, FRICTION, RATE)',
 }
+#: What puts a component of the ground motion on the model, and where one of them is vertical.
+_EXCITE = 'ops.pattern("UniformExcitation", tag, direction, "-accel", tag)'
+_EXCITE_VERTICALLY = f"""if direction == 3:  # the rigid structure presses at once: its inertia is a force
+            ops.pattern("Plain", tag, tag)
+            ops.load(STRUCTURE, 0.0, 0.0, -MASS, 0.0, 0.0, 0.0)
+        else:
+            {_EXCITE}"""
 
 
 def opensees_script(
-    motion: Motion,
+    motion: Record,
     bearing: SystemLike = None,
     friction: FrictionLaw | str | None = None,
     heating: Heating | str | None = None,
     *,
-    step: float = STEP,
+    vertical: bool = False,
+    step: float | None = None,
 ) -> str:
     """Return a script for OpenSeesPy that analyses a rigid structure on a bearing under a ground motion.
 
@@ -50,82 +60,132 @@ def opensees_script(
 
     Parameters
     ----------
-    motion, bearing, friction, heating
-        As for `dcfp.respond`.
+    motion, bearing, friction, heating, vertical
+        As for `dcfp.respond`; of a station the script is in the plane.
     step
-        Longest step of the script [s].
+        Longest step of the script [s]; by default 1 ms, and in the plane at most a tenth of the time step of the motion.
 
     Raises
     ------
     InputError
         If OpenSees has no element that comes near, or the step is out of range.
     """
-    motion, model = motion_of(motion), System.of(bearing, friction, heating)
+    motion = record_of(motion)
+    if step is None:
+        step = min(STEP, _PART_IN_PLANE * motion.time_step) if isinstance(motion, Station) else STEP
     Integration(step=step)  # refuses a step out of range
     interval = motion.time_step / parts_in(motion.time_step, step)
-    element = element_for(motion, model)
-    response = respond(motion, model)
-    if response.peak_displacement > _FURTHEST * model.bearing.effective_radius:
+    response = respond(motion, bearing, friction, heating, vertical=vertical)
+    _refuse(response)
+    element = element_for(motion, response.system, vertical=vertical)
+    # the analysis with what the element is, where that is not the model itself
+    other = None if element.stand_in is None else respond(motion, element.stand_in, vertical=vertical)
+    return "\n".join([*head(response, element, other), "", _body(response, element, other, interval)])
+
+
+def _refuse(response: Analysis) -> None:
+    """Refuse what a model of OpenSees does not do as this package does."""
+    name, radius = response.motion.name, response.bearing.effective_radius
+    if response.peak_displacement > _FURTHEST * radius:
         msg = (
-            f"{motion.name}: the displacement of {response.peak_displacement:.0f} mm is too near to the effective radius of"
-            f" {model.bearing.effective_radius:.0f} mm, at which the pendulum of OpenSees ends."
+            f"{name}: the displacement of {response.peak_displacement:.0f} mm is too near to the effective radius of"
+            f" {radius:.0f} mm, at which the pendulum of OpenSees ends."
         )
         raise InputError(msg)
-    # the analysis with what the element is, where that is not the model itself
-    other = None if element.stand_in is None else respond(motion, element.stand_in)
-    return "\n".join([*_head(response, element, other), "", _body(response, element, other, interval)])
+    if not np.all(response.load > 0.0):
+        msg = f"{name}: the vertical motion lifts the bearing off, which the element of OpenSees does not do; leave it out, or scale the motion down."
+        raise InputError(msg)
 
 
-def _body(response: Response, element: Element, other: Response | None, step: float) -> str:
-    heated = element.kind is Kind.HEATED
+def _components(response: Analysis) -> tuple[GroundMotion, ...]:
+    """Return what acts in the directions x, y and vertically."""
+    motion = response.motion
+    if not isinstance(motion, Station):
+        return (motion,)
+    return motion.components if _is_lifted(response) else (motion.x, motion.y)
+
+
+def _is_lifted(response: Analysis) -> bool:
+    """Whether the vertical force changes."""
+    return response.load.size > 1
+
+
+def _directions(response: Analysis) -> tuple[str, ...]:
+    """Return what is put behind the name of a quantity for each horizontal direction."""
+    return tuple(f" {name}" for name in _NAMES[:2]) if isinstance(response.motion, Station) else ("",)
+
+
+def _body(response: Analysis, element: Element, other: Analysis | None, step: float) -> str:
+    heated, lifted = element.kind is Kind.HEATED, _is_lifted(response)
     form = "heated" if heated else "cold"
+    components, directions = _components(response), _directions(response)
+    numbered = list(enumerate(components, 1))
+    columns = [f"{name}{one} [{unit}]" for name, unit in _HISTORY for one in directions]
+    heads = ["time [s]", *columns, *(["temperature [degC]"] if heated else [])]
     return _template("script_body").substitute(
         constants="\n".join(_constants(response, element, step)),
-        model=_model(element),
+        model=_model(element, plane=len(directions) > 1, lifted=lifted),
+        excite=_EXCITE_VERTICALLY if lifted else _EXCITE,
         advance=_template(f"advance_{form}").template.rstrip("\n"),
         state_words=" and temperature" if heated else "",
-        state_value=", temperature()" if heated else "",
-        csv_head=', "temperature [degC]"' if heated else "",
+        state_value="\n        temperature()," if heated else "",
+        csv_head=", ".join(f'"{one}"' for one in heads),
         reports="\n".join(_reports(response, element, other)),
-        digest=response.motion.digest,
+        directions=", ".join(f"{number} is {_NAMES[number - 1]}" for number, _ in numbered),
+        digests="\n".join(f'    {number}: "{one.digest}",' for number, one in numbered),
         interval=repr(response.motion.time_step),
-        values=_values(response.motion),
+        values="\n".join(f"    {number}: (\n{_values(one)}\n    )," for number, one in numbered),
     )
 
 
-def model_script(element: Element, bearing: Bearing, heating: Heating) -> str:
-    """Return a module with a function `build`, which builds a rigid structure on a bearing and presses it down, in what it imports as `ops`."""
+def model_script(element: Element, bearing: Bearing, heating: Heating, *, plane: bool = False) -> str:
+    """Return a module with a function `build`, which builds a rigid structure on a bearing, free in one direction or in the `plane`, and presses it down, in what it imports as `ops`."""
     constants = [f"{name} = {value!r}" for name, value, _ in _of_model(element, bearing, heating)]
     return "\n".join(
-        ["import sys", "", "import openseespy.opensees as ops", "", *constants, "", _model(element)]
+        ["import sys", "", "import openseespy.opensees as ops", "", *constants, "", _model(element, plane)]
     )
 
 
-def _model(element: Element) -> str:
-    """Return the functions that build the model and choose its solver."""
+def _model(element: Element, plane: bool, lifted: bool = False) -> str:
+    """Return the functions that build the model and choose its solver; `lifted` where its vertical force changes."""
     form = "heated" if element.kind is Kind.HEATED else "cold"
     added = _template(f"element_{form}").substitute(model=_COLD.get(element.kind, "")).rstrip("\n")
-    return _template("model").substitute(element=added).rstrip("\n")
+    return (
+        _template("model")
+        .substitute(
+            element=added,
+            vertical_mass="1e-6" if lifted else "MASS",
+            fixed="0, 0, 0" if plane else "0, 1, 0",
+            free="in the plane (x, y)" if plane else "along the motion (x)",
+        )
+        .rstrip("\n")
+    )
 
 
 def _template(name: str) -> Template:
     return Template(files("dcfp.exchange.opensees").joinpath(f"{name}.txt").read_text(encoding="utf-8"))
 
 
-def _reports(response: Response, element: Element, other: Response | None) -> list[str]:
+def _reports(response: Analysis, element: Element, other: Analysis | None) -> list[str]:
     """Return the lines that print the peaks, and the difference that the head states."""
-    lines = [
-        '    report("peak displacement", "mm", max(abs(row[1]) for row in history), DCFP_PEAK_DISPLACEMENT)',
-        '    report("largest force", "kN", max(abs(row[3]) for row in history) / 1e3, DCFP_PEAK_FORCE)',
-    ]
+    count = len(_directions(response))
+    lines = ['    report("peak displacement", "mm", largest(history, 1), DCFP_PEAK_DISPLACEMENT)']
+    if count > 1:
+        lines += [
+            f'    report("peak displacement {name}", "mm", max(abs(row[{column}]) for row in history), DCFP_PEAK_DISPLACEMENT_{name.upper()})'
+            for column, name in enumerate(_NAMES[:count], 1)
+        ]
+    lines.append(
+        f'    report("largest force", "kN", largest(history, {1 + 2 * count}) / 1e3, DCFP_PEAK_FORCE)'
+    )
     if element.kind is Kind.HEATED:
         lines.append(
-            '    report("highest temperature", "degC", max(row[4] for row in history), DCFP_PEAK_TEMPERATURE)'
+            '    report("highest temperature", "degC", max(row[-1] for row in history), DCFP_PEAK_TEMPERATURE)'
         )
     if other is not None:
         sentence = (
             f"With the friction of this element dcfp finds {other.peak_displacement:.3f} mm,"
-            f" {_difference_in_words(response, other)} analysis."
+            f" {difference_in_words(response, other)} analysis."
         )
         lines.append(f"    print({sentence!r})")
     return lines
@@ -135,21 +195,27 @@ def _values(motion: GroundMotion) -> str:
     """Return the acceleration to the last bit, some values in a line."""
     values = [repr(value) for value in motion.acceleration.tolist()]
     rows = [values[first : first + _IN_A_LINE] for first in range(0, len(values), _IN_A_LINE)]
-    return "\n".join(f"    {', '.join(row)}," for row in rows)
+    return "\n".join(f"        {', '.join(row)}," for row in rows)
 
 
 # ----- constants, with their units and where they come from -----
 
 
-def _constants(response: Response, element: Element, step: float) -> list[str]:
+def _constants(response: Analysis, element: Element, step: float) -> list[str]:
     """Return the constants of a script, a line for each."""
     heated = element.kind is Kind.HEATED
     named = _of_model(element, response.bearing, response.heating)
     duration = math.ceil(float(response.time[-1]) / step - 1e-6) * step
+    count = len(_directions(response))
+    of_directions = [
+        f"DCFP_PEAK_DISPLACEMENT_{name.upper()} = {getattr(response, f'peak_displacement_{name}')!r}  # mm"
+        for name in (_NAMES[:count] if count > 1 else ())
+    ]
     temperature = [f"DCFP_PEAK_TEMPERATURE = {response.peak_temperature!r}  # degC"] if heated else []
     return [
         "# The bearing and what it carries.",
         *(f"{name} = {value!r}  # {words}" for name, value, words in named),
+        f"HORIZONTAL = {tuple(range(1, count + 1))}  # directions in which the structure moves: {' and '.join(_NAMES[:count])}",
         "",
         "# How finely and how far.",
         f"STEP = {step!r}  # s, a whole part of the interval of the record",
@@ -159,6 +225,7 @@ def _constants(response: Response, element: Element, step: float) -> list[str]:
         "",
         "# Peaks of the analysis that this script repeats, by dcfp.",
         f"DCFP_PEAK_DISPLACEMENT = {response.peak_displacement!r}  # mm",
+        *of_directions,
         f"DCFP_PEAK_FORCE = {response.peak_force / 1e3!r}  # kN",
         *temperature,
     ]
@@ -221,137 +288,3 @@ def _of_heat(element: Element, bearing: Bearing, steel: Heating) -> list[tuple[s
             "N/(s degC), of the plates" if conductivity == steel.conductivity else of_steel,
         ),
     ]
-
-
-# ----- the head: what it is, of what, and what is different from the analysis of this package -----
-
-
-def _head(response: Response, element: Element, other: Response | None) -> list[str]:
-    """Return the lines of comment at the top of a script."""
-    title = f"{response.bearing.name} under {response.motion.name}: a rigid structure on a friction pendulum bearing"
-    return [
-        *_comment(title),
-        "#",
-        *_comment(
-            f"Written by dcfp {version()}. It needs Python and openseespy (pip install openseespy; on Linux also the libraries"
-            " BLAS and LAPACK), and nothing else:"
-        ),
-        "#",
-        "#     python THIS_FILE.py [HISTORY.csv]",
-        "#",
-        *_comment("Units: N, mm, s and so t, N/mm2, mm/s2; temperatures in degC."),
-        "#",
-        *(line for label, text in _inputs(response) for line in _comment(text, f"{label:<16}")),
-        "#",
-        *_comment(f"In OpenSees this is the element {element.kind.value}."),
-        *_bullets(_representation(response, element)),
-        "#",
-        "# What is different from the analysis of dcfp:",
-        *_bullets(_differences(response, element, other)),
-        *(["#", "# What dcfp remarks on its analysis:"] if response.remarks else []),
-        *_bullets(response.remarks),
-    ]
-
-
-def _bullets(sentences: Iterable[str]) -> list[str]:
-    return [line for sentence in sentences for line in _comment(sentence, "- ")]
-
-
-def _inputs(response: Response) -> list[tuple[str, str]]:
-    motion, bearing = response.motion, response.bearing
-    origin = motion.origin
-    source = ", ".join(
-        part for part in (origin.event, origin.station, origin.component, origin.source) if part
-    )
-    treatment = "; ".join(motion.treatment) or "as it is"
-    radii = " and ".join(f"{radius:g}" for radius in bearing.radii)
-    return [
-        (
-            "Ground motion",
-            f"{motion.name}{f' ({source})' if source else ''}; {treatment}; PGV {motion.peak_velocity:.6g} mm/s,"
-            f" PGA {motion.peak_acceleration:.6g} mm/s2; SHA-256 {motion.digest}",
-        ),
-        (
-            "Bearing",
-            f"{bearing.name}: radius {radii} mm, slider {bearing.slider_diameter:g} mm, pressure {bearing.pressure:g} N/mm2,"
-            f" stiffness before sliding {bearing.elastic_stiffness:g} N/mm",
-        ),
-        ("Friction law", _parameters(response.friction_law)),
-        ("Heating", _parameters(response.heating)),
-        *(("Source", line) for line in citations_of(response.friction_law.citation)),
-    ]
-
-
-def _parameters(thing: Any) -> str:
-    """Return a law or a heating model with its constants."""
-    known = [f"{item.name} {getattr(thing, item.name)}" for item in fields(thing) if item.init]
-    return f"{thing.name}: {', '.join(known)}" if known else thing.name
-
-
-def _representation(response: Response, element: Element) -> list[str]:
-    """Return how the bearing becomes the element."""
-    count = len(response.bearing.radii)
-    sentences: list[str] = []
-    if count == 2:
-        sentences.append("The two plates are one with the sum of their radii.")
-    if count == 2 and element.rate > 0.0 and response.friction_law.speed_is_of_surface:
-        sentences.append(
-            "The law means the speed on one plate, half of that of the element, so that RATE is half of the law's."
-        )
-    if element.kind is Kind.HEATED:
-        sentences.append(
-            "FRICTION holds the law's factor of the pressure, which stays the same, so that the element's own is switched off."
-        )
-    if element.kind is Kind.HEATED and count == 2:
-        sentences.append(
-            "Each plate takes half of the travel. The element, which takes all of it, has the same heat in the same places if its"
-            " contact is twice as wide (CONTACT_RADIUS; the pressure on it is a quarter) and its conductivity half."
-        )
-    if element.rise_factor != 1.0:
-        sentences.append(
-            f"CONDUCTIVITY is divided by {element.rise_factor:.4f} besides: a rise of the temperature larger by that brings the"
-            " friction of the element nearest to the law. Where the script gives a temperature, that is taken out again."
-        )
-    if element.kind is not Kind.HEATED:
-        sentences.append("It knows no temperature.")
-    return sentences
-
-
-def _differences(response: Response, element: Element, other: Response | None) -> list[str]:
-    """Return what OpenSees does otherwise, with its size where that is known."""
-    sentences: list[str] = []
-    if other is not None:
-        why = "; ".join(element.reasons)
-        sentences.append(
-            f"The element cannot be what was analysed: {why}. Its constants are those that come nearest."
-            f" With them dcfp finds a peak displacement of {other.peak_displacement:.3f} mm, {_difference_in_words(response, other)} analysis."
-            " That is the part of the difference that the law makes; what follows comes on top, and where the element heats, its sum of the heat adds"
-            " some tenths of a per cent."
-        )
-    curved = 0.5 * (response.peak_displacement / response.bearing.effective_radius) ** 2
-    sentences.append(
-        f"The pendulum's force is N u / sqrt(R^2 - u^2), not N u / R: at the peak {100.0 * curved:.3f} % more."
-    )
-    if element.kind is Kind.HEATED:
-        sentences.append(
-            "It heats also where it only deforms elastically, takes the friction of the step before, writes pi as 22/7, and sums its heat in"
-            " rectangles, which is low by 1.46 sqrt(STEP) of the present flux: a shorter STEP is nearer, and takes time with its square."
-        )
-    return sentences
-
-
-def _comment(text: str, first: str = "") -> list[str]:
-    """Return text as lines of comment that begin with `first`, without characters that could end one."""
-    plain = "".join(one if one.isprintable() else "?" for one in " ".join(text.split()))
-    wrapped = textwrap.wrap(
-        plain, _WIDTH - 2, initial_indent=first, subsequent_indent=" " * len(first), break_long_words=False
-    )
-    return [f"# {line}".rstrip() for line in wrapped]
-
-
-def _difference_in_words(response: Response, other: Response) -> str:
-    """Return by how much the peak displacement of another analysis is more or less."""
-    if response.peak_displacement == 0.0:
-        return "where nothing moves"
-    change = 100.0 * (other.peak_displacement / response.peak_displacement - 1.0)
-    return f"{abs(change):.2f} % {'more' if change >= 0.0 else 'less'} than the {response.peak_displacement:.3f} mm of its own"
