@@ -1,13 +1,26 @@
 """Stations: named, joined from files, brought together, turned and scaled; and what is refused."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from dcfp import GroundMotion, InputError, Station, load_motion, load_station
+from dcfp import (
+    GroundMotion,
+    InputError,
+    Station,
+    compare,
+    find_pulses,
+    load_motion,
+    load_station,
+    respond,
+    respond_building,
+)
+from dcfp.analysis.building import uniform_building
 from dcfp.motion.ground_motion import Origin
 from dcfp.motion.load import load_motions, load_records, seen_from
 from dcfp.motion.station import joined, stations_of
-from dcfp.motion.treatment import station_treated
+from dcfp.motion.treatment import station_treated, treated
 
 
 def motion(
@@ -46,38 +59,6 @@ def test_files_joined_by_a_plus_and_columns_of_one_file(tmp_path) -> None:
     assert three.vertical is not None
     np.testing.assert_allclose(three.acceleration / 9806.65, values[:, :2])
     np.testing.assert_allclose(three.vertical.acceleration / 9806.65, values[:, 2])
-
-
-def test_the_three_files_of_k_net_by_what_their_names_have_in_common(tmp_path) -> None:
-    for ending, direction, first in ((".EW", "E-W", 100), (".NS", "N-S", 200), (".UD", "U-D", 300)):
-        header = f"""Origin Time       2003/09/26 04:50:00
-Lat.              41.78
-Long.             144.08
-Depth. (km)       42
-Mag.              8.0
-Station Code      HKD100
-Station Lat.      42.1303
-Station Long.     142.9351
-Station Height(m) 25
-Record Time       2003/09/26 04:50:42
-Sampling Freq(Hz) 100Hz
-Duration Time(s)  0.08
-Dir.              {direction}
-Scale Factor      2000(gal)/8388608
-Max. Acc. (gal)   1.0
-Last Correction   2003/09/26 04:50:27
-Memo.
-"""
-        numbers = "".join(f"{first + 10 * place:9d}" for place in range(8))
-        (tmp_path / f"HKD1000309260450{ending}").write_text(header + numbers + "\n")
-    found = load_station(tmp_path / "HKD1000309260450")
-    assert found is not None
-    assert [one.origin.component for one in found.components] == [
-        "EW",
-        "NS",
-        "UD",
-    ] or found.vertical is not None
-    assert found.x.acceleration[0] < found.y.acceleration[0]
 
 
 def test_shorter_components_and_longer_steps_are_brought_together_and_told() -> None:
@@ -177,3 +158,239 @@ def test_files_are_seen_from_a_folder(tmp_path) -> None:
     assert seen_from(tmp_path, "AKT0") == f"{here}AKT0"
     assert seen_from(tmp_path, "P695-FF-2") == "P695-FF-2"
     assert seen_from(tmp_path, "NCC+east.AT2") == f"NCC+{here}east.AT2"
+
+
+def later(seconds: float, component: str, size: int = 50, step: float = 0.01, seed: int = 1) -> GroundMotion:
+    """A motion that starts so many seconds after another."""
+    one = motion(component, size, step, seed)
+    return replace(one, origin=replace(one.origin, start="2011-03-11T14:47:10+09:00").later(seconds))
+
+
+def test_a_component_that_starts_later_begins_at_rest() -> None:
+    early, late = later(0.0, "EW"), later(0.2, "NS", seed=2)
+    found = joined([early, late], "pair")
+    assert found.x.acceleration.size == found.y.acceleration.size == 70
+    np.testing.assert_array_equal(found.x.acceleration[:50], early.acceleration)
+    np.testing.assert_array_equal(found.y.acceleration[:20], 0.0)
+    np.testing.assert_array_equal(found.y.acceleration[20:], late.acceleration)
+    assert found.treatment == (
+        "NS starts 0.2 s later, and its ground is at rest before",
+        "EW ends 0.2 s earlier, and keeps its velocity from there on",
+    )
+    other_way = joined([late, early], "pair")
+    np.testing.assert_array_equal(other_way.y.acceleration, found.x.acceleration)
+
+
+def test_starts_are_instants_whatever_clock_they_are_told_by() -> None:
+    one = later(0.0, "EW")
+    utc = replace(motion("NS"), origin=Origin(component="NS", start="2011-03-11T05:47:10.1+00:00"))
+    assert joined([one, utc], "pair").y.acceleration[9:12].tolist() == [0.0, *utc.acceleration[:2]]
+
+
+def test_a_start_between_two_values_is_moved_to_the_nearest() -> None:
+    found = joined([later(0.0, "EW"), later(0.203, "NS", seed=2)], "pair")
+    assert found.y.acceleration.size == 70
+    assert found.treatment[0] == (
+        "NS starts 0.203 s later, moved by -3 ms to the nearest value, and its ground is at rest before"
+    )
+    # to the nearest value of the finer component
+    fine = joined([later(0.0, "EW", 100, 0.005), later(0.203, "NS", 50, 0.02)], "pair")
+    assert np.flatnonzero(fine.y.acceleration)[0] == 41
+    assert fine.time_step == 0.005
+
+
+def test_a_start_that_is_not_known_is_told() -> None:
+    found = joined([later(0.0, "EW"), motion("NS", seed=2)], "pair")
+    assert found.treatment == ("NS does not say when it starts, which is taken to be with EW",)
+    assert joined([motion("EW"), motion("NS", seed=2)], "pair").treatment == ()
+
+
+def test_components_are_treated_before_zeros_are_added() -> None:
+    """A filter's margins and an offset belong to what was recorded."""
+    early = replace(later(0.0, "EW", 500), acceleration=later(0.0, "EW", 500).acceleration + 100.0)
+    late = replace(
+        later(1.0, "NS", 400, seed=2), acceleration=later(1.0, "NS", 400, seed=2).acceleration - 50.0
+    )
+    found = station_treated(joined([early, late], "pair"), corner=0.5)
+    assert found.treatment[0] == "mean removed"
+    assert "starts 1 s later" in found.treatment[2]
+    alone = treated(late, corner=0.5)
+    np.testing.assert_array_equal(found.y.acceleration[100:], alone.acceleration)
+    assert abs(found.y.velocity[-1]) < 5.0
+
+
+@pytest.mark.parametrize(("steps", "fits"), [((0.005, 0.01), True), ((0.005, 0.02), True), ((0.01, 0.004), False), ((0.02, 0.006), False)])  # fmt: skip
+def test_time_steps_that_fit_and_those_that_do_not(steps, fits) -> None:
+    pair = [motion(name, 60, step, seed) for name, step, seed in zip(("EW", "NS"), steps, (1, 2), strict=True)]  # fmt: skip
+    if not fits:
+        with pytest.raises(InputError, match=f"EW and NS, {steps[0]} and {steps[1]} s, do not fit"):
+            joined(pair, "pair")
+        return
+    found = joined(pair, "pair")
+    parts = round(steps[1] / steps[0])
+    np.testing.assert_allclose(found.y.acceleration[::parts], pair[1].acceleration)
+    np.testing.assert_allclose(found.y.velocity[::parts], pair[1].velocity, atol=1e-9)
+
+
+def test_a_vertical_that_is_positive_downwards_is_turned_over() -> None:
+    down = motion("DWN", seed=3)
+    found = joined([motion("EW"), motion("NS", seed=2), down], "three")
+    assert found.vertical is not None
+    np.testing.assert_array_equal(found.vertical.acceleration, -down.acceleration)
+    assert found.treatment == ("DWN is positive downwards, and was turned over",)
+
+
+def test_where_x_and_y_point_and_what_turning_makes_of_it() -> None:
+    right = joined([motion("EW"), motion("NS", seed=2)], "pair")
+    assert right.azimuths == (90.0, 0.0)
+    assert "counter-clockwise" in right.orientation
+    turned = right.rotated(30.0)
+    assert turned.azimuths == (120.0, 30.0)
+    # what x has now is the motion along its direction: 120 degrees from north
+    along = right.x.acceleration * np.sin(np.radians(120.0)) + right.y.acceleration * np.cos(
+        np.radians(120.0)
+    )
+    np.testing.assert_allclose(turned.x.acceleration, along, atol=1e-9)
+    left = joined([motion("000"), motion("090", seed=2)], "pair")
+    assert " clockwise" in left.orientation
+    turned = left.rotated(30.0)
+    assert turned.azimuths == (330.0, 60.0)
+    along = left.x.acceleration * np.cos(np.radians(330.0)) + left.y.acceleration * np.sin(np.radians(330.0))
+    np.testing.assert_allclose(turned.x.acceleration, along, atol=1e-9)
+    unknown = joined([motion("H1"), motion("H2", seed=2)], "pair")
+    assert (unknown.azimuths, unknown.orientation) == (None, "")
+    assert unknown.rotated(30.0).origin.component == "x + y"
+
+
+def test_nearly_a_right_angle_is_told() -> None:
+    found = joined([motion("021"), motion("292", seed=2)], "pair")
+    assert found.treatment == ("021 and 292 point to 21 and 292 degrees, which is taken for a right angle",)
+
+
+def test_times_that_do_not_overlap() -> None:
+    with pytest.raises(InputError, match="NS starts 3600 s after EW, which has ended by then"):
+        joined([later(0.0, "EW"), later(3600.0, "NS", seed=2)], "pair")
+
+
+def test_names_of_files_with_a_plus(tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    values = np.random.default_rng(3).normal(0.0, 0.1, (50, 3))
+    plain = {"units": "g", "time_step": 0.01}
+    for name, column in zip(("a+b.txt", "a.txt", "c+d.txt"), values.T, strict=True):
+        np.savetxt(name, column)
+    assert load_station("a+b.txt", **plain) is None
+    assert load_motion("a+b.txt", **plain).name == "a+b"
+    found = load_station("a+b.txt+c+d.txt+a.txt", **plain)
+    assert found is not None
+    np.testing.assert_allclose(found.x.acceleration / 9806.65, values[:, 0])
+    np.testing.assert_allclose(found.y.acceleration / 9806.65, values[:, 2])
+
+
+def k_net(folder, stem: str, endings: str, first: int = 0, record_time: str = "04:50:42") -> None:
+    """Write files of K-NET or KiK-net."""
+    codes = {"EW": "E-W", "NS": "N-S", "UD": "U-D", "EW2": "5", "NS2": "4", "UD2": "6", "EW1": "2", "NS1": "1", "UD1": "3"}  # fmt: skip
+    for place, ending in enumerate(endings.split()):
+        header = f"""Origin Time       2003/09/26 04:50:00
+Lat.              41.78
+Long.             144.08
+Depth. (km)       42
+Mag.              8.0
+Station Code      {stem[:6]}
+Station Lat.      42.1303
+Station Long.     142.9351
+Station Height(m) 25
+Record Time       2003/09/26 {record_time}
+Sampling Freq(Hz) 100Hz
+Duration Time(s)  0.08
+Dir.              {codes[ending]}
+Scale Factor      2000(gal)/8388608
+Max. Acc. (gal)   1.0
+Last Correction   2003/09/26 04:50:27
+Memo.
+"""
+        numbers = "".join(f"{first + 100 * place + 10 * step:9d}" for step in range(8))
+        (folder / f"{stem}.{ending}").write_text(header + numbers + "\n")
+
+
+def test_a_folder_or_a_stem_of_k_net_and_kik_net(tmp_path) -> None:
+    k_net(tmp_path, "HKD100", "EW NS UD")
+    found = load_station(tmp_path)
+    assert found is not None
+    assert (found.name, found.origin.component) == ("HKD100", "E-W + N-S + U-D")
+    # the time of the record is 15 s later than its first value
+    assert found.x.origin.start == "2003-09-26T04:50:27+09:00"
+    kik = tmp_path / "kik"
+    kik.mkdir()
+    k_net(kik, "AICH04", "EW1 NS1 UD1 EW2 NS2 UD2")
+    surface = load_station(kik / "AICH04")
+    assert surface is not None
+    assert surface.origin.component == "EW2 + NS2 + UD2"
+    borehole = load_station("+".join(str(kik / f"AICH04.{one}1") for one in ("EW", "NS", "UD")))
+    assert borehole is not None
+    assert borehole.origin.component == "EW1 + NS1 + UD1"
+
+
+def test_what_is_wrong_with_a_folder_or_a_stem(tmp_path) -> None:
+    with pytest.raises(InputError, match="and this one holds none; name a file in it"):
+        load_station(tmp_path)
+    k_net(tmp_path, "HKD100", "EW UD")
+    with pytest.raises(
+        InputError, match=r"lacks the file HKD100\.NS beside HKD100\.EW, HKD100\.UD; both horizontal"
+    ):
+        load_station(tmp_path / "HKD100")
+    k_net(tmp_path, "HKD100", "NS", 500)
+    k_net(tmp_path, "HKD200", "EW NS UD")
+    with pytest.raises(InputError, match="the files of several records, HKD100, HKD200; name one, as in"):
+        load_station(tmp_path)
+    k_net(tmp_path, "HKD300", "EW NS", record_time="04:50:43")
+    k_net(tmp_path, "HKD300", "NS", 300, record_time="05:50:43")
+    with pytest.raises(InputError, match="HKD300 N-S starts 3600 s after HKD300 E-W"):
+        load_station(tmp_path / "HKD300")
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("P695-FF-2", "choose P695-FF-2-a or P695-FF-2-b"),
+        ("KNA+P695-FF-7-b", "choose KNA or P695-FF-7-b"),
+        ("{}/HKD100", r"choose .*HKD100\.EW or .*HKD100\.NS"),
+        ("{}", r"choose .*HKD100\.EW or .*HKD100\.NS"),
+        ("{0}/HKD100.EW+{0}/HKD100.NS", r"choose .*HKD100\.EW or .*HKD100\.NS"),
+    ],
+)
+def test_every_analysis_in_one_direction_says_what_to_choose(tmp_path, text, sentence) -> None:
+    k_net(tmp_path, "HKD100", "EW NS UD")
+    name = text.format(tmp_path)
+    for function in (compare, find_pulses, load_motion):
+        with pytest.raises(InputError, match=f"and this takes one direction; {sentence}"):
+            function(name)
+    with pytest.raises(InputError, match=sentence):
+        respond_building(name, uniform_building(2, 0.5))
+    station = load_station(name)
+    with pytest.raises(InputError, match="this takes one direction; choose its x or its y"):
+        find_pulses(station)
+
+
+def test_a_vertical_component_is_horizontal_only_where_it_is_asked_for(tmp_path) -> None:
+    k_net(tmp_path, "HKD100", "EW NS UD")
+    file = tmp_path / "HKD100.UD"
+    for function in (respond, compare, find_pulses):
+        with pytest.raises(
+            InputError, match=r"is a vertical component \(U-D\).*choose it by its name, as in .*UD::U-D"
+        ):
+            function(file)
+        with pytest.raises(InputError, match=r"if that is meant, give its as_horizontal\(\)"):
+            function(load_motion(file))
+    meant = respond(f"{file}::U-D", heating="none")
+    assert meant.motion.treatment == ("the vertical component, taken as horizontal",)
+    assert respond(load_motion(file).as_horizontal(), heating="none").peak_displacement == pytest.approx(
+        meant.peak_displacement
+    )
+    assert load_motion(file, "UD").treatment == ()
+    assert respond(tmp_path / "HKD100.EW", heating="none").motion.treatment == ()
+
+
+def test_five_joined_files_and_the_same_motion_twice() -> None:
+    for text in ("+".join(f"P695-FF-{one}-a" for one in range(1, 6)), "KNA+P695-FF-7-a"):
+        with pytest.raises(InputError, match="two or three different components joined by"):
+            load_station(text)

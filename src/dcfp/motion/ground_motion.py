@@ -4,6 +4,7 @@ import hashlib
 import json
 import math
 from dataclasses import asdict, dataclass, field, replace
+from datetime import datetime, timedelta
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -31,9 +32,22 @@ class Origin:
     file_format: str = ""  #: format that the values were read from, for example ``"PEER AT2"``
     processing: str = ""  #: what baseline correction or filter is already in the values, in words
     citation: str = ""  #: how the data ask to be cited; empty when nothing is asked
+    start: str = ""  #: when the first value was recorded, as ISO 8601 with the offset from UTC
+
+    def later(self, seconds: float) -> "Origin":
+        """Return the origin of a motion whose first value is so much later [s]."""
+        if not self.start:
+            return self
+        return replace(
+            self, start=(datetime.fromisoformat(self.start) + timedelta(seconds=seconds)).isoformat()
+        )
 
     def _repr_html_(self) -> str:
         return fields_card(self, "Origin of a ground motion")
+
+
+#: What `GroundMotion.as_horizontal` adds to the treatment.
+TAKEN_AS_HORIZONTAL = "the vertical component, taken as horizontal"
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,6 +159,10 @@ class GroundMotion:
             msg = f"{self.name}: every value is zero, so the record cannot be scaled to a PGV."
             raise InputError(msg)
         return self.scaled(peak_velocity / self.peak_velocity)
+
+    def as_horizontal(self) -> "GroundMotion":
+        """Return the vertical component for an analysis that takes it as horizontal, which is refused otherwise."""
+        return replace(self, treatment=(*self.treatment, TAKEN_AS_HORIZONTAL))
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return the histories over ``time``, and the provenance as attributes."""

@@ -20,7 +20,7 @@ import numpy as np
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion, Origin
-from dcfp.motion.station import Station, joined
+from dcfp.motion.station import Station, joined, one_direction
 from dcfp.schema.notebook import fields_card
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import GRAVITY, KM, M_PER_S, MM_PER_S, MM_PER_S2, NONE, SECOND
@@ -311,8 +311,7 @@ def named_motion(name: str) -> GroundMotion:
         msg = f"{name.strip()} is a set of stations with two horizontal components, and this takes one direction; {components} is the set of the components."
         raise InputError(msg)
     if key is None and f"{word}-A" in named:
-        msg = f"{word} is a station with two horizontal components, and this takes one direction; choose {word}-a or {word}-b."
-        raise InputError(msg)
+        raise one_direction(word, (f"{word}-a", f"{word}-b"))
     if key is None:
         raise InputError(_unknown(name))
     motion = read_stored([key])[0].motion

@@ -2,7 +2,6 @@
 
 import hashlib
 import math
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -11,13 +10,11 @@ import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
-from dcfp.motion.formats.registry import direction
-from dcfp.motion.ground_motion import GroundMotion, Origin, refined
+from dcfp.motion.alignment import brought_together
+from dcfp.motion.formats.directions import azimuth
+from dcfp.motion.ground_motion import GroundMotion, Origin
 from dcfp.schema.notebook import card
 from dcfp.schema.parameters import PGV
-
-#: How far the ratio of two time steps may be from a whole number [-].
-_CLOSE_TO_WHOLE = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,6 +29,8 @@ class Station:
         Short name for tables and figures.
     treatment
         What was done to bring them together, one phrase for each step.
+    parts
+        The components before they were brought together; none where they were changed since.
 
     Raises
     ------
@@ -44,6 +43,7 @@ class Station:
     vertical: GroundMotion | None = None
     name: str = "station"
     treatment: tuple[str, ...] = ()
+    parts: tuple[GroundMotion, ...] = ()
 
     def __post_init__(self) -> None:
         """Check that the components go together."""
@@ -77,6 +77,21 @@ class Station:
         component = " + ".join(motion.origin.component or motion.name for motion in self.components)
         source = one.source if one.source == other.source else f"{one.source} + {other.source}"
         return replace(one, component=component, source=source)
+
+    @property
+    def azimuths(self) -> tuple[float, float] | None:
+        """Where x and y point, clockwise from north [degrees], where the names of both components plainly say it."""
+        first, second = (azimuth(one.origin.component) for one in (self.x, self.y))
+        return None if first is None or second is None else (first, second)
+
+    @property
+    def orientation(self) -> str:
+        """Where x and y point and which way round they are, in words; empty where that is not known."""
+        if self.azimuths is None:
+            return ""
+        x, y = self.azimuths
+        way = "counter-clockwise" if (x - y) % 360.0 < 180.0 else "clockwise"
+        return f"x points to {x:g} and y to {y:g} degrees from north, so that from x to y is {way} seen from above"
 
     @property
     def time_step(self) -> float:
@@ -127,9 +142,8 @@ class Station:
         """Return the station with all its components multiplied by `factor` [-]."""
         x, y, *rest = (one.scaled(factor) for one in self.components)
         vertical = rest[0] if rest else None
-        return replace(
-            self, x=x, y=y, vertical=vertical, treatment=(*self.treatment, f"scaled by {factor:.6g}")
-        )
+        treatment = (*self.treatment, f"scaled by {factor:.6g}")
+        return replace(self, x=x, y=y, vertical=vertical, treatment=treatment, parts=())
 
     def scaled_to_pgv(self, peak_velocity: float) -> "Station":
         """Return the station scaled so that the PGV of its horizontal resultant is `peak_velocity` [mm/s].
@@ -148,6 +162,8 @@ class Station:
     def rotated(self, angle: float) -> "Station":
         """Return the station with its horizontal motion turned from x towards y by an `angle` [degrees].
 
+        The same as turning the axes the other way, which is what becomes of the directions of x and y.
+
         Raises
         ------
         InputError
@@ -158,11 +174,17 @@ class Station:
             raise InputError(msg)
         cosine, sine = math.cos(math.radians(angle)), math.sin(math.radians(angle))
         x, y = self.x.acceleration, self.y.acceleration
+        labels = "x", "y"
+        if self.azimuths is not None:
+            from_x, from_y = self.azimuths
+            turned = angle if (from_x - from_y) % 360.0 < 180.0 else -angle
+            labels = f"{(from_x + turned) % 360.0:g} deg", f"{(from_y + turned) % 360.0:g} deg"
         return replace(
             self,
-            x=replace(self.x, acceleration=cosine * x - sine * y),
-            y=replace(self.y, acceleration=sine * x + cosine * y),
+            x=_turned(self.x, cosine * x - sine * y, labels[0]),
+            y=_turned(self.y, sine * x + cosine * y, labels[1]),
             treatment=(*self.treatment, f"rotated by {angle:g} degrees"),
+            parts=(),
         )
 
     def _repr_html_(self) -> str:
@@ -178,6 +200,10 @@ class Station:
         return card(f"Station {self.name}", facts, remarks=self.treatment)
 
 
+def _turned(motion: GroundMotion, acceleration: FloatArray, label: str) -> GroundMotion:
+    return replace(motion, acceleration=acceleration, origin=replace(motion.origin, component=label))
+
+
 def _largest(vectors: FloatArray) -> float:
     return math.sqrt(float((vectors**2).sum(axis=1).max()))
 
@@ -185,45 +211,10 @@ def _largest(vectors: FloatArray) -> float:
 def joined(components: Sequence[GroundMotion], name: str) -> Station:
     """Return the station of two horizontal components and perhaps the vertical one, in this order.
 
-    A longer time step that is a multiple of the shortest is divided, which leaves the motion as it is; after the end of a shorter
-    component its ground keeps its velocity. Both are told in the treatment.
-
-    Raises
-    ------
-    InputError
-        If there are not two or three components, they are of different earthquakes or stations, one is of another direction than it is
-        given for, or their time steps do not fit.
+    What `dcfp.motion.alignment.brought_together` does to them, and its errors, are told in the treatment.
     """
-    if len(components) not in (2, 3):
-        msg = f"{name}: a station has two horizontal components and may have a vertical one, not {len(components)} components."
-        raise InputError(msg)
-    _check_origins(components, name)
-    _check_directions(components, name)
-    step = min(one.time_step for one in components)
-    treatment: list[str] = []
-    values: list[FloatArray] = []
-    for one in components:
-        ratio = one.time_step / step
-        parts = round(ratio)
-        if abs(ratio - parts) > _CLOSE_TO_WHOLE * parts:
-            msg = (
-                f"{name}: the time steps of {components[0].name} and {one.name}, {components[0].time_step:g} and {one.time_step:g} s, do not fit:"
-                " one must be a multiple of the other; resample one of them."
-            )
-            raise InputError(msg)
-        if parts > 1:
-            treatment.append(f"time step of {one.name} divided by {parts}")
-        values.append(refined(one.acceleration, parts))
-    longest = max(one.size for one in values)
-    x, y, *rest = (
-        replace(one, acceleration=_lengthened(own, longest), time_step=step)
-        for one, own in zip(components, values, strict=True)
-    )
-    for one, own in zip(components, values, strict=True):
-        missing = (longest - own.size) * step
-        if missing > 0.0:
-            treatment.append(f"{one.name} ends {missing:.3g} s earlier, and keeps its velocity from there on")
-    return Station(x, y, rest[0] if rest else None, name, tuple(treatment))
+    (x, y, *rest), treatment = brought_together(components, name)
+    return Station(x, y, rest[0] if rest else None, name, tuple(treatment), tuple(components))
 
 
 def stations_of(records: Sequence[GroundMotion | Station]) -> list[Station]:
@@ -241,47 +232,8 @@ def stations_of(records: Sequence[GroundMotion | Station]) -> list[Station]:
     return stations
 
 
-def _lengthened(values: FloatArray, size: int) -> FloatArray:
-    return np.concatenate((values, np.zeros(size - values.size)))
-
-
-def _check_origins(components: Sequence[GroundMotion], name: str) -> None:
-    first = components[0]
-    for one in components[1:]:
-        for what, mine, other in (
-            ("earthquakes", first.origin.event, one.origin.event),
-            ("stations", first.origin.station, one.origin.station),
-        ):
-            if mine and other and mine != other:
-                msg = (
-                    f"{name}: {first.name} and {one.name} are of different {what}, {mine!r} and {other!r};"
-                    " the components of a station are of one record."
-                )
-                raise InputError(msg)
-
-
-def _check_directions(components: Sequence[GroundMotion], name: str) -> None:
-    for place, one in enumerate(components):
-        found = direction(one.origin.component)
-        if place < 2 and found == "UD":
-            msg = f"{name}: {one.name} is the vertical component; give the two horizontal ones first and the vertical one last."
-            raise InputError(msg)
-        if place == 2 and (found in ("NS", "EW") or _azimuth(one) is not None):
-            msg = f"{name}: the third component, {one.name}, is horizontal ({one.origin.component}); a station has two of these, and the vertical one last."
-            raise InputError(msg)
-    first, second = (_azimuth(one) for one in components[:2])
-    if first is not None and second is not None and (second - first) % 180.0 != 90.0:
-        msg = (
-            f"{name}: {components[0].name} and {components[1].name} point to {first:g} and {second:g} degrees;"
-            " the horizontal components of a station are at right angles."
-        )
-        raise InputError(msg)
-
-
-def _azimuth(motion: GroundMotion) -> float | None:
-    """Return the direction of a component from north [degrees], where its name plainly says it."""
-    found = direction(motion.origin.component)
-    if found in ("NS", "EW"):
-        return 0.0 if found == "NS" else 90.0
-    match = re.fullmatch(r"(\d{3})(?:\s*deg)?", motion.origin.component.strip(), re.IGNORECASE)
-    return float(match.group(1)) % 360.0 if match and int(match.group(1)) <= 360 else None
+def one_direction(name: str, choices: Sequence[str]) -> InputError:
+    """Return the sentence that a station is no motion of one direction, with the names of its horizontal components."""
+    return InputError(
+        f"{name} is a station with two horizontal components, and this takes one direction; choose {' or '.join(choices)}."
+    )

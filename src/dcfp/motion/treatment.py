@@ -9,7 +9,7 @@ import numpy as np
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.station import Station
+from dcfp.motion.station import Station, joined
 
 #: Largest number of values that resampling makes.
 MAXIMUM_POINTS = 50_000_000
@@ -34,8 +34,14 @@ def treated(motion: GroundMotion, *, baseline: bool = False, corner: float | Non
 
 
 def station_treated(station: Station, *, baseline: bool = False, corner: float | None = None) -> Station:
-    """Return a station with every component treated as `treated` does, which raises the same errors."""
-    x, y, *rest = (treated(one, baseline=baseline, corner=corner) for one in station.components)
+    """Return a station with every component treated as `treated` does, which raises the same errors.
+
+    They are treated as they were before they were brought together, since a mean or a filter is of what was recorded.
+    """
+    how: dict[str, Any] = {"baseline": baseline, "corner": corner}
+    if station.parts:
+        return joined([treated(one, **how) for one in station.parts], station.name)
+    x, y, *rest = (treated(one, **how) for one in station.components)
     steps = x.treatment[len(station.x.treatment) :]
     return replace(
         station, x=x, y=y, vertical=rest[0] if rest else None, treatment=(*station.treatment, *steps)
@@ -148,7 +154,9 @@ def high_pass(
     step = f"zero-phase Butterworth high-pass {corner:g} Hz, order {order}, forward and backward"
     if not keep_margins:
         return _treated(motion, filtered[margin:-margin], f"{step}, margins cut off")
-    return _treated(motion, filtered, f"{step}, margins of {margin * motion.time_step:g} s kept")
+    before = margin * motion.time_step
+    longer = _treated(motion, filtered, f"{step}, margins of {before:g} s kept")
+    return replace(longer, origin=motion.origin.later(-before))
 
 
 def resample(motion: GroundMotion, factor: int) -> GroundMotion:

@@ -33,9 +33,10 @@ def load_motions(chosen: argparse.Namespace) -> list[GroundMotion]:
     return [treated(motion, baseline=chosen.baseline, corner=chosen.high_pass) for motion in motions]
 
 
-def load_records(chosen: argparse.Namespace) -> list[GroundMotion | Station]:
-    """Return every station and single record as it will be used but for the scale."""
-    records = load_stations(chosen.records, chosen.component, units=chosen.units, time_step=chosen.time_step)
+def load_records(chosen: argparse.Namespace, *, vertical: bool = False) -> list[GroundMotion | Station]:
+    """Return every station and single record, which may be `vertical` or not, as it will be used but for the scale."""
+    reading = {"units": chosen.units, "time_step": chosen.time_step}
+    records = load_stations(chosen.records, chosen.component, vertical=vertical, **reading)
     return [record_treated(one, baseline=chosen.baseline, corner=chosen.high_pass) for one in records]
 
 

@@ -11,6 +11,7 @@ from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.methods.spectra import input_energy_spectrum
 from dcfp.methods.spectra.of_record import ORDINATES, PERIODS, Ordinates, ordinates
 from dcfp.methods.uang_bertero_1988 import LARGEST_INPUT, largest_input
+from dcfp.motion.load import motion_of
 from dcfp.schema.table import Table
 
 #: Periods of the table [s]; the data have all.
@@ -24,7 +25,10 @@ _LEGEND = (
 
 def run(chosen: argparse.Namespace) -> Answer:
     """Make the spectra of every record at every PGV."""
-    motions = inputs.motions(chosen)
+    # a vertical motion has a spectrum, too
+    records = inputs.load_records(chosen, vertical=True)
+    singles = [motion_of(one, vertical=True) for one in records]
+    motions = inputs.scaled(singles, chosen.pgv)
     periods = PERIODS if chosen.periods is None else np.array(chosen.periods)
     spectra = each("records", motions, lambda motion: input_energy_spectrum(motion, periods, chosen.damping))
     every = [one for motion, found in zip(motions, spectra, strict=True) for one in ordinates(motion, found)]

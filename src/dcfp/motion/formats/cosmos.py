@@ -1,8 +1,9 @@
 """COSMOS strong-motion format 1.20, volumes 1 and 2.
 
 Each channel has text, integer and real headers, comments and one series; the widths of all fields are
-written in the file. Real header 62 is the time step of the series [ms]. Real header 34 is that of the
-recorder [s]; it differs when the series was resampled, so it is used only where 62 is not given.
+written in the file. Integer header 54 is where the sensor points. Real header 62 is the time step of the
+series [ms]. Real header 34 is that of the recorder [s]; it differs when the series was resampled, so it is
+used only where 62 is not given.
 
 Reference: Consortium of Organizations for Strong-Motion Observation Systems (2001), COSMOS Strong Motion Data
 Format, version 1.20.
@@ -10,8 +11,11 @@ Format, version 1.20.
 
 import re
 from collections.abc import Sequence
+from contextlib import suppress
 
 from dcfp.arrays import FloatArray
+from dcfp.errors import InputError
+from dcfp.motion.formats.directions import azimuth, direction
 from dcfp.motion.formats.registry import RecordFormat, Series
 from dcfp.motion.formats.source import (
     NUMBER,
@@ -19,10 +23,14 @@ from dcfp.motion.formats.source import (
     announced_numbers,
     canonical_unit,
     fixed_numbers,
+    moment,
     parse_layout,
     to_number,
 )
 
+_INTEGER_HEADER = re.compile(
+    r"^\s*(\d{1,4})\s+Integer-header values follow on.*?Format\s*=\s*(.*)$", re.IGNORECASE
+)
 _REAL_HEADER = re.compile(r"^\s*(\d{1,4})\s+Real-header values follow on.*?Format\s*=\s*(.*)$", re.IGNORECASE)
 _SERIES = re.compile(
     rf"^\s*(\d{{1,15}})\s+(\w+)\s+pts,\s*approx\s*({NUMBER})\s*secs?,\s*units\s*=\s*([^,(]+?)\s*(?:\((\d+)\))?\s*,"
@@ -34,6 +42,9 @@ _END = re.compile(r"^\s*(?:/&|End-of-data)", re.IGNORECASE)
 _SERIES_STEP = 62 - 1
 _RECORDER_STEP = 34 - 1
 
+_SENSOR = 54 - 1
+#: Codes of a vertical sensor in place of degrees from north.
+_VERTICAL = {400: "Up", 401: "Down", 402: "Vertical"}
 #: Series that a volume 2 file may hold beside the acceleration.
 _LEFT_OUT = frozenset({"velocity", "displacement"})
 
@@ -75,6 +86,8 @@ def _series(
 ) -> Series:
     header = source.lines[first:start]
     label, *names = _channel_names(header, number)
+    if direction(label) is None and azimuth(label) is None and (sensor := _sensor(source, first, start)):
+        label, names = sensor, [label, *names]
     station = next(filter(None, map(_STATION.match, header)), None)
     return Series(
         values,
@@ -84,6 +97,7 @@ def _series(
         names=tuple(names),
         event=" ".join(header[1].split()).removeprefix("Record of ") if len(header) > 1 else "",
         station=" ".join(f"{station[1]} {station[2]}".split()) if station else "",
+        start=next((moment(begun[1]) for one in header if (begun := _START.match(one))), ""),
         processing=_processing(header),
     )
 
@@ -133,9 +147,24 @@ def _time_step(source: SourceText, real: FloatArray, found: re.Match[str], line:
     return step
 
 
+def _sensor(source: SourceText, first: int, last: int) -> str:
+    """Return where the sensor points by the integer header, empty where it does not tell."""
+    for index in range(first, last):
+        announced = _INTEGER_HEADER.match(source.lines[index])
+        layout = parse_layout(announced[2]) if announced else None
+        if announced is None or layout is None:
+            continue
+        with suppress(InputError):  # nothing else needs it
+            values, _ = fixed_numbers(source, index + 1, int(announced[1]), layout)
+            code = int(values[_SENSOR]) if values.size > _SENSOR else -1
+            return _VERTICAL.get(code, f"{code} deg" if 0 < code <= 360 else "")
+    return ""
+
+
 _CHANNEL = re.compile(r"^Sta Chan?\s*:?\s*(\d+|\?)\s*:\s*(.*?)\s*\(Rcrdr", re.IGNORECASE)
 _CODES = re.compile(r"<SCNL>\s*([^\s.]*)\.([^\s.]+)\.")
 _STATION = re.compile(r"^Statn No:.*?Code:\s*(\S*)\s*(.*?)\s*$", re.IGNORECASE)
+_START = re.compile(r"^Rcrd start time:\s*(.*?UTC)", re.IGNORECASE)
 _FILTER = re.compile(r"^Record filtered below\s*([\d.]+)\s*Hz.*?above\s*([\d.]+)\s*Hz", re.IGNORECASE)
 
 

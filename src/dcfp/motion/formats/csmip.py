@@ -10,12 +10,20 @@ from collections.abc import Iterator
 
 from dcfp.arrays import FloatArray
 from dcfp.motion.formats.registry import RecordFormat, Series
-from dcfp.motion.formats.source import NUMBER, SourceText, announced_numbers, canonical_unit, to_number
+from dcfp.motion.formats.source import (
+    NUMBER,
+    SourceText,
+    announced_numbers,
+    canonical_unit,
+    moment,
+    to_number,
+)
 
 _BLOCK = re.compile(
     rf"^\s*(\d{{1,15}})\s+points of\s+(\w+) data equally spaced at\s*({NUMBER})\s*sec(.*)$", re.IGNORECASE
 )
 _CHANNEL = re.compile(r"^Chan\s+(\d+):\s*(.*?)\s*$", re.IGNORECASE)
+_START = re.compile(r"Start time:\s*(.*?UTC)", re.IGNORECASE)
 _EVENT = re.compile(r"^(?:Record|Rcrd) of\s+(.*?)(?:\s{2,}|\(|$)", re.IGNORECASE)
 
 
@@ -81,6 +89,7 @@ def _series(
         names=(number, f"chan {number}", f"channel {number}", azimuth),
         event=next((found[1].strip() for one in header if (found := _EVENT.match(one))), ""),
         station=station,
+        start=next((moment(found[1]) for one in header if (found := _START.search(one))), ""),
         processing=_processing("\n".join(header)),
     )
 

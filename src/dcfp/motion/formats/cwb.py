@@ -3,7 +3,15 @@
 import re
 
 from dcfp.motion.formats.registry import RecordFormat, Series, check_times
-from dcfp.motion.formats.source import Header, Layout, SourceText, check_count, fixed_numbers, parse_layout
+from dcfp.motion.formats.source import (
+    Header,
+    Layout,
+    SourceText,
+    check_count,
+    fixed_numbers,
+    moment,
+    parse_layout,
+)
 
 _LAYOUT = Layout(per_line=4, width=10)
 
@@ -39,6 +47,7 @@ def _read(source: SourceText) -> list[Series]:
             component=direction,
             event=f"{event}, ML {magnitude}" if magnitude else event,
             station=header.get("StationCode", ""),
+            start=moment(header.get("StartTime", ""), 8),
             processing=f"{note}; no filter stated",
         )
         for column, direction in enumerate(directions, 1)

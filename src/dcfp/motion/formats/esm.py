@@ -4,7 +4,7 @@ import re
 from itertools import takewhile
 
 from dcfp.motion.formats.registry import RecordFormat, Series
-from dcfp.motion.formats.source import Header, SourceText, canonical_unit, free_numbers
+from dcfp.motion.formats.source import Header, SourceText, canonical_unit, free_numbers, moment
 
 _ENTRY = re.compile(r"([A-Z][A-Z0-9_/^.]*):\s?(.*)")
 _HEADER_LINES = 200
@@ -36,6 +36,7 @@ def _read(source: SourceText) -> list[Series]:
             names=(stream[-1:],),
             event=_event(header),
             station=header.get("STATION_CODE", ""),
+            start=moment(header.get("DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS", "")),
             processing=_processing(header),
             citation=header.get("DATA_CITATION", ""),
         )

@@ -6,7 +6,7 @@ The text is Shift-JIS. The header gives the sampling rate and the unit but no nu
 import re
 
 from dcfp.motion.formats.registry import RecordFormat, Series
-from dcfp.motion.formats.source import Header, SourceText, table_numbers
+from dcfp.motion.formats.source import Header, SourceText, moment, table_numbers
 
 _HEADER_LINES = 12
 
@@ -32,6 +32,7 @@ def _read(source: SourceText) -> list[Series]:
             component=title,
             event=f"record of {begun}" if begun else "",
             station=re.split(r",|\s{2,}", header.get("SITE CODE", ""))[0].strip(),
+            start=moment(begun, 9),
             processing="as recorded; offset not removed",
         )
         for column, title in enumerate(titles)

@@ -2,12 +2,13 @@
 
 The acceleration is the count times the scale factor, ``7845(gal)/8223790``, and keeps the offset of the
 instrument. KiK-net numbers the directions: 1 to 3 are NS, EW and UD in the borehole, 4 to 6 at the surface.
+The time of the record is 15 s later than its first value.
 """
 
 import re
 
 from dcfp.motion.formats.registry import RecordFormat, Series
-from dcfp.motion.formats.source import NUMBER, Header, SourceText, free_numbers, to_number
+from dcfp.motion.formats.source import NUMBER, Header, SourceText, free_numbers, moment, to_number
 
 _NAMES = (
     "Origin Time", "Lat.", "Long.", "Depth. (km)", "Mag.", "Station Code", "Station Lat.", "Station Long.",
@@ -15,6 +16,8 @@ _NAMES = (
     "Max. Acc. (gal)", "Last Correction", "Memo.",
 )  # fmt: skip
 
+#: How much later the time of the record is than its first value [s], and Japan's time than UTC [h].
+_DELAY, _JAPAN = 15.0, 9
 #: Label of each direction, by its code in the header, and its other names.
 _DIRECTIONS = {
     "N-S": ("N-S",),
@@ -61,6 +64,7 @@ def _read(source: SourceText) -> list[Series]:
             names=tuple(names),
             event=f"{header['Origin Time']}, M {header['Mag.']}".strip(" ,M"),
             station=header["Station Code"],
+            start=moment(header["Record Time"], _JAPAN, -_DELAY),
             processing="raw counts times the scale factor; offset not removed",
         )
     ]

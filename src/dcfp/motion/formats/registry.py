@@ -9,6 +9,7 @@ import numpy as np
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
+from dcfp.motion.formats.directions import direction, plain
 from dcfp.motion.formats.source import SourceText, unit_size
 from dcfp.motion.ground_motion import GroundMotion, Origin
 from dcfp.schema.registry import Registry
@@ -34,6 +35,7 @@ class Series:
     station: str = ""
     processing: str = ""
     citation: str = ""
+    start: str = ""  #: when the first value was recorded, as `moment` writes it
     scale: float = 1.0  #: how many units one value stands for [-]
 
 
@@ -111,19 +113,6 @@ def _fitting_steps(time: FloatArray, mean_step: float, resolution: float) -> Ite
                     yield step, tolerance
 
 
-_DIRECTIONS = {
-    "NS": ("ns", "n", "north", "northsouth", "360", "360deg", "0", "0deg", "000"),
-    "EW": ("ew", "e", "east", "eastwest", "90", "90deg", "090"),
-    "UD": ("ud", "u", "up", "z", "v", "vertical", "updown"),
-}
-
-
-def direction(label: str) -> str | None:
-    """Return NS, EW or UD for a label that plainly means it (``"N-S"``, ``"360 Deg"``, ``"Up"``), or None."""
-    word = _plain(label)
-    return next((name for name, words in _DIRECTIONS.items() if word in words), None)
-
-
 def select_component(components: Sequence[Component], wanted: str | None, path: Path) -> Component:
     """Return the component that is asked for, which must be one alone.
 
@@ -146,15 +135,11 @@ def select_component(components: Sequence[Component], wanted: str | None, path: 
 
 
 def _matches(components: Sequence[Component], wanted: str) -> list[Component]:
-    word = _plain(wanted)
-    by_name = [item for item in components if word in {_plain(name) for name in item.names if name}]
+    word = plain(wanted)
+    by_name = [item for item in components if word in {plain(name) for name in item.names if name}]
     if by_name or direction(wanted) is None:
         return by_name
     return [item for item in components if direction(wanted) in {direction(name) for name in item.names}]
-
-
-def _plain(label: str) -> str:
-    return re.sub(r"[\s._:-]+", "", label.casefold())
 
 
 def _choices(components: Sequence[Component]) -> str:
@@ -232,6 +217,7 @@ def _component(source: SourceText, series: Series, form: RecordFormat, *, severa
         file_format=form.name,
         processing=series.processing,
         citation=series.citation or form.citation,
+        start=series.start,
     )
     stem = source.path.stem or source.path.name
     name = f"{stem} {series.component}" if several and series.component else stem

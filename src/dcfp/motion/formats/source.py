@@ -5,6 +5,7 @@ import re
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from datetime import datetime, timedelta, timezone
 from pathlib import Path
 from typing import NamedTuple, NoReturn
 
@@ -195,6 +196,31 @@ def _row(source: SourceText, words: Sequence[str], line: int) -> list[float]:
             source.fail(f"value {place} is {shown}, not a finite number.", line=line)
         values.append(value)
     return values
+
+
+#: A date and a time of day, with the year first or last, of which an American year may have two digits.
+_YEAR_FIRST = re.compile(r"(\d{4})\D?(\d{1,2})\D?(\d{1,2})\D+(\d{1,2})\D?(\d{1,2})\D?(\d{1,2}(?:\.\d{1,9})?)")
+_YEAR_LAST = re.compile(
+    r"(?<!\d)(\d{1,2})/(\d{1,2})/(\d{4}|\d{2}),?\s+(\d{1,2}):(\d{1,2}):(\d{1,2}(?:\.\d{1,9})?)"
+)
+
+
+def moment(text: str, hours: int = 0, more: float = 0.0) -> str:
+    """Return a date and time as ISO 8601 with its offset from UTC, `hours`, and `more` seconds later; empty where `text` holds none."""
+    if found := _YEAR_LAST.search(text):
+        month, day, year, hour, minute, second = found.groups()
+        if len(year) == 2:
+            year = f"20{year}" if year < "50" else f"19{year}"
+    elif found := _YEAR_FIRST.search(text):
+        year, month, day, hour, minute, second = found.groups()
+    else:
+        return ""
+    with suppress(ValueError, OverflowError):
+        zone = timezone(timedelta(hours=hours))
+        begun = datetime(int(year), int(month), int(day), int(hour), int(minute), tzinfo=zone)
+        # a second of 60 is the next minute
+        return (begun + timedelta(seconds=float(second) + more)).isoformat()
+    return ""
 
 
 class Header(dict[str, str]):
