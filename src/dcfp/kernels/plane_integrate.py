@@ -94,7 +94,9 @@ def integrate_plane(
         first = under(model, loads[0, RATIO], loads[0, REFERENCE]) if changes else model
         friction = mean_coefficient(first, length_of(motion.velocity), PRESENT)
         rim = friction * first.system.yield_per_mu
-        motion = PlaneMotion(motion.displacement, motion.velocity, motion.elongation, rim, friction, False)
+        motion = PlaneMotion(
+            motion.displacement, motion.velocity, motion.elongation, rim, friction, False, 0j, 0j
+        )
     if begins:
         _record(histories[0], model, field, motion, extremes)
     for i in range(ground_x.size - 1):
@@ -207,6 +209,7 @@ def _store_motion(record: Records, motion: PlaneMotion) -> None:
     record["displacement"], record["velocity"] = motion.displacement, motion.velocity
     record["elongation"], record["rim"] = motion.elongation, motion.rim
     record["friction"], record["slides"] = motion.friction, motion.slides
+    record["rate"], record["curvature"] = motion.rate, motion.curvature
 
 
 @called_kernel

@@ -20,6 +20,8 @@ from dcfp.kernels.plane_step import Course, Force, areas, dot, length_of, sail, 
 
 #: Halvings beyond the fewest with which a point in the centre comes under the slider.
 _AT_THE_EDGE = 3
+#: Distance of spring (b)'s force from what was expected, over mu g, up to which a step need not be repeated [-].
+_AS_EXPECTED = 0.01
 #: Part of the tolerance below which the next step may be twice as long.
 _EASY = 0.2
 
@@ -41,6 +43,8 @@ class PlaneMotion(NamedTuple):
     rim: float  # radius of the yield surface [mm]
     friction: float  # coefficient
     slides: bool
+    rate: complex  # how the force of spring (b) changes, per unit mass [mm/s3], if it goes on as it did
+    curvature: complex  # half of how that changes [mm/s4]
 
 
 class Load(NamedTuple):
@@ -139,7 +143,7 @@ def stick(
         if load.changes:
             lifting = work_of(lifted, h, course.end - u, area, moment)
         plane_heat.cool_down(model.heat, field, system, level, h)
-    motion = PlaneMotion(course.end, course.end_velocity, end, rim_1, mu_1, False)
+    motion = PlaneMotion(course.end, course.end_velocity, end, rim_1, mu_1, False, 0j, 0j)
     return PlaneStep(motion, course.middle, energy, 0.0, 0.0, lifting, accepted, True, True)
 
 
@@ -168,7 +172,7 @@ def slide(
     length: float,
     time: float,
 ) -> PlaneStep:
-    """Take a step on spring (a) under the friction, in two passes; it is accepted if the friction is close enough to its chord in the middle.
+    """Take a step on spring (a) under the friction, again where it is not as expected; it is accepted if the friction is close enough to its chord in the middle.
 
     `ground` [mm/s2] is the ground's acceleration at the start, `rate` [mm/s3] how it changes, `time` [s] the start of the step.
     """
@@ -178,8 +182,9 @@ def slide(
     f0, r0, s0 = times(kf, e), length_of(u), length_of(v)
     f_m, f_1, e_m, e_1, mu_m, mu_1, rim_1 = f0, f0, e, e, mu, mu, rim
     opening = pressure * load.start * mu * s0
-    friction = Force(f0, 0j, 0j)
-    lifted, force = Force(0j, 0j, 0j), Force(-ground - f0, -rate, 0j)
+    friction = Force(f0, begin.rate, begin.curvature)
+    expected = f0 + times(h, begin.rate) + times(h * h, begin.curvature)
+    lifted, force = Force(0j, 0j, 0j), Force(-ground - f0, -rate - friction.rate, -friction.curvature)
     course = sail(row, wf2, u, v, force)
     rubbing, sliding = 0.0, True
     for _ in range(2):
@@ -199,9 +204,13 @@ def slide(
             lifted = _lifted(wf2, load, u, course, h)
             force = Force(force.constant - lifted.constant, force.rate - lifted.rate, force.curvature - lifted.curvature)  # fmt: skip
         course = sail(row, wf2, u, v, force)
+        if length_of(f_1 - expected) <= _AS_EXPECTED * mu_1 * system.gravity:
+            break
+        expected = f_1
     allowed = control.tolerance * mu_1 * system.gravity
     defect = length_of(f_m - times(0.5, f0 + f_1))
-    motion = PlaneMotion(course.end, course.end_velocity, e_1, rim_1, mu_1, sliding)
+    later = friction.rate + times(2.0 * h, friction.curvature)
+    motion = PlaneMotion(course.end, course.end_velocity, e_1, rim_1, mu_1, sliding, later, friction.curvature)
     if level < MOST_HALVINGS and (
         defect > allowed
         or (
