@@ -44,8 +44,10 @@ from dcfp.kernels.sum_of_exponentials import (
 )
 
 # what is counted on a plate: covered points; those of them that have felt every flux; change of the mean by what the rim passes [degC/s]; the highest
-# temperature of a point so far [degC], and a point that is likely to be the hottest
-COVERED_POINTS, ALWAYS, SWEEP_RATE, HOTTEST, HOT_ROW, HOT_COLUMN, TALLIES = range(7)
+# temperature of a point so far [degC], and a point that is likely to be the hottest; where the disc was last moved to, in spacings
+COVERED_POINTS, ALWAYS, SWEEP_RATE, HOTTEST, HOT_ROW, HOT_COLUMN, DISC_X, DISC_Y, TALLIES = range(9)
+#: How far the disc may be from its place before it is moved, in spacings: far less than what the grid leaves open.
+_AWAY = 0.02
 #: Time over which the change of the mean by what the rim passes is smoothed [s].
 _SMOOTH = 0.02
 #: How close to the highest temperature of a point all points need not be looked at [degC].
@@ -261,8 +263,12 @@ def sweep(heat: Heat, field: Field, plate: int, time: float, position: complex) 
     inside = x - reach >= 1.0 and x + reach <= columns - 2.0 and y - reach >= 1.0 and y + reach <= rows - 2.0
     if not inside:  # or not a number
         return False
+    spans, tallies = field.spans, field.tallies
+    gone = complex(x - tallies[plate, DISC_X], y - tallies[plate, DISC_Y])
+    if gone.real * gone.real + gone.imag * gone.imag < _AWAY * _AWAY:
+        return True
+    tallies[plate, DISC_X], tallies[plate, DISC_Y] = x, y
     lowest, highest = math.ceil(y - reach), math.floor(y + reach)
-    spans = field.spans
     # rows that are left, on either side
     row = lowest - 1
     while row >= 0 and spans[plate, row, 1] > spans[plate, row, 0]:
@@ -277,12 +283,17 @@ def sweep(heat: Heat, field: Field, plate: int, time: float, position: complex) 
         spans[plate, row, 1] = spans[plate, row, 0]
         row += 1
     for row in range(lowest, highest + 1):
-        away = row - y
-        half = math.sqrt(max(reach * reach - away * away, 0.0))
-        first, last = math.ceil(x - half), math.floor(x + half) + 1
         old_first, old_last = spans[plate, row, 0], spans[plate, row, 1]
-        if first == old_first and last == old_last:
+        away = row - y
+        square = reach * reach - away * away
+        # mostly the points at the ends are still inside, and those beyond them outside
+        left, right = old_first - x, old_last - 1 - x
+        if left * left <= square < (left - 1.0) * (left - 1.0) and right * right <= square < (right + 1.0) * (
+            right + 1.0
+        ):
             continue
+        half = math.sqrt(max(square, 0.0))
+        first, last = math.ceil(x - half), math.floor(x + half) + 1
         if old_first >= old_last:
             old_first = old_last = first
         for column in range(old_first, min(old_last, first)):

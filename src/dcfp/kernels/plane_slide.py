@@ -210,7 +210,9 @@ def slide(
     allowed = control.tolerance * mu_1 * system.gravity
     defect = length_of(f_m - times(0.5, f0 + f_1))
     later = friction.rate + times(2.0 * h, friction.curvature)
-    motion = PlaneMotion(course.end, course.end_velocity, e_1, rim_1, mu_1, sliding, later, friction.curvature)
+    motion = PlaneMotion(
+        course.end, course.end_velocity, e_1, rim_1, mu_1, sliding, later, friction.curvature
+    )
     if level < MOST_HALVINGS and (
         defect > allowed
         or (
