@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from dcfp.analysis.assumptions import OF_RESPONSE
+from dcfp.analysis.hottest_point import rise_between_points
 from dcfp.analysis.integration import Integration
 from dcfp.analysis.plane_result import PlaneResult, add_directions
 from dcfp.analysis.response import HISTORIES as OF_LINE
@@ -196,6 +197,26 @@ class PlaneResponse(PlaneResult, MotionResult):
     def peak_temperature(self) -> float:
         """Highest mean temperature of the contact of any plate [degC]."""
         return self.final_state.extremes.temperature
+
+    @cached_property
+    def rise_between_points(self) -> float:
+        """By how much a point between those of the grid became hotter than all of these [degC]; nothing where it began warm, for its path before is not kept."""
+        state, bearing = self.final_state, self.bearing
+        if float(state.integration["time"][0]) > self.time[-1] + 0.5 * self.time[1]:
+            return 0.0
+        work = (
+            np.diff(self.line("hysteretic")) * bearing.mass / bearing.vertical_force
+        )  # mu times the slip [mm]
+        interval = float(self.time[1])
+        flux = bearing.pressure * self.line("friction") * self.velocity * self.line("sliding")
+        return rise_between_points(
+            self.system,
+            state.heat,
+            self.displacement_vectors,
+            flux,
+            bearing.pressure * work / interval,
+            interval,
+        )
 
     @property
     def least_friction(self) -> float:

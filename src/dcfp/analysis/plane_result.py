@@ -56,7 +56,14 @@ class PlaneResult(Result):
     @property
     def peak_point_temperature(self) -> float:
         """Highest temperature of a point of any plate [degC]; without a field, that of the contact."""
-        return max(self.peak_temperature, float(self.line("point_temperature")[-1]))
+        return (
+            max(self.peak_temperature, float(self.line("point_temperature")[-1])) + self.rise_between_points
+        )
+
+    @cached_property
+    def rise_between_points(self) -> float:
+        """By how much a point between those of the grid became hotter than all of these [degC], where that is known."""
+        return 0.0
 
 
 def add_directions(kind: type[PlaneResult], **sources: str) -> None:

@@ -44,8 +44,21 @@ from dcfp.kernels.sum_of_exponentials import (
 )
 
 # what is counted on a plate: covered points; those of them that have felt every flux; change of the mean by what the rim passes [degC/s]; the highest
-# temperature of a point so far [degC], and a point that is likely to be the hottest; where the disc was last moved to, in spacings
-COVERED_POINTS, ALWAYS, SWEEP_RATE, HOTTEST, HOT_ROW, HOT_COLUMN, DISC_X, DISC_Y, TALLIES = range(9)
+# temperature of a point so far [degC], and a point that is likely to be the hottest; which one was the
+# hottest so far, below zero while it has always been covered; where the disc was last moved to, in spacings
+(
+    COVERED_POINTS,
+    ALWAYS,
+    SWEEP_RATE,
+    HOTTEST,
+    HOT_ROW,
+    HOT_COLUMN,
+    PEAK_ROW,
+    PEAK_COLUMN,
+    DISC_X,
+    DISC_Y,
+    TALLIES,
+) = range(11)
 #: How far the disc may be from its place before it is moved, in spacings: far less than what the grid leaves open.
 _AWAY = 0.02
 #: Time over which the change of the mean by what the rim passes is smoothed [s].
@@ -216,7 +229,8 @@ def _note_hottest(heat: Heat, field: Field, plate: int, time: float, common: flo
     """
     tallies, modes, bound = field.tallies, heat.modes, PLATE_ROW + plate * PLATE_ROWS + _BOUND
     if tallies[plate, ALWAYS] > 0.0:
-        tallies[plate, HOTTEST] = max(tallies[plate, HOTTEST], common)
+        if common > tallies[plate, HOTTEST]:
+            tallies[plate, HOTTEST], tallies[plate, PEAK_ROW] = common, -1.0
         return
     decay(modes, factors, bound)
     if common + total(modes, bound) <= tallies[plate, HOTTEST] + _CLOSE:
@@ -224,7 +238,7 @@ def _note_hottest(heat: Heat, field: Field, plate: int, time: float, common: flo
     row, column = int(tallies[plate, HOT_ROW]), int(tallies[plate, HOT_COLUMN])
     if field.spans[plate, row, 0] <= column < field.spans[plate, row, 1]:
         there = common + _difference(heat, field, plate, row, column, time)
-        tallies[plate, HOTTEST] = max(tallies[plate, HOTTEST], there)
+        _note(tallies[plate], there)
         if common + total(modes, bound) <= tallies[plate, HOTTEST] + _CLOSE:
             return
     highest = -math.inf
@@ -239,7 +253,15 @@ def _note_hottest(heat: Heat, field: Field, plate: int, time: float, common: flo
             if difference > highest:
                 highest = difference
                 tallies[plate, HOT_ROW], tallies[plate, HOT_COLUMN] = row, column
-    tallies[plate, HOTTEST] = max(tallies[plate, HOTTEST], common + highest)
+    _note(tallies[plate], common + highest)
+
+
+@kernel
+def _note(tallies: NDArray[np.float64], temperature: float) -> None:
+    """Note a temperature of the point that is likely to be the hottest, if it is the highest so far."""
+    if temperature > tallies[HOTTEST]:
+        tallies[HOTTEST] = temperature
+        tallies[PEAK_ROW], tallies[PEAK_COLUMN] = tallies[HOT_ROW], tallies[HOT_COLUMN]
 
 
 @kernel
@@ -330,12 +352,15 @@ def _leave(heat: Heat, field: Field, plate: int, row: int, column: int, time: fl
     """Uncover a point: from the difference to a state of its own."""
     modes, first = heat.modes, PLATE_ROW + plate * PLATE_ROWS
     point = field.points[plate, row, column]
+    tallies = field.tallies
     if point[0] == 0.0:
-        field.tallies[plate, ALWAYS] -= 1.0
+        tallies[plate, ALWAYS] -= 1.0
+        if tallies[plate, ALWAYS] == 0.0 and tallies[plate, PEAK_ROW] < 0.0:  # the last one of these
+            tallies[plate, PEAK_ROW], tallies[plate, PEAK_COLUMN] = row, column
     fill_decay(modes, RATES, time - point[MODES], _SCRATCH)
     for j in range(MODES):
         difference = point[j] * modes[_SCRATCH, j]
         point[j] = difference + modes[first + COMMON, j]
         modes[first + INSIDE, j] -= difference
     point[MODES] = time
-    field.tallies[plate, COVERED_POINTS] -= 1.0
+    tallies[plate, COVERED_POINTS] -= 1.0

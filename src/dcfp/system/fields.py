@@ -41,7 +41,9 @@ class PlaneHeat:
         wider.spans[:] = 0
         wider.spans[:, inside] = self.field.spans + first
         wider.tallies[:] = self.field.tallies
+        never = wider.tallies[:, k.PEAK_ROW] < 0.0
         wider.tallies[:, k.HOT_ROW : k.DISC_Y + 1] += first
+        wider.tallies[never, k.PEAK_ROW] = -1.0
         return PlaneHeat(self.plates.with_room(0), wider, factor * self.reach)
 
     def model(self, system: System) -> BearingModel:
@@ -87,5 +89,6 @@ def cold_heat(system: System, reach: float = FIRST_REACH) -> PlaneHeat:
     covered = float(np.diff(field.spans[0], axis=1).sum())
     field.tallies[:, k.COVERED_POINTS] = field.tallies[:, k.ALWAYS] = covered
     field.tallies[:, k.HOTTEST] = heating.ambient
+    field.tallies[:, k.PEAK_ROW] = -1.0
     field.tallies[:, k.DISC_X : k.DISC_Y + 1] = middle
     return PlaneHeat(plates, field, reach)

@@ -254,3 +254,11 @@ def test_no_vertical_component_is_refused() -> None:
         respond(station("P695-FF-2", 250.0), vertical=True)
     with pytest.raises(InputError, match="a single component has no vertical one"):
         respond("NCC", vertical=True)
+
+
+def test_the_hottest_point_is_found_between_the_points_of_the_grid() -> None:
+    station = dcfp.load_station("P695-NF-2").scaled_to_pgv(1000.0)
+    coarse, fine = (dcfp.respond(station, heating=dcfp.PreciseHeating(points=points)) for points in (50, 120))
+    grid = coarse.line("point_temperature")[-1]
+    assert fine.peak_point_temperature - grid > 0.9  # what the grid alone would miss
+    assert coarse.peak_point_temperature == pytest.approx(fine.peak_point_temperature, abs=0.5)
