@@ -20,6 +20,8 @@ DEAR = (
     "constant friction, KNA",
     "constant friction, IVD",
     *(f"response spectrum of {name}" for name in ("KNA", "LPG", "IVD")),
+    # in the plane one station at one PGV of what the full run does
+    *(f"P695-{name}" for name in ("FF-2 at 1.0", "FF-5", "FF-7", "FF-14", "NF-2")),
 )
 
 #: What takes more than a second as it is.
@@ -28,6 +30,7 @@ SLOW = (
     "90 % interval",
     "Plain explicit integration: peak temperature",
     "OpenSees: peak temperature",
+    "OpenSees: in the plane",
     "brute force",
     "Plain explicit integration: peak displacement",
     "Prediction: pulse method",

@@ -14,7 +14,8 @@ from itertools import product
 from typing import Any, TypeAlias
 
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.named import VELOCITIES, all_keys, named_motion, read_stored
+from dcfp.motion.named import VELOCITIES, all_keys, named_motion, named_station, read_stored
+from dcfp.motion.station import Station
 from dcfp.schema.check import Check, Verdict
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import NONE
@@ -210,6 +211,14 @@ RECORDS = ("NCC", "KNA", "LPG", "IVD")
 def scaled_record(name: str, velocity: float) -> GroundMotion:
     """Return a named record at a PGV [mm/s]."""
     return named_motion(name).scaled_to_pgv(velocity)
+
+
+@cache
+def scaled_station(name: str, velocity: float) -> Station:
+    """Return a named station at a PGV of its resultant [mm/s]."""
+    station = named_station(name)
+    assert station is not None
+    return station.scaled_to_pgv(velocity)
 
 
 def sixteen_analyses() -> Iterator[tuple[str, GroundMotion]]:

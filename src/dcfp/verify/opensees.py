@@ -8,6 +8,8 @@ its source does otherwise, and what that amounts to here:
   in :math:`\sqrt{\Delta t}` and :math:`\Delta t`;
 * it writes pi as 22/7 (the rise is low by 6e-4), has the restoring force :math:`N u/\sqrt{R^2 - u^2}`, and takes the friction of the step before.
 
+In the plane its friction turns with the velocity to the first order of the step, which the same extrapolation removes from the displacement too.
+
 On the virtual test machine its values are extrapolated in :math:`\sqrt{\Delta t}` only: where the slider leaves the monitoring point its
 error also has a part of the order of a step that is not smooth, and another term would magnify it.
 """
@@ -32,10 +34,11 @@ from dcfp.arrays import FloatArray
 from dcfp.exchange.opensees import model_script
 from dcfp.exchange.opensees.element import Element, Kind
 from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.station import Station
 from dcfp.system import ConstantFriction, NoHeating, SimplifiedHeating
 from dcfp.system.friction.kumar_2015 import VELOCITY_RATE
-from dcfp.verify import explicit, rig_explicit
-from dcfp.verify.check import CannotCheckError, Found, scaled_record
+from dcfp.verify import explicit, plane_explicit, rig_explicit
+from dcfp.verify.check import CannotCheckError, Found, scaled_record, scaled_station
 from dcfp.verify.explicit import KUMAR, SINGLE_CONCAVE
 from dcfp.verify.rig import SINES, run_one
 
@@ -53,7 +56,17 @@ _HEATED = Element(Kind.HEATED, KUMAR.mu_reference, rate=VELOCITY_RATE)
 #: By how much the rise is low for 22/7, and what part of an extrapolation is allowed [-].
 _PI, _EXTRAPOLATED = 6e-4, 0.2
 #: Seconds of the records that hold their peaks; what comes after them would only take time.
-_STRONG = {"NCC": 10.0, "KNA": 15.0, "LPG": 8.0, "IVD": 40.0}
+_STRONG = {
+    "NCC": 10.0,
+    "KNA": 15.0,
+    "LPG": 8.0,
+    "IVD": 40.0,
+    "P695-FF-2": 8.0,
+    "P695-FF-7": 11.0,
+    "P695-FF-14": 7.0,
+}
+#: Step over that of the record of the analyses in the plane where nothing heats [-].
+_PART_IN_PLANE = 0.1
 
 
 def _missing(why: str = "it is not installed") -> CannotCheckError:
@@ -65,9 +78,18 @@ def _missing(why: str = "it is not installed") -> CannotCheckError:
 @cache
 def _strong(record: str) -> GroundMotion:
     """Return the part of a record at 0.5 m/s that holds its peaks."""
-    motion = scaled_record(record, 500.0)
-    samples = round(_STRONG[record] / motion.time_step) + 1
-    return replace(motion, acceleration=motion.acceleration[:samples])
+    return _beginning(scaled_record(record, 500.0), _STRONG[record])
+
+
+@cache
+def _strong_pair(station: str) -> Station:
+    """Return the part of a station at 0.5 m/s that holds its peaks."""
+    pair = scaled_station(station, 500.0)
+    return replace(pair, **{axis: _beginning(getattr(pair, axis), _STRONG[station]) for axis in ("x", "y")})
+
+
+def _beginning(motion: GroundMotion, seconds: float) -> GroundMotion:
+    return replace(motion, acceleration=motion.acceleration[: round(seconds / motion.time_step) + 1])
 
 
 def analyse(**job: Any) -> dict[str, Any]:
@@ -76,7 +98,7 @@ def analyse(**job: Any) -> dict[str, Any]:
     Parameters
     ----------
     **job
-        What the driver takes; a record by its name; a coefficient of friction for a bearing that does not heat.
+        What the driver takes; a record or a station by its name; a coefficient of friction for a bearing that does not heat.
 
     Raises
     ------
@@ -93,13 +115,16 @@ def run_job(given: tuple[tuple[str, Any], ...]) -> dict[str, Any]:
     """Run a job; errors as of `analyse`."""
     job_of = dict(given)
     element = Element(Kind.COULOMB, job_of.pop("friction")) if "friction" in job_of else _HEATED
-    if "record" in job_of:
-        motion = _strong(job_of.pop("record"))
-        job_of |= {"acceleration": motion.acceleration.tolist(), "interval": motion.time_step}
+    plane = "station" in job_of
+    if plane or "record" in job_of:
+        motion = _strong_pair(job_of.pop("station")) if plane else _strong(job_of.pop("record"))
+        columns = np.atleast_2d(motion.acceleration.T).tolist()
+        job_of |= {"accelerations": columns, "interval": motion.time_step}
     with tempfile.TemporaryDirectory() as folder:
         job, result = Path(folder, "job.json"), Path(folder, "result.json")
         job.write_text(json.dumps(job_of), encoding="utf-8")
-        Path(folder, "model.py").write_text(model_script(element, SINGLE_CONCAVE, _STEEL), encoding="utf-8")
+        model = model_script(element, SINGLE_CONCAVE, _STEEL, plane=plane)
+        Path(folder, "model.py").write_text(model, encoding="utf-8")
         command = [sys.executable, str(_PROGRAM), str(job), str(result)]
         try:
             done = subprocess.run(command, capture_output=True, text=True, timeout=_PATIENCE, check=False)
@@ -151,6 +176,38 @@ def displacement() -> Found:
     ours = respond(_strong("NCC"), SINGLE_CONCAVE, KUMAR, _STEEL, tail=0.0).peak_displacement
     warm, warmer = KUMAR.temperature_factor(np.array([run["peak_temperature"], twin.temperature]))
     return Found(twin.displacement, run["peak_displacement"], float(warm / warmer) - 1.0, {"ours": ours})
+
+
+# ----- in the plane -----
+
+
+def coulomb_in_plane(station: str) -> Found:
+    """Return the peak displacement in the plane under constant friction, and that of OpenSees [mm]."""
+    pair = _strong_pair(station)
+    step = _PART_IN_PLANE * pair.time_step
+    theirs = analyse(station=station, step=step, friction=ConstantFriction().mu)
+    ours = respond(pair, SINGLE_CONCAVE, ConstantFriction(), NoHeating(), tail=0.0).peak_displacement
+    words = {"failed": theirs["failed_steps"], "step": 1e3 * step}
+    return Found(ours, theirs["peak_displacement"], words=words)
+
+
+@cache
+def _twin_in_plane(station: str) -> plane_explicit.Story:
+    """Return an integration in the plane that heats as OpenSees does."""
+    law = np.array(KUMAR.at_pressure(SINGLE_CONCAVE.pressure)[1:])  # without its form
+    return plane_explicit.integrate(
+        _strong_pair(station), SINGLE_CONCAVE, law, _STEEL, heats_while_sticking=True
+    )
+
+
+def heated_in_plane(station: str, quantity: str) -> Found:
+    """Return the peak displacement [mm] or temperature [degC] in the plane of an integration that heats as OpenSees does, and that of OpenSees."""
+    runs = [analyse(station=station, step=step)[quantity] for step in _STEPS]
+    twin = _twin_in_plane(station)
+    ours = respond(_strong_pair(station), SINGLE_CONCAVE, KUMAR, _STEEL, tail=0.0)
+    words = {"runs": ", ".join(f"{value:.2f}" for value in runs), "ours": getattr(ours, quantity)}
+    found = {"peak_displacement": twin.peak, "peak_temperature": float(twin.temperature.max())}
+    return Found(found[quantity], extrapolated((runs[0], runs[1], runs[2])), words=words)
 
 
 # ----- on the virtual test machine, taken through the cycles of a sine -----

@@ -18,29 +18,30 @@ _HEAVY = 1e7
 
 
 def run(model: Any, job: dict[str, Any]) -> dict[str, Any]:
-    """Analyse a rigid mass on one bearing: under a ground acceleration the peaks, through cycles of a sine the histories."""
+    """Analyse a rigid mass on one bearing: under ground accelerations along x, or along x and y, the peaks, through cycles of a sine the histories."""
     model.build()
     return _move(model, job) if "cycles" in job else _shake(model, job)
 
 
-def _begin(model: Any, interval: float, acceleration: list[float]) -> None:
-    """Begin a motion under a ground acceleration."""
-    model.ops.timeSeries("Path", 2, "-dt", interval, "-values", *acceleration)
-    model.ops.pattern("UniformExcitation", 2, 1, "-accel", 2)
+def _begin(model: Any, interval: float, accelerations: list[list[float]]) -> None:
+    """Begin a motion under accelerations of the ground in the directions 1 and perhaps 2."""
+    for direction, values in enumerate(accelerations, 1):
+        model.ops.timeSeries("Path", 1 + direction, "-dt", interval, "-values", *values)
+        model.ops.pattern("UniformExcitation", 1 + direction, direction, "-accel", 1 + direction)
     model.choose_solver(1e-9)
     model.ops.integrator("Newmark", 0.5, 0.25)
     model.ops.analysis("Transient")
 
 
 def _shake(model: Any, job: dict[str, Any]) -> dict[str, Any]:
-    acceleration, interval, step, ops = job["acceleration"], job["interval"], job["step"], model.ops
-    _begin(model, interval, acceleration)
+    accelerations, interval, step, ops = job["accelerations"], job["interval"], job["step"], model.ops
+    _begin(model, interval, accelerations)
     heated = hasattr(model, "CONDUCTIVITY")
     peak, hottest, failed = 0.0, -math.inf, 0
     fluxes: list[float] = []
-    for _ in range(round((len(acceleration) - 1) * interval / step)):
+    for _ in range(round((len(accelerations[0]) - 1) * interval / step)):
         failed += ops.analyze(1, step) != 0
-        peak = max(peak, abs(ops.nodeDisp(2, 1)))
+        peak = max(peak, math.hypot(ops.nodeDisp(2, 1), ops.nodeDisp(2, 2)))
         if heated:
             hottest = max(hottest, ops.eleResponse(1, "temperature")[0])
             fluxes.append(ops.eleResponse(1, "HeatFlux")[0])
@@ -60,7 +61,7 @@ def _move(model: Any, job: dict[str, Any]) -> dict[str, Any]:
         amplitude * frequency**2 * shrink * math.sin(2.0 * math.pi * n / per_cycle) for n in range(count + 1)
     ]
     ops.setNodeVel(2, 1, peak_velocity * math.sqrt(shrink), "-commit")
-    _begin(model, step, drive)
+    _begin(model, step, [drive])
     result: dict[str, Any] = {"displacement": [], "force": [], "temperature": [], "failed_steps": 0}
     for _ in range(count):
         result["failed_steps"] += ops.analyze(1, step) != 0

@@ -5,50 +5,26 @@ import math
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
-from scipy.optimize import brentq
 
-from dcfp import LI_2020, ConstantFriction, GroundMotion, Station, respond
 from dcfp.kernels.plane_step import END, oscillator_rows, turn
+from dcfp.verify.plane import CIRCLES
 
 
 @pytest.mark.parametrize(
-    ("amplitude", "period", "mu", "rigid_plastic", "printed"),
-    [
-        (1500.0, 2.0, 0.043, 163.9534, 164.0034),
-        (1000.0, 3.0, 0.08, 188.0843, 188.4856),
-        (600.0, 1.0, 0.043, 11.1185, 11.2859),
-        (3000.0, 1.5, 0.10, 172.2856, 172.4228),
-    ],
+    ("place", "rigid_plastic", "printed"),
+    [(0, 163.9534, 164.0034), (1, 188.0843, 188.4856), (2, 11.1185, 11.2859), (3, 172.2856, 172.4228)],
 )
-def test_the_steady_circle_of_an_acceleration_that_turns(
-    amplitude, period, mu, rigid_plastic, printed
-) -> None:
-    """[m (wf2 - w2) r + Y2/(kf r)]2 + Y2 [1 - (Y/(kf r))2] = (m A)2 with Y = mu N; the friction is not that of two directions each for itself."""
-    bearing, w = LI_2020, 2.0 * math.pi / period
-    stiffness, mass, yielding = bearing.elastic_stiffness, bearing.mass, mu * bearing.vertical_force
-    pendulum = bearing.restoring_stiffness / mass
-    without_spring = math.sqrt(amplitude**2 - (yielding / mass) ** 2) / abs(w * w - pendulum)
-
-    def missing(radius: float) -> float:
-        pull = mass * (pendulum - w * w) * radius + yielding**2 / (stiffness * radius)
-        return (
-            pull**2 + yielding**2 * (1.0 - (yielding / (stiffness * radius)) ** 2) - (mass * amplitude) ** 2
-        )
-
-    radius = brentq(missing, 0.9 * without_spring, 1.2 * without_spring, xtol=1e-12)
-    assert without_spring == pytest.approx(rigid_plastic, abs=5e-5)
-    assert radius == pytest.approx(printed, abs=1e-4)
-    step = period / 1000
-    time = np.arange(40_000) * step
-    grow = np.minimum(1.0, time / (10.0 * period))
-    x, y = (GroundMotion(amplitude * grow * turned(w * time), step) for turned in (np.cos, np.sin))
-    response = respond(Station(x, y), friction=ConstantFriction(mu), heating="none", tail=0.0)
+def test_the_steady_circle_of_an_acceleration_that_turns(place, rigid_plastic, printed) -> None:
+    """The closed form that `dcfp verify` shows: the friction is not that of two directions each for itself."""
+    exact = list(CIRCLES.values())[place]
+    assert exact.rigid_plastic_radius == pytest.approx(rigid_plastic, abs=5e-5)
+    assert exact.radius == pytest.approx(printed, abs=1e-4)
+    response = exact.response()
     last = response.displacement[-1000:]
     # straight between its samples, a turning acceleration is smaller by (w dt)2 / 12
-    assert last == pytest.approx(radius, rel=2e-5)
+    assert last == pytest.approx(exact.radius, rel=2e-5)
     turned_by = np.diff(response.energy.hysteretic[[-1001, -1]])[0]
-    anchor = math.sqrt(radius**2 - (yielding / stiffness) ** 2)
-    assert turned_by == pytest.approx(2.0 * math.pi * anchor * yielding, rel=3e-5)
+    assert turned_by == pytest.approx(exact.energy, rel=3e-5)
 
 
 def test_the_elongation_follows_a_velocity_that_turns_uniformly() -> None:
