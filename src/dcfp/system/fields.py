@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from dcfp.arrays import FloatArray
+from dcfp.errors import AnalysisError
 from dcfp.kernels import plane_heat as k
 from dcfp.kernels.friction import BearingModel
 from dcfp.kernels.heat_state import DISC
@@ -13,6 +14,9 @@ from dcfp.kernels.sum_of_exponentials import MODES
 from dcfp.system.heating import PreciseHeating
 from dcfp.system.plates import FIRST_REACH, PlateHeat, cold_plates, kernel_model
 from dcfp.system.system import System
+
+#: Points of all grids of a bearing that it may have: half a gigabyte.
+MOST_POINTS = 4_000_000
 
 
 @dataclass(frozen=True)
@@ -66,7 +70,13 @@ class PlaneHeat:
 
 
 def cold_heat(system: System, reach: float = FIRST_REACH) -> PlaneHeat:
-    """Return plates at the ambient temperature with room for a displacement of `reach` [mm]; other heating models than the precise one have no grid."""
+    """Return plates at the ambient temperature with room for a displacement of `reach` [mm]; other heating models than the precise one have no grid.
+
+    Raises
+    ------
+    AnalysisError
+        If the grids would be too large.
+    """
     plates = cold_plates(system, reach=0.0)
     bearing, heating = system.bearing, system.heating
     radius, count = 0.5 * bearing.slider_diameter, len(set(bearing.radii))
@@ -78,6 +88,12 @@ def cold_heat(system: System, reach: float = FIRST_REACH) -> PlaneHeat:
     spacing = bearing.slider_diameter / heating.points
     middle = math.ceil((radius + max(bearing.shares) * reach) / spacing) + 3
     rows = 2 * middle + 1
+    if count * rows**2 > MOST_POINTS:
+        msg = (
+            f"The slider of {bearing.slider_diameter:g} mm goes further than {0.5 * reach:.0f} mm, too far for the field of heat on {heating.points} points"
+            " across it; take fewer points, or the simplified heating model."
+        )
+        raise AnalysisError(msg)
     field = k.Field(
         spacing, radius, np.zeros((count, rows, rows, MODES + 1)), np.zeros((count, rows, 2), np.int64), np.zeros((count, k.TALLIES))
     )  # fmt: skip
