@@ -1,15 +1,13 @@
 """One response analysis, with the call of the kernels apart from all that is around it."""
 
-import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
 from stopwatch import once
 
-from dcfp.analysis.integration import DEFAULT
+from dcfp.analysis.integration import DEFAULT, halvings
 from dcfp.analysis.response import State, state_at_rest
-from dcfp.analysis.response_history import LONGEST_STEP
 from dcfp.kernels.integrate import TEMPERATURE, integrate
 from dcfp.kernels.motion import StepControl
 from dcfp.motion.ground_motion import GroundMotion
@@ -65,7 +63,7 @@ class Analysis:
             (self.acceleration.size, TEMPERATURE + len(set(self.bearing.radii)))
         )
         self.state: State = self.at_rest
-        self.coarsest = max(0, math.ceil(math.log2(self.motion.time_step / LONGEST_STEP * (1.0 - 1e-9))))
+        self.coarsest = halvings(self.motion.time_step)
         self.march()
 
     def march(self) -> float:

@@ -39,9 +39,9 @@ def is_available() -> bool:
     return trial.returncode == 0
 
 
-def run_opensees(given: Path, runs: int) -> dict[str, Any]:
+def run_opensees(given: Path, runs: int, step: float = STEP) -> dict[str, Any]:
     """Run OpenSees on the motion in a file; with no runs to time it looks for the peak."""
-    words = [sys.executable, str(MODEL), str(STEP), str(runs), str(given)]
+    words = [sys.executable, str(MODEL), str(step), str(runs), str(given)]
     done = subprocess.run(words, check=True, capture_output=True, text=True)
     return json.loads(done.stdout.splitlines()[-1])
 
