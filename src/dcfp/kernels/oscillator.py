@@ -17,8 +17,13 @@ Many damped oscillators under the same ground motion are exact for acceleration 
 
 From sample to sample displacement and velocity are a linear function of themselves and of the two accelerations, with the same
 eight coefficients throughout. The inner loop is over the oscillators, which a processor takes several at a time.
+
+Under two components, the largest displacement of an oscillator is wanted in every direction of half a turn. Its displacement in a direction is
+the projection of that in the plane, and turns where the velocity is at a right angle to the direction: in each step only those directions are
+looked at that the velocity turns past, and none while the orbit is inside of what every direction has reached.
 """
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -216,3 +221,66 @@ def respond_with_energy(
             state[PEAK_ABSOLUTE, j] = max(state[PEAK_ABSOLUTE, j], absolute)
             state[INPUT, j] = energy
             state[U, j], state[V, j] = next_u, next_v
+
+
+#: How far beyond the directions that a velocity turns past others are looked at, for rounding [directions].
+_BESIDE = 1e-6
+
+
+@kernel
+def _least_of(peaks: NDArray[np.float64], j: int) -> float:
+    least = math.inf
+    for k in range(peaks.shape[1]):
+        least = min(least, peaks[j, k])
+    return least
+
+
+@kernel
+def respond_in_all_directions(
+    coefficients: NDArray[np.float64],
+    step: float | None,
+    acceleration: NDArray[np.float64],
+    directions: NDArray[np.float64],
+    slack: NDArray[np.float64],
+    peaks: NDArray[np.float64],
+) -> None:
+    """Take every oscillator through the samples of two components, shape (n, 2) [mm/s2]; note its largest displacement in every direction.
+
+    `directions` are unit vectors over half a turn, at equal angles, shape (directions, 2). `slack` is by how much a displacement between two
+    samples may be larger than at both, shape (2, oscillators): its ratio [-] and then a length [mm]. `peaks`, shape (oscillators, directions),
+    begin with zeros. Without a `step` only the samples are looked at, as in `respond_all`.
+    """
+    count = directions.shape[0]
+    last = acceleration.shape[0] - 1
+    for j in range(peaks.shape[0]):
+        u, v, w, z = 0.0, 0.0, 0.0, 0.0
+        before, inside, news = 0.0, 0.0, 0
+        for i in range(last):
+            a, b = acceleration[i, 0], acceleration[i, 1]
+            next_u, next_v = _stepped(coefficients, j, u, v, a, acceleration[i + 1, 0] - a)
+            next_w, next_z = _stepped(coefficients, j, w, z, b, acceleration[i + 1, 1] - b)
+            now = next_u * next_u + next_w * next_w
+            if max(before, now) > inside or i == last - 1:
+                # a displacement turns where the velocity is at a right angle to its direction
+                start = math.atan2(z, v)
+                turn = math.atan2(next_z, next_v) - start
+                turn -= 2.0 * math.pi * round(turn / (2.0 * math.pi))
+                low = (start + min(turn, 0.0) + 0.5 * math.pi) * count / math.pi - _BESIDE
+                high = low + abs(turn) * count / math.pi + 2.0 * _BESIDE
+                if i == last - 1:  # it may still be moving outwards
+                    high = low + count
+                for place in range(math.ceil(low), math.floor(high) + 1):
+                    k = place % count
+                    x, y = directions[k, 0], directions[k, 1]
+                    start_u, end_u = x * u + y * w, x * next_u + y * next_w
+                    most = max(abs(start_u), abs(end_u))
+                    if step is not None:
+                        most = max(most, _furthest(start_u, x * v + y * z, end_u, x * next_v + y * next_z, step))  # fmt: skip
+                    if most > peaks[j, k]:
+                        peaks[j, k] = most
+                        news += 1
+                if news > count // 4:
+                    # the square of what must be passed before any direction can have a larger one
+                    bound = max(_least_of(peaks, j) - slack[1, j], 0.0) / (1.0 + slack[0, j])
+                    inside, news = bound * bound, 0
+            u, v, w, z, before = next_u, next_v, next_w, next_z, now

@@ -96,7 +96,13 @@ def load_station(
         motions = [_component(word, units, time_step) for word in words]
         if len({one.digest for one in motions}) < len(motions):
             raise _no_station(text)
-        name = STATION_MARK.join(one.name for one in motions)
+        # of channels of one file the name of the file stands once
+        files = [_split(word)[0] for word in words]
+        names = [
+            one.origin.component if file == files[0] else one.name
+            for file, one in zip(files, motions, strict=True)
+        ]
+        name = STATION_MARK.join([motions[0].name, *names[1:]])
     elif files := _files(text):
         motions, name = [read_motion(file) for file in files], files[0].stem
     else:

@@ -1,10 +1,12 @@
 """The ground motion of a station: two horizontal components and, where it was recorded, the vertical one, at the same times."""
 
 import hashlib
+import json
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,6 +17,9 @@ from dcfp.motion.formats.directions import azimuth
 from dcfp.motion.ground_motion import GroundMotion, Origin
 from dcfp.schema.notebook import card
 from dcfp.schema.parameters import PGV
+
+if TYPE_CHECKING:
+    import xarray
 
 
 @dataclass(frozen=True, eq=False)
@@ -185,6 +190,24 @@ class Station:
             y=_turned(self.y, sine * x + cosine * y, labels[1]),
             treatment=(*self.treatment, f"rotated by {angle:g} degrees"),
             parts=(),
+        )
+
+    def to_dataset(self) -> "xarray.Dataset":
+        """Return the histories of x, y and, where there is one, the vertical over ``time``, and the provenance as attributes."""
+        parts = {
+            name: one.to_dataset() for name, one in zip(("x", "y", "vertical"), self.components, strict=False)
+        }
+        data = parts["x"].drop_vars(list(parts["x"].data_vars))
+        for name, part in parts.items():
+            for quantity, values in part.data_vars.items():
+                words = f"{values.attrs['long_name']}, {name if name == 'vertical' else f'direction {name}'}"
+                data[f"{quantity}_{name}"] = values.assign_attrs(long_name=words)
+        return data.assign_attrs(
+            title=f"Ground motion of the station {self.name}",
+            record=self.name,
+            record_sha256=self.digest,
+            record_origin=json.dumps(asdict(self.origin)),
+            record_treatment="; ".join(self.treatment) or "none",
         )
 
     def _repr_html_(self) -> str:

@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from dcfp.doors.cli.outputs import Answer
 
 RECORD = "name of a record (dcfp records lists them) or a file, FILE::COMPONENT"
-RECORD_OR_STATION = f"{RECORD}; or a station, analysed in the plane: P695-FF-2, files joined by + (x, y), FILE::NS+::EW, what K-NET files have before .EW and .NS"
+STATION = "P695-FF-2, files joined by + (x, y, vertical), FILE::NS+::EW+::UD, or what K-NET files have before .EW, .NS and .UD, or their folder"
+RECORD_OR_STATION = f"{RECORD}; or a station, analysed in the plane: {STATION}"
 RECORD_OR_SET = "name of a record or set, or a file, FILE::COMPONENT"
 FIGURE = "a figure"
 
@@ -318,7 +319,11 @@ def _check_records(chosen: argparse.Namespace) -> None:
 @command("records", check=_check_records)
 def records(parser: Parser) -> None:
     """Named records; or the components of record files and what their motions measure."""
-    options.add_records(parser, "*", "name of a record or a file; without any, the named records are listed")
+    options.add_records(
+        parser,
+        "*",
+        f"name of a record or a file, or a station: {STATION}; without any, the named records are listed",
+    )
     options.add_output(
         parser,
         "the list as CSV (.csv); of records, their histories as NetCDF (.nc), or as CSV (.csv) the histories of one, "
@@ -380,8 +385,8 @@ def respond(parser: Parser) -> None:
 
 @command("spectrum")
 def spectrum(parser: Parser) -> None:
-    """Elastic response and input energy spectra of records, or of a set of them."""
-    options.add_records(parser, "+", RECORD_OR_SET)
+    """Elastic response and input energy spectra of records, or of a set of them; response spectra of stations over all directions."""
+    options.add_records(parser, "+", f"{RECORD_OR_SET}; or a station: {STATION}")
     group = parser.add_argument_group("oscillators")
     add_parameter(group, DAMPING, default=True)
     add_parameter(group, PERIODS, any_number=True)

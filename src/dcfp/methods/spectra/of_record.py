@@ -36,7 +36,7 @@ _SERIES, _TERMS = 0.5, 16
 SHORTEST, LONGEST = 0.01, 100.0
 
 
-def _checked(periods: FloatArray, damping: float) -> FloatArray:
+def checked(periods: FloatArray, damping: float) -> FloatArray:
     """Return periods as an array, if they and the damping may be those of a spectrum."""
     values = np.atleast_1d(np.asarray(periods, dtype=np.float64))
     if values.ndim != 1 or values.size == 0 or not np.isfinite(values).all():
@@ -54,7 +54,7 @@ def _checked(periods: FloatArray, damping: float) -> FloatArray:
 
 
 @lru_cache(maxsize=64)
-def _coefficients(periods: bytes, damping: float, step: float) -> FloatArray:
+def coefficients(periods: bytes, damping: float, step: float) -> FloatArray:
     """Return the kernel's coefficients for a step [s], shape (COEFFICIENTS, periods): exact for an acceleration that is linear over it."""
     omega = 2.0 * np.pi / np.frombuffer(periods, dtype=np.float64)
     damped = omega * np.sqrt(1.0 - damping**2)
@@ -96,14 +96,14 @@ def _series(angle: FloatArray, damping: float) -> tuple[FloatArray, FloatArray]:
     return constant, growing
 
 
-def _pieces(motion: GroundMotion, periods: FloatArray) -> list[tuple[slice, int]]:
+def pieces(time_step: float, periods: FloatArray) -> list[tuple[slice, int]]:
     """Return groups of periods, and into how many parts the record's step is divided for each; none where the samples themselves suffice.
 
     A group ends where the processor's registers are full, so that some periods get a finer step than they need.
     """
-    least = np.ceil(_STEPS_IN_PERIOD * motion.time_step / periods * (1.0 - 1e-12))
+    least = np.ceil(_STEPS_IN_PERIOD * time_step / periods * (1.0 - 1e-12))
     parts = (2 ** np.ceil(np.log2(np.maximum(least, 1.0)))).astype(np.int64)
-    parts[periods >= _SLOW * motion.time_step] = 0
+    parts[periods >= _SLOW * time_step] = 0
     ends = -(-(np.flatnonzero(np.diff(parts)) + 1) // _AT_ONCE) * _AT_ONCE
     edges = [0, *np.unique(ends[ends < periods.size]).tolist(), periods.size]
     return [(slice(a, b), int(parts[a])) for a, b in pairwise(edges)]
@@ -112,10 +112,10 @@ def _pieces(motion: GroundMotion, periods: FloatArray) -> list[tuple[slice, int]
 def _marched(motion: GroundMotion, periods: FloatArray, damping: float, *, with_energy: bool) -> FloatArray:
     """Return the state of every oscillator after the motion, shape (ROWS, periods); without energies only its largest displacement counts."""
     found = np.empty((k.ROWS, periods.size))
-    for part, parts in _pieces(motion, periods):
+    for part, parts in pieces(motion.time_step, periods):
         step = motion.time_step / max(parts, 1)
         acceleration = refined(motion.acceleration, parts)
-        rows = _coefficients(periods[part].tobytes(), damping, step)
+        rows = coefficients(periods[part].tobytes(), damping, step)
         state = np.zeros((k.ROWS, periods[part].size))
         if with_energy:
             k.respond_with_energy(rows, step, acceleration, integral(acceleration, step), state)
@@ -175,7 +175,7 @@ def response_spectrum(
     InputError
         If a period or the damping is out of range.
     """
-    periods = _checked(periods, damping)
+    periods = checked(periods, damping)
     largest = _marched(motion, periods, damping, with_energy=False)[k.PEAK_U]
     return ResponseSpectrum(freeze(periods), damping, freeze(largest), motion.name)
 
@@ -237,7 +237,7 @@ def input_energy_spectrum(
     The relative input energy, - integral of a_g dv over the relative displacement, is in closed form between samples; the absolute one, the work of the
     ground on the oscillator, is more by v_g (v_g / 2 + v) for each unit of mass.
     """
-    periods = _checked(periods, damping)
+    periods = checked(periods, damping)
     found = _marched(motion, periods, damping, with_energy=True)
     return EnergySpectrum(
         periods=freeze(periods),

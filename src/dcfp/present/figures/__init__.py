@@ -22,4 +22,6 @@ from dcfp.present.figures.plane import plot_orbits as plot_orbits
 from dcfp.present.figures.plane import plot_plane_response as plot_plane_response
 from dcfp.present.figures.predictions import plot_comparison as plot_comparison
 from dcfp.present.figures.pulses import plot_pulses as plot_pulses
+from dcfp.present.figures.stations import plot_station_spectra as plot_station_spectra
+from dcfp.present.figures.stations import plot_stations as plot_stations
 from dcfp.present.figures.style import save_figure as save_figure

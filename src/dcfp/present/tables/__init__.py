@@ -10,6 +10,8 @@ import numpy as np
 
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import MEASURES
+from dcfp.motion.station import Station
+from dcfp.motion.station_measures import STATION_MEASURES
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table, csv_head_of, csv_text
 from dcfp.version import version
@@ -57,10 +59,11 @@ def write_tests(path: Path, loops: Sequence["Loops"], kind: str) -> None:
     _write(path, kind, loops, names, table, "row", named=False)
 
 
-def write_motions(path: Path, motions: Sequence[GroundMotion], kind: str) -> None:
-    """Write ground motions as ``".nc"`` or ``".csv"``: the histories of one, or the measures of several and in NetCDF a group for each."""
+def write_motions(path: Path, motions: Sequence[GroundMotion | Station], kind: str) -> None:
+    """Write ground motions or stations as ``".nc"`` or ``".csv"``: the histories of one, or the measures of several and in NetCDF a group for each."""
+    columns = STATION_MEASURES if isinstance(motions[0], Station) else MEASURES
     table = Table(
-        tuple(MEASURES), motions, "Measures of several ground motions; the histories are in a group for each"
+        tuple(columns), motions, "Measures of several ground motions; the histories are in a group for each"
     )
     given = [motion.name for motion in motions]
     names = _different(
@@ -73,7 +76,11 @@ def write_motions(path: Path, motions: Sequence[GroundMotion], kind: str) -> Non
             for one in motions
         ]
     )
-    measured = {key: value for key, value in table.objects()[0].items() if not isinstance(value, list)}
+    measured = {
+        key: value
+        for key, value in table.objects()[0].items()
+        if value is not None and not isinstance(value, list)
+    }
     remarks = {"remarks": " ".join(table.objects()[0]["remarks"])}
     _write(path, kind, motions, names, table, "motion", attributes=measured | remarks)
 
