@@ -6,7 +6,8 @@ from functools import cache, lru_cache
 
 import numpy as np
 
-from dcfp.analysis.integration import DEFAULT, Integration, halvings
+from dcfp.analysis.integration import DEFAULT, NOTHING, Integration, Keep, halvings
+from dcfp.analysis.plane_fields import fields_at, moments_of
 from dcfp.analysis.plane_response import PlaneResponse, PlaneState, plane_state_at_rest
 from dcfp.arrays import FloatArray, freeze, integral
 from dcfp.constants import STANDARD_GRAVITY
@@ -41,6 +42,7 @@ def analyse_plane(
     *,
     vertical: bool = False,
     start: PlaneState | None = None,
+    keep: Keep = NOTHING,
 ) -> PlaneResponse:
     """Analyse a system under the ground motion of a station.
 
@@ -56,11 +58,13 @@ def analyse_plane(
         Whether the vertical force follows the vertical component, N = N0 (1 + a_z / g), and is none where that would pull.
     start
         State to begin from, the final one of another analysis; by default at rest and cold.
+    keep
+        How often the temperature of the plates is kept.
 
     Raises
     ------
     InputError
-        If the starting state is that of another system, or there is no vertical component.
+        If the starting state is that of another system, there is no vertical component, or the heating model has no plates to keep.
     AnalysisError
         If the analysis cannot be finished.
     """
@@ -83,13 +87,23 @@ def analyse_plane(
     )
     factor = 1.0
     while True:
-        state = plane_state_at_rest(system) if start is None else start.copy()
-        state = state if factor == 1.0 else state.with_room(factor)
+        state = _beginning(system, start, factor)
         run = _integrated(motion.name, state, x, y, loads, control, free_from)
         if run is not None:
             break
         factor *= 2.0  # the slider left the grid
     lines, elapsed = run
+    ratios = np.maximum(loads[: len(lines), 0], 0.0) if vertical else np.ones(len(lines))
+    fields = None
+    if moments := moments_of(keep, lines, system.heating):
+        again = _beginning(system, start, factor)
+
+        def go_on(first: int, last: int) -> float:
+            part = slice(first, last + 1)
+            _integrated(motion.name, again, x[part], y[part], loads[part], control, x.size)
+            return float(again.integration["time"][0])
+
+        fields = fields_at(moments, interval, lines, ratios, system, again.heat, state.heat, go_on)
     ground = (
         np.column_stack([integral(one[: len(lines)], interval) for one in (x, y)]) + state.ground_velocity
     )
@@ -102,12 +116,17 @@ def analyse_plane(
         ground_velocity=freeze(ground),
         lines=freeze(lines),
         final_state=replace(state, ground_velocity=ground[-1]),
-        loads=freeze(system.bearing.vertical_force * np.maximum(loads[: len(lines), 0], 0.0))
-        if vertical
-        else np.array([system.bearing.vertical_force]),
+        loads=freeze(system.bearing.vertical_force * ratios) if vertical else np.array([system.bearing.vertical_force]),
         rests=bool(state.integration["at_rest"][0]),
+        fields=fields,
         elapsed=elapsed,
-    )
+    )  # fmt: skip
+
+
+def _beginning(system: System, start: PlaneState | None, factor: float) -> PlaneState:
+    """Return a state to change, with room for so many times the displacement."""
+    state = plane_state_at_rest(system) if start is None else start.copy()
+    return state if factor == 1.0 else state.with_room(factor)
 
 
 def references(system: System, ratio: FloatArray) -> FloatArray:

@@ -4,13 +4,14 @@ import json
 import math
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
 from dcfp.analysis.assumptions import OF_RESPONSE
 from dcfp.analysis.hottest_point import rise_between_points
 from dcfp.analysis.integration import Integration
+from dcfp.analysis.plane_fields import Fields
 from dcfp.analysis.plane_result import PlaneResult, add_directions
 from dcfp.analysis.response import HISTORIES as OF_LINE
 from dcfp.analysis.response import PEAKS, Status
@@ -26,6 +27,9 @@ from dcfp.schema.quantities import Quantities, Quantity
 from dcfp.schema.units import DEGC, KN, M_PER_S, M_PER_S2, MM, MM_PER_S, MM_PER_S2, NEWTON
 from dcfp.system import System
 from dcfp.system.fields import PlaneHeat, cold_heat
+
+if TYPE_CHECKING:
+    import xarray
 
 
 @dataclass(frozen=True)
@@ -128,7 +132,7 @@ PLANE_HISTORIES.take(OF_LINE, "input_energy", "absolute_input_energy", "kinetic_
 class PlaneResponse(PlaneResult, MotionResult):
     """Histories, peaks and energies of a rigid structure on a bearing in two directions; its ``final_state`` is where it can be gone on with.
 
-    What is called as in one direction is the magnitude in the plane.
+    What is called as in one direction is the magnitude in the plane; `fields` are the temperature of the plates at some moments, where it was kept.
     """
 
     quantities: ClassVar[Quantities] = PLANE_PEAKS
@@ -142,11 +146,17 @@ class PlaneResponse(PlaneResult, MotionResult):
     loads: FloatArray
     integration: Integration
     final_state: PlaneState
+    fields: Fields | None = None
 
     @property
     def title(self) -> str:
         """What it is, in words."""
         return f"Response to {self.motion.name} in the plane"
+
+    def to_dataset(self) -> "xarray.Dataset":
+        """Return histories over ``time`` with their units, the temperature of the plates where it was kept, and what is told of it and its provenance as attributes."""
+        dataset = super().to_dataset()
+        return dataset if self.fields is None else dataset.merge(self.fields.variables())
 
     @property
     def load(self) -> FloatArray:

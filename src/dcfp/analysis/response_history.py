@@ -113,7 +113,7 @@ def respond(
         if start is not None and not isinstance(start, PlaneState):
             raise InputError(other(start, "start", "the final state of a PlaneResponse"))
         system = plane_system(bearing, friction, heating)
-        return analyse_plane(record, system, integration, vertical=vertical, start=start)
+        return analyse_plane(record, system, integration, vertical=vertical, start=start, keep=keep)
     if vertical:
         msg = f"{record.name}: a single component has no vertical one; give a station, as in east.AT2+north.AT2+up.AT2."
         raise InputError(msg)

@@ -9,7 +9,7 @@ from dcfp.arrays import FloatArray
 from dcfp.errors import AnalysisError
 from dcfp.kernels import plane_heat as k
 from dcfp.kernels.friction import BearingModel
-from dcfp.kernels.heat_state import DISC
+from dcfp.kernels.heat_state import DISC, RATIO
 from dcfp.kernels.sum_of_exponentials import MODES
 from dcfp.system.heating import PreciseHeating
 from dcfp.system.plates import FIRST_REACH, PlateHeat, cold_plates, kernel_model
@@ -57,16 +57,28 @@ class PlaneHeat:
             return model
         return model._replace(heat=model.heat._replace(kind=DISC))
 
-    def temperatures(self, plate: int, system: System, time: float) -> FloatArray:
-        """Return the temperature of every point of a plate [degC] at a time [s] at which nothing slides, shape (rows, columns)."""
+    def temperatures(self, plate: int, system: System, time: float, flux: float = 0.0) -> FloatArray:
+        """Return the temperature of every point of a plate [degC] at a time [s], under a `flux` of that plate [N/(mm s)], shape (rows, columns)."""
         field, modes = self.field, self.plates.modes
         rates, common = modes[k.RATES], modes[k.PLATE_ROW + plate * k.PLATE_ROWS + k.COMMON]
         points: FloatArray = field.points[plate]
-        own = (points[..., :MODES] * np.exp(-rates * (time - points[..., MODES:]))).sum(axis=-1)
+        own, felt = np.zeros(points.shape[:2]), points[..., 0] != 0.0
+        few = points[felt]
+        own[felt] = (few[:, :MODES] * np.exp(rates * (few[:, MODES:] - time))).sum(axis=-1)
         columns = np.arange(int(field.points.shape[2]))
         first, beyond = field.spans[plate, :, :1], field.spans[plate, :, 1:]
         covered = (columns >= first) & (columns < beyond)
-        return system.heating.ambient + own + covered * float(common.sum())
+        at_once = self.plates.instant * system.heating.rise_factor * flux
+        return system.heating.ambient + own + covered * (float(common.sum()) + at_once)
+
+    def temperatures_of_all(self, system: System, time: float, flux: float = 0.0) -> FloatArray:
+        """Return the temperature of the plates [degC] at a time [s] under a `flux` mu p |v| [N/(mm s)], shape (plates, rows, columns)."""
+        workspace, shares = self.plates.workspace, (system.bearing.shares[0], system.bearing.shares[-1])
+        each = [
+            self.temperatures(plate, system, time, shares[plate] * float(workspace[RATIO + plate]) * flux)
+            for plate in range(int(self.field.points.shape[0]))
+        ]
+        return np.stack(each)
 
 
 def cold_heat(system: System, reach: float = FIRST_REACH) -> PlaneHeat:
