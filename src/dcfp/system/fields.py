@@ -15,8 +15,8 @@ from dcfp.system.heating import PreciseHeating
 from dcfp.system.plates import FIRST_REACH, PlateHeat, cold_plates, kernel_model
 from dcfp.system.system import System
 
-#: Points of all grids of a bearing that it may have: half a gigabyte.
-MOST_POINTS = 4_000_000
+#: Points of all grids of a bearing that it may have, two gigabytes; of which only those are taken from the memory that the slider comes near.
+MOST_POINTS = 16_000_000
 
 
 @dataclass(frozen=True)

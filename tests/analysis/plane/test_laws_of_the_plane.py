@@ -266,6 +266,6 @@ def test_the_hottest_point_is_found_between_the_points_of_the_grid() -> None:
 
 def test_a_slider_that_goes_too_far_for_a_field_is_told() -> None:
     station = dcfp.load_station("P695-NF-2").scaled_to_pgv(2000.0)
-    small = replace(dcfp.LI_2020, slider_diameter=60.0)
+    small = replace(dcfp.LI_2020, slider_diameter=30.0)
     with pytest.raises(dcfp.AnalysisError, match="too far for the field of heat on 200 points"):
         dcfp.respond(station, small, heating=dcfp.PreciseHeating(points=200))
