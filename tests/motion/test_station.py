@@ -100,6 +100,7 @@ def test_treated_in_every_component() -> None:
         ([motion("EW")], "has two horizontal components and may have a vertical one, not 1"),
         ([motion("EW"), motion("UD")], "UD is the vertical component; give the two horizontal ones first"),
         ([motion("EW"), motion("NS"), motion("N-S", seed=5)], "the third component, N-S, is horizontal"),
+        ([motion("000"), motion("090"), motion("045", seed=5)], "the third component, 045, is horizontal"),
         ([motion("000"), motion("045")], "point to 0 and 45 degrees; the horizontal components of a station are at right angles"),
         ([motion("EW", step=0.01), motion("NS", step=0.015)], "0.01 and 0.015 s, do not fit: one must be a multiple of the other"),
     ],
@@ -217,6 +218,11 @@ def test_components_are_treated_before_zeros_are_added() -> None:
     alone = treated(late, corner=0.5)
     np.testing.assert_array_equal(found.y.acceleration[100:], alone.acceleration)
     assert abs(found.y.velocity[-1]) < 5.0
+    # the margins of 0.75 order / corner = 3 s begin before what was recorded
+    assert (late.origin.start, alone.origin.start) == (
+        "2011-03-11T14:47:11+09:00",
+        "2011-03-11T14:47:08+09:00",
+    )
 
 
 @pytest.mark.parametrize(("steps", "fits"), [((0.005, 0.01), True), ((0.005, 0.02), True), ((0.01, 0.004), False), ((0.02, 0.006), False)])  # fmt: skip

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from dcfp import GroundMotion, InputError, Station, load_station
-from dcfp.methods.spectra import response_spectrum
+from dcfp.methods.spectra import input_energy_spectrum, response_spectrum
 from dcfp.methods.spectra.of_station import (
     ANGLES,
     PAIR_MEASURES,
@@ -110,3 +110,15 @@ def test_the_measures_as_spectra_and_in_a_table(station) -> None:
         found.rotated(101.0)
     with pytest.raises(InputError, match="must increase"):
         station_spectrum(station, np.array([1.0, 0.5]))
+
+
+def test_one_direction_and_a_station_are_told_apart(station) -> None:
+    for function in (response_spectrum, input_energy_spectrum):
+        with pytest.raises(InputError, match="this takes one direction; choose its x or its y"):
+            function(station)
+    with pytest.raises(InputError, match="a Station, as of load_station"):
+        station_spectrum(station.x)
+    np.testing.assert_array_equal(
+        response_spectrum("P695-FF-2-a", PERIODS).displacement,
+        response_spectrum(station.x, PERIODS).displacement,
+    )

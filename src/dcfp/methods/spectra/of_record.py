@@ -15,6 +15,7 @@ from dcfp.errors import InputError
 from dcfp.kernels import oscillator as k
 from dcfp.methods.spectra.elastic import TabulatedSpectrum
 from dcfp.motion.ground_motion import GroundMotion, refined
+from dcfp.motion.load import Motion, motion_of
 from dcfp.schema.notebook import fields_card
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import M_PER_S, M_PER_S2, MM, MM2_PER_S2, MM_PER_S, MM_PER_S2, SECOND
@@ -157,14 +158,14 @@ class ResponseSpectrum:
 
 
 def response_spectrum(
-    motion: GroundMotion, periods: FloatArray = PERIODS, damping: float = DAMPING
+    motion: Motion, periods: FloatArray = PERIODS, damping: float = DAMPING
 ) -> ResponseSpectrum:
     """Return the response spectrum of a ground motion, by the exact solution for acceleration that is linear between samples.
 
     Parameters
     ----------
     motion
-        The ground motion; what oscillates on after its end does not count.
+        A ground motion, the name of a record or a file; what oscillates on after its end does not count.
     periods
         [s], increasing.
     damping
@@ -173,8 +174,9 @@ def response_spectrum(
     Raises
     ------
     InputError
-        If a period or the damping is out of range.
+        If a period or the damping is out of range, or the motion is a station, of which `station_spectrum` is.
     """
+    motion = motion_of(motion, vertical=True)
     periods = checked(periods, damping)
     largest = _marched(motion, periods, damping, with_energy=False)[k.PEAK_U]
     return ResponseSpectrum(freeze(periods), damping, freeze(largest), motion.name)
@@ -230,13 +232,14 @@ class EnergySpectrum:
 
 
 def input_energy_spectrum(
-    motion: GroundMotion, periods: FloatArray = PERIODS, damping: float = DAMPING
+    motion: Motion, periods: FloatArray = PERIODS, damping: float = DAMPING
 ) -> EnergySpectrum:
     """Return the input energy spectra of a ground motion; arguments and errors as for `response_spectrum`.
 
     The relative input energy, - integral of a_g dv over the relative displacement, is in closed form between samples; the absolute one, the work of the
     ground on the oscillator, is more by v_g (v_g / 2 + v) for each unit of mass.
     """
+    motion = motion_of(motion, vertical=True)
     periods = checked(periods, damping)
     found = _marched(motion, periods, damping, with_energy=True)
     return EnergySpectrum(

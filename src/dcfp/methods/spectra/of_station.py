@@ -20,6 +20,7 @@ from dcfp.methods.spectra.of_record import (
 from dcfp.motion.ground_motion import refined
 from dcfp.motion.station import Station
 from dcfp.schema.notebook import fields_card
+from dcfp.schema.parameters import refuse_other
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import DEGREE, M_PER_S, M_PER_S2, MM, MM_PER_S2, SECOND
 
@@ -137,7 +138,7 @@ def station_spectrum(
     Raises
     ------
     InputError
-        If a period or the damping is out of range.
+        If a period or the damping is out of range, or it is no station.
 
     Notes
     -----
@@ -145,6 +146,7 @@ def station_spectrum(
     Bulletin of the Seismological Society of America 100, 1830-1835, doi:10.1785/0120090400: for each period by itself the largest
     displacement in each direction, and of these RotDnn.
     """
+    refuse_other(station, Station, "station", "a Station, as of load_station")
     periods = checked(periods, damping)
     peaks = np.zeros((periods.size, ANGLES.size))
     for part, parts in pieces(station.time_step, periods):
