@@ -4,7 +4,8 @@ Nothing is shared with the kernels, not even the modes of the heat or the consta
 the circle of yielding after every step. The flux is constant in a step of the heat, and its weight in Eq. (11) exact: :math:`2 (\sqrt{t-t_a} - \sqrt{t-t_b})`.
 The mean temperature of the contact needs no points: of a disc of diameter D, the part that was also under it when it was a distance
 d = D cos(a) away is :math:`(2 a - \sin 2 a) / \pi`. The hottest point is looked for on a grid of points, every one of which is brought up to date
-in every step by exponentials of its own, :math:`1/\sqrt{t} = (2/\sqrt\pi) \int e^{-s^2 t} ds` by the trapezoidal rule in log s.
+in every step by exponentials of its own, :math:`1/\sqrt{t} = (2/\sqrt\pi) \int e^{-s^2 t} ds` by the trapezoidal rule in log s; between the hottest
+of them the whole past is summed again.
 """
 
 import math
@@ -32,7 +33,9 @@ SPACING = 8.0
 #: Values of the part of a disc that another covers, from one to no distance.
 _TABLE = 20_000
 #: Logarithms of s [s^-1/2] of the exponentials: from far below the root of the duration to far above that of a step.
-_LOWEST, _HIGHEST, _BETWEEN = -8.0, 9.0, 0.4
+_LOWEST, _HIGHEST, _BETWEEN = -8.0, 9.0, 0.5
+#: Points of the grid about which the hottest one is looked for, in how many places of a cell each way, and how many steps of the heat before and after.
+_LOOKED_AT, _FINER, _NEAR = 30, 5, 4
 
 
 @dataclass(frozen=True)
@@ -202,18 +205,26 @@ _march: Any = numba.njit(_march_plainly)
 def on_a_grid(
     story: Story, bearing: Bearing, heating: Heating, spacing: float = SPACING
 ) -> tuple[float, float]:
-    """Return the highest temperature of a point of a plate, and the highest mean of the covered points [degC], along a story."""
+    """Return the highest temperature of a point of a plate, and the highest mean of the covered points of the grid [degC], along a story.
+
+    Between the points of the grid it is looked for where they are hottest, by direct convolution.
+    """
     share, radius = bearing.shares[0], 0.5 * bearing.slider_diameter
     places = share * story.displacement
     furthest = radius + float(np.hypot(*places.T).max())
     axis = spacing * np.arange(-math.ceil(furthest / spacing), math.ceil(furthest / spacing) + 1)
     points = np.array([(x, y) for x in axis for y in axis if math.hypot(x, y) <= furthest])
     roots = np.exp(np.arange(_LOWEST, _HIGHEST, _BETWEEN))
-    rates = roots**2
+    rates, factor = roots**2, _rise_per_flux(heating)
     fade = np.exp(-rates * story.step)
-    gain = _rise_per_flux(heating) * 2.0 / math.sqrt(math.pi) * _BETWEEN * roots * (1.0 - fade) / rates
-    hottest, mean = _heat_points(places, story.flux, points, radius, fade, gain)
-    return heating.ambient + hottest, heating.ambient + mean
+    gain = factor * 2.0 / math.sqrt(math.pi) * _BETWEEN * roots * (1.0 - fade) / rates
+    rises, when, mean = _heat_points(places, story.flux, points, radius, fade, gain)
+    hot = np.argsort(rises)[-_LOOKED_AT:]
+    finer = spacing * np.linspace(-0.5, 0.5, _FINER)
+    root = np.sqrt(story.step * np.arange(story.flux.size + 1.0))
+    weights = 2.0 * factor * (root[1:] - root[:-1])
+    hottest = _hottest_near(places, story.flux, weights, points[hot], when[hot], radius, finer)
+    return heating.ambient + max(float(rises.max()), hottest), heating.ambient + mean
 
 
 def _heat_points_plainly(
@@ -223,9 +234,11 @@ def _heat_points_plainly(
     radius: float,
     fade: FloatArray,
     gain: FloatArray,
-) -> tuple[float, float]:
+) -> tuple[FloatArray, NDArray[np.int64], float]:
+    """Return the highest rise of each point and the step at whose end it is, and the highest mean of the covered points [degC]."""
     modes = np.zeros((points.shape[0], fade.size))
-    hottest, highest_mean = 0.0, 0.0
+    highest, when = np.zeros(points.shape[0]), np.zeros(points.shape[0], np.int64)
+    highest_mean = 0.0
     for n in range(flux.size):
         covered, total = 0, 0.0
         for i in range(points.shape[0]):
@@ -235,15 +248,43 @@ def _heat_points_plainly(
             for k in range(fade.size):
                 modes[i, k] = fade[k] * modes[i, k] + gain[k] * felt
                 rise += modes[i, k]
-            hottest = max(hottest, rise)
+            if rise > highest[i]:
+                highest[i], when[i] = rise, n
             if away <= radius * radius:
                 covered += 1
                 total += rise
         highest_mean = max(highest_mean, total / covered)
-    return hottest, highest_mean
+    return highest, when, highest_mean
 
 
 _heat_points: Any = numba.njit(fastmath=True)(_heat_points_plainly)
+
+
+def _hottest_near_plainly(
+    places: FloatArray,
+    flux: FloatArray,
+    weights: FloatArray,
+    points: FloatArray,
+    when: NDArray[np.int64],
+    radius: float,
+    finer: FloatArray,
+) -> float:
+    """Return the highest rise in a cell about each point, at the end of a step near the one when the point is hottest [degC]."""
+    hottest = 0.0
+    for i in range(points.shape[0]):
+        for dx in finer:
+            for dy in finer:
+                x, y = points[i, 0] + dx, points[i, 1] + dy
+                for n in range(max(when[i] - _NEAR, 0), min(when[i] + _NEAR + 1, flux.size)):
+                    rise = 0.0
+                    for k in range(n + 1):
+                        if (x - places[k, 0]) ** 2 + (y - places[k, 1]) ** 2 <= radius * radius:
+                            rise += weights[n - k] * flux[k]
+                    hottest = max(hottest, rise)
+    return hottest
+
+
+_hottest_near: Any = numba.njit(fastmath=True)(_hottest_near_plainly)
 
 
 # ----- the analysis against it -----
