@@ -110,6 +110,6 @@ PLATES = Keep(profiles=200)
 NOTHING = Keep()
 
 
-def halvings(interval: float) -> int:
-    """Return how often a sample interval [s] must be halved not to exceed the longest step."""
-    return min(max(0, math.ceil(math.log2(interval / LONGEST_STEP * (1.0 - 1e-9)))), MOST_HALVINGS)
+def halvings(interval: float, longest: float = LONGEST_STEP) -> int:
+    """Return how often a sample interval [s] must be halved not to exceed the `longest` step [s]."""
+    return min(max(0, math.ceil(math.log2(interval / longest * (1.0 - 1e-9)))), MOST_HALVINGS)

@@ -1,12 +1,13 @@
 """Response history analysis of a rigid structure on a bearing in two horizontal directions."""
 
+import math
 import time
 from dataclasses import replace
 from functools import cache, lru_cache
 
 import numpy as np
 
-from dcfp.analysis.integration import DEFAULT, NOTHING, Integration, Keep, halvings
+from dcfp.analysis.integration import DEFAULT, LONGEST_STEP, NOTHING, Integration, Keep, halvings
 from dcfp.analysis.plane_fields import fields_at, moments_of
 from dcfp.analysis.plane_response import PlaneResponse, PlaneState, plane_state_at_rest
 from dcfp.arrays import FloatArray, freeze, integral
@@ -24,6 +25,8 @@ from dcfp.system.plates import system_constants
 
 #: Distance of the friction from its chord in the middle of a step that is allowed by default, over mu g [-]; it goes with the tolerance of an analysis.
 TOLERANCE = 5e-3
+#: Longest step over the period of an oscillation on spring (b) [-]: a light structure may go through half of one between two samples.
+PART_OF_PERIOD = 0.125
 #: Part of the pressure at rest below which a friction law is not asked for less [-].
 LEAST_RATIO = 0.01
 
@@ -82,9 +85,10 @@ def analyse_plane(
         loads = np.column_stack((ratio, references(system, np.maximum(ratio, 0.0))))
     free_from = motion.x.acceleration.size * parts if integration.tail is None else x.size
     _load_kernels()
-    control = PlaneControl(
-        interval, halvings(interval), TOLERANCE * integration.tolerance / DEFAULT.tolerance
-    )
+    bearing = system.bearing
+    period = math.tau * math.sqrt(bearing.mass / bearing.elastic_stiffness)
+    fewest = halvings(interval, min(LONGEST_STEP, PART_OF_PERIOD * period))
+    control = PlaneControl(interval, fewest, TOLERANCE * integration.tolerance / DEFAULT.tolerance)
     factor = 1.0
     while True:
         state = _beginning(system, start, factor)
