@@ -38,6 +38,7 @@ def buildings_and_tests(entry: str) -> None:
 
     dcfp.respond_building(dcfp.load_motion("NCC"), dcfp.ShearBuilding((1.0, 1.0), (100.0,)))
     dcfp.run_program(dcfp.load_program("dependency"))
+    import_module("dcfp.analysis.rig").run_in_the_plane("plane")
 
 
 PARTS = (rigid_structures, buildings_and_tests)

@@ -5,12 +5,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from dcfp.arrays import FloatArray
+from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import AnalysisError
 from dcfp.kernels import plane_heat as k
 from dcfp.kernels.friction import BearingModel
 from dcfp.kernels.heat_state import DISC, RATIO
-from dcfp.kernels.sum_of_exponentials import MODES
+from dcfp.kernels.sum_of_exponentials import HORIZON, MODES
 from dcfp.system.heating import PreciseHeating
 from dcfp.system.plates import FIRST_REACH, PlateHeat, cold_plates, kernel_model
 from dcfp.system.system import System
@@ -80,16 +80,33 @@ class PlaneHeat:
         ]
         return np.stack(each)
 
+    def picture(self, system: System, time: float, flux: float = 0.0) -> "PlateField":
+        """Return the same with the places of the points."""
+        across = int(self.field.points.shape[2])
+        position = (np.arange(across) - 0.5 * (across - 1)) * self.field.spacing
+        return PlateField(time, freeze(position), freeze(self.temperatures_of_all(system, time, flux)))
 
-def cold_heat(system: System, reach: float = FIRST_REACH) -> PlaneHeat:
+
+@dataclass(frozen=True, eq=False)
+class PlateField:
+    """Temperature of the surface of each plate that differs [degC], shape (plates, y, x), at a time since they were cold [s]; positions along both directions, from the middle [mm]."""
+
+    time: float
+    position: FloatArray
+    temperature: FloatArray
+
+
+def cold_heat(system: System, reach: float = FIRST_REACH, *, horizon: float = HORIZON) -> PlaneHeat:
     """Return plates at the ambient temperature with room for a displacement of `reach` [mm]; other heating models than the precise one have no grid.
+
+    The `horizon` [s] is as for `cold_plates`.
 
     Raises
     ------
     AnalysisError
         If the grids would be too large.
     """
-    plates = cold_plates(system, reach=0.0)
+    plates = cold_plates(system, reach=0.0, horizon=horizon)
     bearing, heating = system.bearing, system.heating
     radius, count = 0.5 * bearing.slider_diameter, len(set(bearing.radii))
     if not isinstance(heating, PreciseHeating):

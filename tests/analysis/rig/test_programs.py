@@ -141,7 +141,7 @@ def test_a_measured_displacement_is_a_program(tmp_path):
         ("[[test]]\namplitude = 100\ncycles = 3\nperiod = 4\nload_points = [[1, 7540], [0, 7000]]\n", "must increase"),
         ("[[test]]\namplitude = 100\ncycles = 3\nperiod = 4\nload_points = [1, 2]\n", "list of pairs"),
         ("[[test]]\namplitude = 100\ncycles = 3\nperiod = 4\nstart = 'later'\n", "one of speed, peak, ramp"),
-        ("[[test]]\namplitude = 100\ncycles = 3\nperiod = 4\nwaveform = 'square'\n", "sine, triangle or file"),
+        ("[[test]]\namplitude = 100\ncycles = 3\nperiod = 4\nwaveform = 'square'\n", "sine, triangle, circle, ellipse, eight, cloverleaf or file"),
         ("[[test]]\nwaveform = 'triangle'\namplitude = 100\ncycles = 3\nperiod = 4\nstart = 'ramp'\n", "no parameter of a triangle 'start'"),
         ("[[test]]\nfile = 'none.csv'\n", "there is no such file"),
         ("[[test]]\nwaveform = 'file'\n", "must name it"),

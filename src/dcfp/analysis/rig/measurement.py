@@ -5,11 +5,14 @@ import hashlib
 import io
 import math
 import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
+from typing import Any, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from dcfp.analysis.rig.measures import Cycle, cycles_of, zero_crossings
 from dcfp.analysis.rig.waveform import cycle_bounds
@@ -32,18 +35,25 @@ from dcfp.schema.units import (
     Unit,
 )
 
-_FORCES = (NEWTON, KN, MEGANEWTON, KIP)
-#: Units of each column.
-_UNITS: dict[str, dict[str, Unit]] = {
-    column: {name: unit for unit in units for name in (unit.text, unit.name)}
-    for column, units in {
-        "time": (SECOND, MILLISECOND),
-        "displacement": (MM, CM, METRE, INCH),
-        "force": _FORCES,
-        "load": _FORCES,
-        "temperature": (DEGC, replace(DEGC, typed="C")),
-    }.items()
+#: Columns that a file may have, each with its units by their names.
+Columns: TypeAlias = Mapping[str, Mapping[str, Unit]]
+
+
+def _named(*units: Unit) -> dict[str, Unit]:
+    return {name: unit for unit in units for name in (unit.text, unit.name)}
+
+
+#: Units of times, lengths and forces, by their names.
+TIMES, LENGTHS = _named(SECOND, MILLISECOND), _named(MM, CM, METRE, INCH)
+FORCES = _named(NEWTON, KN, MEGANEWTON, KIP)
+_COLUMNS: Columns = {
+    "time": TIMES,
+    "displacement": LENGTHS,
+    "force": FORCES,
+    "load": FORCES,
+    "temperature": _named(DEGC, replace(DEGC, typed="C")),
 }
+_NEEDED = ("time", "displacement")
 _HEAD = re.compile(r"\s*(?P<name>[^\[\](]+?)\s*[\[(]\s*(?P<unit>[^\])]*?)\s*[\])]\s*")
 #: A step so much longer than the usual one is a gap.
 _GAP = 10.0
@@ -130,17 +140,10 @@ def read_measurement(path: str | Path) -> Measurement:
         If the file cannot be read, a number or a unit is missing, time does not increase or has a gap, the load turns into tension, or
         a quantity is so large or small that its unit must be wrong.
     """
-    place = Path(path)
-    content = read_bytes(place, "a measured test is a CSV file")
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        msg = f"{path}: this is not a text file; a measured test is a CSV file with a head such as 'time [s],displacement [mm]'."
-        raise InputError(msg) from error
-    columns, lines = _columns(text, str(path))
-    known = {name: freeze(values) for name, values in columns.items()}
+    content, text = read_text(path)
+    known, lines = read_columns(text, str(path), _COLUMNS, _NEEDED)
     measurement = Measurement(
-        name=place.stem,
+        name=Path(path).stem,
         time=known["time"],
         displacement=known["displacement"],
         optional_force=known.get("force"),
@@ -152,8 +155,25 @@ def read_measurement(path: str | Path) -> Measurement:
     return measurement
 
 
-def _columns(text: str, where: str) -> tuple[dict[str, FloatArray], list[int]]:
-    """Return the columns in N, mm, s, degC, time from zero, and the number of the line of each sample."""
+def read_text(path: str | Path) -> tuple[bytes, str]:
+    """Return what a file of measured columns holds, and the same as text."""
+    content = read_bytes(Path(path), "a measured test is a CSV file")
+    try:
+        return content, content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        msg = f"{path}: this is not a text file; a measured test is a CSV file with a head such as 'time [s],displacement [mm]'."
+        raise InputError(msg) from error
+
+
+def names_of(text: str) -> set[str]:
+    """Return the names in the head of measured columns, without their units."""
+    return {_name(cell) for row in csv.reader([_head(text)], delimiter=_separator(text)) for cell in row}
+
+
+def read_columns(
+    text: str, where: str, columns: Columns, needed: Sequence[str]
+) -> tuple[dict[str, FloatArray], list[int]]:
+    """Return those of the `columns` that there are, in N, mm, s, degC, time from zero, and the number of the line of each sample."""
     separator = _separator(text)
     reader = csv.reader(io.StringIO(text, newline=None), delimiter=separator)
     try:
@@ -168,7 +188,7 @@ def _columns(text: str, where: str) -> tuple[dict[str, FloatArray], list[int]]:
     if not rows:
         msg = f"{where}: the file is empty; its first line must name the columns, such as 'time [s],displacement [mm],load [kN]'."
         raise InputError(msg)
-    places = _places(rows[0][1], where)
+    places = _places(rows[0][1], where, columns, needed)
     if len(rows) - 1 < _FEWEST_SAMPLES:
         msg = f"{where}: there are {len(rows) - 1} samples; at least {_FEWEST_SAMPLES} are needed."
         raise InputError(msg)
@@ -178,25 +198,35 @@ def _columns(text: str, where: str) -> tuple[dict[str, FloatArray], list[int]]:
         for name, (place, factor) in places.items()
     }
     values["time"] = values["time"] - values["time"][0]
-    return values, [number for number, _ in rows[1:]]
+    known = {name: freeze(one) for name, one in values.items()}
+    return known, [number for number, _ in rows[1:]]
+
+
+def _head(text: str) -> str:
+    lines = (line for line in text.splitlines() if line.strip() and not line.lstrip().startswith(_NOTES))
+    return next(lines, "")
 
 
 def _separator(text: str) -> str:
     """Return what stands between the columns of the head: a comma, a semicolon or a tab."""
-    lines = (line for line in text.splitlines() if line.strip() and not line.lstrip().startswith(_NOTES))
-    head = next(lines, "")
-    return max(",;\t", key=head.count)
+    return max(",;\t", key=_head(text).count)
 
 
-def _places(head: list[str], where: str) -> dict[str, tuple[int, float]]:
+def _name(cell: str) -> str:
+    found = _HEAD.fullmatch(cell)
+    return (found["name"] if found else cell.strip()).lower()
+
+
+def _places(
+    head: list[str], where: str, columns: Columns, needed: Sequence[str]
+) -> dict[str, tuple[int, float]]:
     """Return for each known column its place and the factor of its unit."""
     places: dict[str, tuple[int, float]] = {}
     for place, cell in enumerate(head):
-        found = _HEAD.fullmatch(cell)
-        name = (found["name"] if found else cell.strip()).lower()
-        if name not in _UNITS:
+        found, name = _HEAD.fullmatch(cell), _name(cell)
+        if name not in columns:
             continue
-        units = _UNITS[name]
+        units = columns[name]
         if found is None:
             msg = f"{where}: the column {name!r} has no unit; write it in brackets, such as '{name} [{next(iter(units))}]'."
             raise InputError(msg)
@@ -207,9 +237,9 @@ def _places(head: list[str], where: str) -> dict[str, tuple[int, float]]:
             msg = f"{where}: there are two columns {name!r}; leave one."
             raise InputError(msg)
         places[name] = (place, units[found["unit"]].size)
-    for name in ("time", "displacement"):
+    for name in needed:
         if name not in places:
-            unit = next(iter(_UNITS[name]))
+            unit = next(iter(columns[name]))
             msg = f"{where}: the first line names no column '{name} [{unit}]'; it must name the columns with their units."
             raise InputError(msg)
     return places
@@ -229,48 +259,60 @@ def _number(row: list[str], place: int, name: str, line: int, where: str, separa
     return value
 
 
-def _check(measurement: Measurement, lines: list[int], where: str) -> None:
-    """Refuse what cannot have been measured so; `lines` are the numbers of the lines of the samples."""
-    time, displacement = measurement.time, measurement.displacement
-    load, force = measurement.optional_load, measurement.optional_force
+def _refuse(found: bool, where: str, words: str, line: int | None = None) -> None:
+    if found:
+        msg = f"{where if line is None else f'{where}, line {line}'}: {words}"
+        raise InputError(msg)
 
-    def refuse(found: bool, words: str, sample: int | None = None) -> None:
-        if found:
-            place = where if sample is None else f"{where}, line {lines[sample]}"
-            msg = f"{place}: {words}"
-            raise InputError(msg)
 
+def check_motion(time: FloatArray, position: NDArray[Any], lines: list[int], where: str) -> None:
+    """Refuse a displacement, or a path x + i y, that cannot have been measured so; `lines` are the numbers of the lines of the samples.
+
+    Raises
+    ------
+    InputError
+        If time does not increase or has a gap, or displacement or velocity is so large or small that a unit must be wrong.
+    """
     steps = np.diff(time)
     i = int(np.argmax(steps <= 0.0))
     back = f"time goes from {time[i]:.6g} to {time[i + 1]:.6g} s after the start; it must increase from line to line."
-    refuse(bool(steps[i] <= 0.0), back, i + 1)
+    _refuse(bool(steps[i] <= 0.0), where, back, lines[i + 1])
     usual = float(np.median(steps))
     i = int(np.argmax(steps > _GAP * usual))
     gap = f"a gap of {steps[i]:.4g} s where samples are {usual:.4g} s apart; fill it, or cut the file there."
-    refuse(bool(steps[i] > _GAP * usual), gap, i + 1)
+    _refuse(bool(steps[i] > _GAP * usual), where, gap, lines[i + 1])
     for values, (least, most), name, unit, look in (
-        (displacement, _DISPLACEMENTS, "displacement", "mm", "its unit"),
-        (
-            np.diff(displacement) / steps,
-            _VELOCITIES,
-            "velocity",
-            "mm/s",
-            "the units of time and displacement",
-        ),
+        (position, _DISPLACEMENTS, "displacement", "mm", "its unit"),
+        (np.diff(position) / steps, _VELOCITIES, "velocity", "mm/s", "the units of time and displacement"),
     ):
         largest = float(np.abs(values).max())
         size = f"the largest {name} is {largest:.4g} {unit}, and from {least:g} to {most:g} {unit} is possible; look at {look}."
-        refuse(not least <= largest <= most, size)
+        _refuse(not least <= largest <= most, where, size)
+
+
+def check_no_tension(load: FloatArray | None, lines: list[int], where: str) -> None:
+    """Refuse a vertical force [N] that ever pulls."""
     if load is not None:
         i = int(np.argmax(load <= 0.0))
         tension = f"the load is {load[i] / 1e3:.4g} kN; a sliding bearing takes no tension, and compression must be positive."
-        refuse(bool(load[i] <= 0.0), tension, i)
+        _refuse(bool(load[i] <= 0.0), where, tension, lines[i])
+
+
+def _check(measurement: Measurement, lines: list[int], where: str) -> None:
+    """Refuse what cannot have been measured so; `lines` are the numbers of the lines of the samples."""
+    displacement, load, force = (
+        measurement.displacement,
+        measurement.optional_load,
+        measurement.optional_force,
+    )
+    check_motion(measurement.time, displacement, lines, where)
+    check_no_tension(load, lines, where)
     if load is not None and force is not None:
         ratio = float(np.abs(force).max() / load.mean())
         far = f"the largest force is {ratio:.3g} times the load; look at the units of both."
-        refuse(not _FORCE_RATIOS[0] <= ratio <= _FORCE_RATIOS[1], far)
+        _refuse(not _FORCE_RATIOS[0] <= ratio <= _FORCE_RATIOS[1], where, far)
     if force is not None:
         work = float((0.5 * (force[1:] + force[:-1])) @ np.diff(displacement))
         least_work = -_BACKWARD_WORK * float(np.abs(force).max() * np.abs(displacement).max())
         drives = "the force does negative work, so the bearing would drive the machine; change the sign of the force or the displacement."
-        refuse(work < least_work, drives)
+        _refuse(work < least_work, where, drives)

@@ -11,8 +11,10 @@ from typing import TYPE_CHECKING, Annotated, Any, cast
 import numpy as np
 
 from dcfp.analysis.assumptions import LARGEST_ANGLE
+from dcfp.analysis.rig.measured_path import MeasuredPath, is_path, read_path
 from dcfp.analysis.rig.measurement import Measurement, read_measurement
-from dcfp.analysis.rig.waveform import Recorded, Sine, Triangle, Waveform
+from dcfp.analysis.rig.plane_path import PATHS, PlanePath, RecordedPath
+from dcfp.analysis.rig.waveform import Recorded, Sine, Triangle, Wave, Waveform
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.schema.declared import Declared, build, declared, parameters, read_table
@@ -91,7 +93,7 @@ _ROLES = ("wind", "increment", "maximum", "endurance", "stability")
 
 @declared
 class RigTest(Declared):
-    """One test: a displacement, under the vertical load of the bearing or another.
+    """One test: a displacement in one direction or a path in the plane, under the vertical load of the bearing or another.
 
     Parameters
     ----------
@@ -104,7 +106,7 @@ class RigTest(Declared):
     noun = "a test"
 
     name: Annotated[str, Parameter("name of the test")]
-    waveform: Waveform
+    waveform: Waveform | PlanePath | RecordedPath
     load: VerticalLoad | None = None
     pause: Annotated[float | None, Parameter("pause before the test", SECOND, 0.0, 7 * 24 * 3600.0)] = None
     purpose: Annotated[str, Parameter("what the test is for")] = ""
@@ -133,6 +135,11 @@ class Program(Declared):
             if names.count(name) > 1:
                 msg = f"{self.name}: two tests have the name {name!r}; give each its own."
                 raise InputError(msg)
+
+    @property
+    def plane(self) -> bool:
+        """Whether any test goes in two directions; then all are run in the plane, those in one direction along x."""
+        return any(isinstance(test.waveform, (PlanePath, RecordedPath)) for test in self.tests)
 
     @property
     def stories(self) -> tuple[tuple[RigTest, ...], ...]:
@@ -199,10 +206,12 @@ def check_stroke(test: RigTest, bearing: Bearing) -> None:
 #: Codes whose prototype tests can be made and judged, by name.
 PROTOTYPE_TESTS: "Registry[PrototypeTests]" = Registry("code with prototype tests")
 #: Programs that come with the package.
-NAMED = {"dependency": "li_2020_dependency.toml", "asce": "li_2020_asce.toml"}
+NAMED = {"dependency": "li_2020_dependency.toml", "asce": "li_2020_asce.toml", "plane": "plane.toml"}
 #: Part of the samples of a measured displacement that may be turns [-].
 _MOST_TURNS = 0.1
-_WAVES: dict[str, type[Sine] | type[Triangle]] = {"sine": Sine, "triangle": Triangle}
+_WAVES: dict[str, type[Wave]] = {"sine": Sine, "triangle": Triangle, **PATHS.defined}
+#: What a waveform may have in a file.
+_OF_WAVES = tuple(dict.fromkeys((*(key for wave in _WAVES.values() for key in parameters(wave)), "period")))
 _PERIOD = Parameter("period", SECOND, 0.0, above=True)
 _TIME = Parameter("time of a vertical load", SECOND)
 #: Ways to give the vertical load.
@@ -212,7 +221,7 @@ _LOADS = {
     "load_points": Parameter("times and vertical forces", KN),
 }
 #: What a test may have in a file.
-_KEYS = (*parameters(RigTest), "waveform", "file", *parameters(Sine), "period", *_LOADS)
+_KEYS = (*parameters(RigTest), "waveform", "file", *_OF_WAVES, *_LOADS)
 
 
 def load_program(name: str | Path) -> Program:
@@ -221,10 +230,10 @@ def load_program(name: str | Path) -> Program:
     Parameters
     ----------
     name
-        ``dependency`` or ``asce``, the two of Li et al. (2020); a CSV file with a measured displacement (and load), which is one test; or a TOML file with the
-        fields of a `Program`, and a list of ``[[test]]`` with those of a `RigTest`, and: ``waveform`` (``sine``, ``triangle`` or ``file``) with the fields
-        of a `Sine`, of which ``period`` [s] may stand for ``peak_velocity``, or a ``file`` (CSV); ``pressure`` [N/mm2], ``load`` [kN] or
-        ``load_points`` (pairs of s and kN), else the bearing's own.
+        ``dependency`` or ``asce``, the two of Li et al. (2020), or ``plane``, paths in two directions; a CSV file with a measured displacement or path (and load), which is
+        one test; or a TOML file with the fields of a `Program`, and a list of ``[[test]]`` with those of a `RigTest`, and: ``waveform`` (``sine``, ``triangle``, a path such as
+        ``circle``, or ``file``) with the fields of a `Sine` or of the path, of which ``period`` [s] may stand for ``peak_velocity``, or a ``file`` (CSV); ``pressure`` [N/mm2],
+        ``load`` [kN] or ``load_points`` (pairs of s and kN), else the bearing's own.
 
     Raises
     ------
@@ -242,7 +251,7 @@ def load_program(name: str | Path) -> Program:
         msg = f"{str(name)[:60]!r}: this cannot be the name of a file."
         raise InputError(msg) from error
     if path.suffix.lower() == ".csv":
-        test = measured_test(read_measurement(path))
+        test = recorded_test(path)
         return Program(test.name, (test,), source=f"measured displacement, {path.name}")
     if not is_there:
         programs = (*NAMED, *PROTOTYPE_TESTS)
@@ -258,21 +267,32 @@ def load_program(name: str | Path) -> Program:
     return _parsed(content, str(path), path.parent)
 
 
-def measured_test(measurement: Measurement) -> RigTest:
-    """Return the test that a measurement was: its displacement, and its vertical load where it has one."""
+def recorded_test(path: Path) -> RigTest:
+    """Return the test that a CSV file holds: a measured displacement in one direction, or a path in the plane."""
+    return measured_test(read_path(path) if is_path(path) else read_measurement(path))
+
+
+def measured_test(measurement: Measurement | MeasuredPath) -> RigTest:
+    """Return the test that a measurement was: its displacement or path, and its vertical load where it has one."""
     load = None
     if measurement.optional_load is not None:
         load = VerticalLoad(
             tuple(measurement.optional_load.tolist()), tuple(measurement.time.tolist()), is_pressure=False
         )
-    turns = np.count_nonzero(np.diff(np.sign(np.diff(measurement.displacement))))
+    if isinstance(measurement, MeasuredPath):
+        wave = RecordedPath(measurement.time, measurement.position)
+        moves = np.diff(measurement.position)
+        turns = np.count_nonzero((moves[1:] * moves[:-1].conj()).real < 0.0)
+    else:
+        wave = Recorded(measurement.time, measurement.displacement)
+        turns = np.count_nonzero(np.diff(np.sign(np.diff(measurement.displacement))))
     if turns > _MOST_TURNS * measurement.time.size:
         msg = (
             f"{measurement.name}: the displacement changes its direction at {100.0 * turns / measurement.time.size:.0f} % of the samples;"
             " it is too noisy to be driven, smooth it or take fewer samples."
         )
         raise InputError(msg)
-    return RigTest(measurement.name, Recorded(measurement.time, measurement.displacement), load)
+    return RigTest(measurement.name, wave, load)
 
 
 def _parsed(content: Mapping[str, Any], where: str, folder: Path) -> Program:
@@ -305,10 +325,12 @@ def _test(table: dict[str, Any], folder: Path) -> RigTest:
     return build(RigTest, {**values, "waveform": waveform, "load": _load(table) or load}, "")
 
 
-def _waveform(table: dict[str, Any], folder: Path) -> tuple[Waveform, VerticalLoad | None]:
+def _waveform(
+    table: dict[str, Any], folder: Path
+) -> tuple[Waveform | PlanePath | RecordedPath, VerticalLoad | None]:
     """Return the displacement, and the load that was measured with it."""
     kind = table.get("waveform", "file" if "file" in table else "sine")
-    given = {key: table[key] for key in (*parameters(Sine), "period") if key in table}
+    given = {key: table[key] for key in _OF_WAVES if key in table}
     if kind == "file":
         if given:
             msg = f"a displacement from a file has no {next(iter(given))!r}; leave it out."
@@ -316,7 +338,7 @@ def _waveform(table: dict[str, Any], folder: Path) -> tuple[Waveform, VerticalLo
         if "file" not in table:
             msg = 'the waveform is file, so file = "NAME.csv" must name it.'
             raise InputError(msg)
-        test = measured_test(read_measurement(folder / str(table["file"])))
+        test = recorded_test(folder / str(table["file"]))
         return test.waveform, test.load
     if kind not in _WAVES:
         msg = f"the waveform must be {', '.join(_WAVES)} or file, not {kind!r}."
@@ -324,15 +346,16 @@ def _waveform(table: dict[str, Any], folder: Path) -> tuple[Waveform, VerticalLo
     wave, period = _WAVES[kind], given.pop("period", None)
     values = read_table(wave, given, wave.noun)
     for one in parameters(wave).values():
-        if one.default is None and one.name not in (*values, "peak_velocity"):
+        if one.default is None and not one.optional and one.name not in (*values, "peak_velocity"):
             msg = f"{one.key} is missing; it must be {one.rule()}."
             raise InputError(msg)
     if ("peak_velocity" in values) == (period is not None):
         msg = "give either peak_velocity [mm/s] or period [s]."
         raise InputError(msg)
     if period is not None:
-        values["peak_velocity"] = wave.way * values["amplitude"] / _PERIOD.read(period, "period")
-    return build(wave, values, ""), None
+        length = _PERIOD.read(period, "period")
+        values["peak_velocity"] = build(wave, {**values, "peak_velocity": 1.0}, "").period / length
+    return cast("Sine | Triangle | PlanePath", build(wave, values, "")), None
 
 
 def _load(table: dict[str, Any]) -> VerticalLoad | None:

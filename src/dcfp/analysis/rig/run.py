@@ -12,6 +12,7 @@ from dcfp.analysis.rig.loops import Loops
 from dcfp.analysis.rig.program import Program, RigTest, VerticalLoad, check_stroke, load_program
 from dcfp.analysis.rig.waveform import Travel
 from dcfp.arrays import FloatArray, freeze
+from dcfp.errors import InputError
 from dcfp.kernels import integrate as k
 from dcfp.kernels._jit import Records
 from dcfp.kernels.friction import BearingModel
@@ -81,12 +82,11 @@ def run_program(
         If a test cannot be finished.
     """
     system, integration = System.of(bearing, friction, heating), Integration(tolerance=tolerance)
-    if isinstance(program, (str, Path)):
-        program = load_program(program)
-    refuse_other(program, Program, "program", "a Program, the name of one or a file")
+    program = checked_program(program, system)
     refuse_other(keep, Keep, "keep", "a Keep")
-    for test in program.tests:
-        check_stroke(test, system.bearing)
+    if program.plane:
+        msg = f"{program.name}: its tests go in two directions; run_in_the_plane runs them."
+        raise InputError(msg)
     _load_kernels()
     loops: list[Loops] = []
     for story in program.stories:
@@ -96,6 +96,37 @@ def run_program(
             if report is not None:
                 report()
     return tuple(loops)
+
+
+def checked_program(program: Program | str | Path, system: System) -> Program:
+    """Return a program, or load it, if none of its tests goes beyond the plate.
+
+    Raises
+    ------
+    InputError
+        If one does, or there is no such program.
+    """
+    if isinstance(program, (str, Path)):
+        program = load_program(program)
+    refuse_other(program, Program, "program", "a Program, the name of one or a file")
+    for test in program.tests:
+        check_stroke(test, system.bearing)
+    return program
+
+
+def loads_along(test: RigTest, travel: Travel, system: System) -> tuple[FloatArray, FloatArray]:
+    """Return the vertical force [N] at the ends of the pieces of a test, and the reference of the friction law at its pressure [-].
+
+    Raises
+    ------
+    InputError
+        If the pressure is out of any sensible range.
+    """
+    vertical = VerticalLoad((system.bearing.pressure,)) if test.load is None else test.load
+    load = vertical.at(travel.time, system.bearing)
+    levels, place = np.unique(load / system.bearing.slider_area, return_inverse=True)
+    known = [system.friction.at_pressure(float(level)).reference for level in levels]
+    return load, np.array(known)[place]
 
 
 class _Machine:
@@ -161,12 +192,8 @@ class _Machine:
 
     def _path(self, test: RigTest, travel: Travel) -> tuple[Law, Records]:
         """Return the law at some pressure, and the path with load and reference of the law in each interval."""
-        vertical = VerticalLoad((self.bearing.pressure,)) if test.load is None else test.load
-        load = vertical.at(travel.time, self.bearing)
-        pressure = load / self.bearing.slider_area
-        law = self.friction.at_pressure(float(pressure[0]))
-        levels, place = np.unique(pressure, return_inverse=True)
-        reference = np.array([self.friction.at_pressure(float(level)).reference for level in levels])[place]
+        load, reference = loads_along(test, travel, self.system)
+        law = self.friction.at_pressure(float(load[0]) / self.bearing.slider_area)
         load_rate, reference_rate = (np.diff(values) / travel.lengths for values in (load, reference))
         columns = (travel.pieces, load[:-1], load_rate, reference[:-1], reference_rate)
         return law, np.column_stack(columns).view(k.PATH)[:, 0]

@@ -3,9 +3,10 @@
 import math
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Annotated, ClassVar, TypeAlias
+from typing import Annotated, Any, ClassVar, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.interpolate import CubicHermiteSpline, PchipInterpolator
 
 from dcfp.analysis.rig.measures import CROSSING
@@ -33,13 +34,13 @@ class Travel:
     Attributes
     ----------
     lengths, pieces
-        How long each piece lasts [s], shape (n,), and coefficients of 1, t, t2 and t3 in it [mm, mm/s, ...], shape (n, 4).
+        How long each piece lasts [s], shape (n,), and coefficients of 1, t, t2 and t3 in it [mm, mm/s, ...], shape (n, 4); of a path in the plane complex, x + i y.
     cycles
         Times at which cycles begin and end [s], shape (cycles + 1,).
     """
 
     lengths: FloatArray
-    pieces: FloatArray
+    pieces: NDArray[Any]
     cycles: FloatArray
 
     @property
@@ -85,12 +86,16 @@ class Wave(Declared):
 
     def check_relations(self) -> None:
         """Refuse parts of a cycle other than quarters."""
-        _check_quarters(self.cycles)
+        check_quarters(self.cycles)
 
     @property
     def period(self) -> float:
         """Period [s]."""
         return self.way * self.amplitude / self.peak_velocity
+
+    def bounds(self, first: float) -> FloatArray:
+        """Return the times [s] at which full cycles begin and end, from the `first` on."""
+        return first + self.period * np.arange(math.floor(self.cycles + 1e-9) + 1, dtype=np.float64)
 
 
 @declared
@@ -120,7 +125,7 @@ class Sine(Wave):
     def check_relations(self) -> None:
         """Refuse parts of a cycle other than quarters."""
         super().check_relations()
-        _check_quarters(self.ramp_cycles)
+        check_quarters(self.ramp_cycles)
 
     def travel(self) -> Travel:
         """Return the displacement."""
@@ -131,25 +136,23 @@ class Sine(Wave):
         if self.start == "peak":
             displacement, slope = np.cos(phase), -np.sin(phase)
         elif ramp > 0.0:
-            displacement, slope = _ramped(phase, 2.0 * math.pi * ramp, float(phase[-1]))
+            own, (envelope, change) = phase - 2.0 * math.pi * ramp, ramped(phase, 2.0 * math.pi * ramp)
+            displacement, slope = envelope * np.sin(own), envelope * np.cos(own) + change * np.sin(own)
         else:
             displacement, slope = np.sin(phase), np.cos(phase)
         step = self.period * turns / count
         spline = CubicHermiteSpline(
             step * np.arange(count + 1), self.amplitude * displacement, self.peak_velocity * slope
         )
-        first = self.period * ramp
-        bounds = first + self.period * np.arange(math.floor(self.cycles + 1e-9) + 1, dtype=np.float64)
-        return Travel(np.full(count, step), _rows(spline.c), bounds)
+        return Travel(np.full(count, step), rows_of(spline.c), self.bounds(self.period * ramp))
 
 
-def _ramped(phase: FloatArray, ramp: float, last: float) -> tuple[FloatArray, FloatArray]:
-    """Return a sine of growing, full and shrinking amplitude, and its derivative, over the phase [rad]."""
+def ramped(phase: FloatArray, ramp: float) -> tuple[FloatArray, FloatArray]:
+    """Return how an amplitude grows over a `ramp` and shrinks over the last one, and the derivative of that, over the phase [rad]."""
+    last = float(phase[-1])
     rise = np.clip(np.minimum(phase, last - phase) / ramp, 0.0, 1.0)
     envelope = rise * rise * (3.0 - 2.0 * rise)
-    change = 6.0 * rise * (1.0 - rise) / ramp * np.where(phase < 0.5 * last, 1.0, -1.0)
-    own = phase - ramp
-    return envelope * np.sin(own), envelope * np.cos(own) + change * np.sin(own)
+    return envelope, 6.0 * rise * (1.0 - rise) / ramp * np.where(phase < 0.5 * last, 1.0, -1.0)
 
 
 @declared
@@ -171,8 +174,7 @@ class Triangle(Wave):
         pieces = np.zeros((displacement.size - 1, 4))
         pieces[:, 0] = displacement[:-1]
         pieces[:, 1] = np.diff(displacement) / step
-        bounds = self.period * np.arange(math.floor(self.cycles + 1e-9) + 1, dtype=np.float64)
-        return Travel(np.full(displacement.size - 1, step), pieces, bounds)
+        return Travel(np.full(displacement.size - 1, step), pieces, self.bounds(0.0))
 
 
 @dataclass(frozen=True, eq=False)
@@ -216,7 +218,7 @@ class Recorded:
             lengths = np.full(lengths.size, float(time[-1]) / lengths.size)
         return Travel(
             lengths,
-            _rows(PchipInterpolator(time, self.displacement).c),
+            rows_of(PchipInterpolator(time, self.displacement).c),
             cycle_bounds(time, self.displacement),
         )
 
@@ -260,19 +262,20 @@ def _without_ramps(bounds: FloatArray, time: FloatArray, displacement: FloatArra
     return bounds[first : last + 2] if full.size == last - first + 1 else bounds
 
 
-def _moved(pieces: FloatArray, t: FloatArray) -> FloatArray:
+def _moved(pieces: NDArray[Any], t: FloatArray) -> NDArray[Any]:
     """Return cubic pieces that begin later by `t` [s]."""
     c0, c1, c2, c3 = pieces.T
     value, slope = c0 + t * (c1 + t * (c2 + t * c3)), c1 + t * (2.0 * c2 + t * 3.0 * c3)
     return np.column_stack((value, slope, c2 + 3.0 * t * c3, c3))
 
 
-def _rows(coefficients: FloatArray) -> FloatArray:
+def rows_of(coefficients: NDArray[Any]) -> NDArray[Any]:
     """Return SciPy's coefficients, highest order first, as rows of pieces, lowest order first."""
     return np.ascontiguousarray(coefficients[::-1].T)
 
 
-def _check_quarters(cycles: float) -> None:
+def check_quarters(cycles: float) -> None:
+    """Refuse parts of a cycle other than quarters."""
     if abs(4.0 * cycles - round(4.0 * cycles)) > 1e-9:
         msg = f"The number of cycles must be one of whole quarters, not {cycles!r}."
         raise InputError(msg)

@@ -410,8 +410,8 @@ def test(parser: Parser) -> None:
     from dcfp.analysis.rig.codes import PrototypeDesign
 
     words = (
-        "dependency or asce (Li et al. 2020, Tables 1 and 2); asce7-16 or en15129 (prototype tests of a design); or a file: a program as "
-        ".toml, a measured displacement as .csv"
+        "dependency or asce (Li et al. 2020, Tables 1 and 2); plane (paths in two directions); asce7-16 or en15129 (prototype tests of a design); or a file: a"
+        " program as .toml, a measured displacement or path as .csv"
     )
     parser.add_argument("program", metavar="PROGRAM", help=words)
     parser.add_argument("--tests", nargs="+", metavar="NAME", help="only these tests of the program")
@@ -433,7 +433,7 @@ def test(parser: Parser) -> None:
     options.add_bearing(parser)
     options.add_output(
         parser,
-        "results as NetCDF (.nc) or CSV (.csv): histories of one test; of several a CSV holds the measures of every cycle",
+        "results as NetCDF (.nc) or CSV (.csv): histories of one test; of several a CSV holds the measures of every cycle or lap",
         FIGURE,
         DATA_EXTENSIONS,
     )

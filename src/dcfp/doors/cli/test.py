@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import TypeAlias
 
 from dcfp.analysis.integration import DEFAULT, NOTHING, PLATES
+from dcfp.analysis.result import Result
 from dcfp.analysis.rig import Loops, Measurement, Program, codes, load_program, read_measurement, run_program
 from dcfp.analysis.rig.loops import CYCLES, ToldCycle, cycle_objects, cycles_of_measurement, cycles_of_tests
 from dcfp.analysis.rig.run import paper_models
@@ -38,6 +39,10 @@ def run(chosen: argparse.Namespace) -> Answer:
     """Run the tests of a program."""
     system = inputs.system(chosen)
     program = _program(chosen, system)
+    if program.plane:
+        from dcfp.doors.cli import test_plane  # late: most programs go in one direction
+
+        return test_plane.run(chosen, program, system)
     measured = _measured(chosen, program)
     if chosen.checks:
         _refuse_without_checks(program)
@@ -141,7 +146,7 @@ def _page(program: Program, runs: Runs, measured: Mapping[str, Measurement]) -> 
         table = Table(_side_by_side(list(runs)), rows)
     nominal = [remark for tests in runs.values() for remark in _nominal(program, tests)]
     return Page(
-        [_lines(program, every[0], ", ".join(runs)), grid(table)], [legend, *nominal, *_remarks(every)]
+        [head_lines(program, every[0], ", ".join(runs)), grid(table)], [legend, *nominal, *_remarks(every)]
     )
 
 
@@ -179,7 +184,7 @@ def _checked(program: Program, loops: Sequence[Loops], answer: Answer) -> Answer
     heating = loops[0].heating.name
 
     def page() -> Page:
-        blocks: list[Block] = [_lines(program, loops[0], heating)]
+        blocks: list[Block] = [head_lines(program, loops[0], heating)]
         notes: list[str] = []
         if criteria.results:
             blocks.append(grid(criteria))
@@ -204,7 +209,8 @@ def _checked(program: Program, loops: Sequence[Loops], answer: Answer) -> Answer
     return replace(answer, document=lambda: document, page=page)
 
 
-def _lines(program: Program, first: Loops, heating: str) -> list[tuple[str, str]]:
+def head_lines(program: Program, first: Result, heating: str) -> list[tuple[str, str]]:
+    """Return what is said above the measures of tests: what was tested, and with which models."""
     bearing = first.bearing
     radii = " + ".join(f"{radius:g}" for radius in bearing.radii)
     return [

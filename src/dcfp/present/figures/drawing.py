@@ -243,7 +243,7 @@ def figure_of(result: "Result", **options: Any) -> "Figure":
     """Draw a result on a new figure: the sheet of an analysis or a test, or else its histories one above the other."""
     from dcfp.analysis.plane_response import PlaneResponse  # late: the analyses import the kernels
     from dcfp.analysis.response import Response
-    from dcfp.analysis.rig import Loops
+    from dcfp.analysis.rig import Loops, PlaneLoops
 
     if isinstance(result, Response):
         return plot_response(result, **options)
@@ -251,6 +251,10 @@ def figure_of(result: "Result", **options: Any) -> "Figure":
         from dcfp.present.figures.plane import plot_plane_response  # late: it draws with what is here
 
         return plot_plane_response(result, **options)
+    if isinstance(result, PlaneLoops):
+        from dcfp.present.figures.plane_tests import plot_plane_test  # late: it draws with what is here
+
+        return plot_plane_test(result, **options)
     return plot_test(result, **options) if isinstance(result, Loops) else _plot_histories(result)
 
 

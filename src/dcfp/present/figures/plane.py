@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from dcfp.analysis.plane_response import PlaneResponse
+    from dcfp.analysis.rig import PlaneLoops
     from dcfp.arrays import FloatArray
 
 #: Points of a circle.
@@ -27,14 +28,14 @@ _CIRCLE = np.linspace(0.0, 2.0 * math.pi, 181)
 
 @style.styled
 def plot_orbit(
-    response: "PlaneResponse", axes: "Axes | None" = None, *, of: str = "displacement", norm: Normalize | None = None, colour_bar: bool = True
+    response: "PlaneResponse | PlaneLoops", axes: "Axes | None" = None, *, of: str = "displacement", norm: Normalize | None = None, colour_bar: bool = True
 ) -> "Axes":  # fmt: skip
     """Draw the path of the isolation layer in the plane, coloured by the temperature of the contact, or by the time where nothing heats up.
 
     Parameters
     ----------
     response
-        The analysis.
+        The analysis, or the test in the plane.
     axes
         Where to draw; by default on a new figure.
     of
@@ -100,8 +101,8 @@ def plot_plane_response(response: "PlaneResponse") -> "Figure":
     plot_orbit(response, lower, of="force", colour_bar=False)
     axes: Any = right.subplots(5, 1, sharex=True, height_ratios=(1.0, 1.4, 1.0, 1.0, 1.0))
     quantities, known = response.histories, response.time
-    _draw_directions(axes[0], response, "ground_velocity")
-    _draw_directions(axes[1], response, "displacement")
+    draw_directions(axes[0], response, "ground_velocity")
+    draw_directions(axes[1], response, "displacement")
     entry = quantities["displacement"]
     style.draw_line(axes[1], known, entry.display(response.displacement), style.INK, 0.8, label="resultant")
     style.legend_above(axes[1])
@@ -128,7 +129,8 @@ def plot_plane_response(response: "PlaneResponse") -> "Figure":
     return figure
 
 
-def _draw_directions(axes: "Axes", response: "PlaneResponse", name: str) -> None:
+def draw_directions(axes: "Axes", response: "PlaneResponse | PlaneLoops", name: str) -> None:
+    """Draw both components of a history, with the same room to either side."""
     entries: list[Quantity] = [response.histories[f"{name}_{direction}"] for direction in ("x", "y")]
     drawn = [entry.display(entry.of(response)) for entry in entries]
     for direction, values, colour in zip(("x", "y"), drawn, (style.BLUE, style.OCHRE), strict=True):

@@ -1,0 +1,180 @@
+"""Runs a test program on the virtual machine in two directions."""
+
+import time
+from collections.abc import Callable, Sequence
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+from dcfp.analysis.integration import DEFAULT, Integration
+from dcfp.analysis.plane_history import TOLERANCE, plane_system
+from dcfp.analysis.rig.plane_loops import PlaneLoops
+from dcfp.analysis.rig.program import Program, RigTest
+from dcfp.analysis.rig.run import checked_program, loads_along
+from dcfp.analysis.rig.waveform import Sine, Travel
+from dcfp.arrays import FloatArray, freeze
+from dcfp.errors import AnalysisError
+from dcfp.kernels import imposed_path as k
+from dcfp.kernels._jit import Records
+from dcfp.kernels.motion import DONE, NO_NUMBER
+from dcfp.system import FrictionLaw, Heating, PreciseHeating, System, SystemLike
+from dcfp.system.fields import PlaneHeat, PlateField, cold_heat
+from dcfp.system.plates import horizon_for, system_constants
+
+#: Room beyond the furthest end of a piece, relative to it [-]: a piece bends outwards.
+_ROOM = 1.01
+
+
+def run_in_the_plane(
+    program: Program | str | Path,
+    bearing: SystemLike = None,
+    friction: FrictionLaw | str | None = None,
+    heating: Heating | str | None = None,
+    *,
+    tolerance: float = DEFAULT.tolerance,
+    report: Callable[[], None] | None = None,
+) -> tuple[PlaneLoops, ...]:
+    """Run every test of a program in two directions, under a round contact; tests in one direction go along x.
+
+    Parameters
+    ----------
+    program
+        Tests in their order, or what `load_program` takes; the plates keep their heat through a pause, and start cold where a test has none.
+    bearing, friction, heating
+        As for `dcfp.respond` with a station: the precise heating model where nothing says which. The bearing's own pressure is replaced by the load of each test.
+    tolerance
+        How fine the steps are: `Integration`.
+    report
+        Called after each test.
+
+    Returns
+    -------
+    tuple of PlaneLoops
+        One for each test.
+
+    Raises
+    ------
+    InputError
+        If a test goes beyond the plate or a load is out of range, or an argument is.
+    AnalysisError
+        If a test cannot be finished.
+    """
+    system, integration = plane_system(bearing, friction, heating), Integration(tolerance=tolerance)
+    program = checked_program(program, system)
+    _load_kernels()
+    loops: list[PlaneLoops] = []
+    for story in program.stories:
+        machine = _PlaneMachine(story, system, integration.tolerance)
+        for test in story:
+            loops.append(machine.run(test))
+            if report is not None:
+                report()
+    return tuple(loops)
+
+
+class _PlaneMachine:
+    """A bearing through one story of tests in the plane."""
+
+    def __init__(self, story: Sequence[RigTest], system: System, tolerance: float) -> None:
+        self.system, self.tolerance = system, TOLERANCE * tolerance / DEFAULT.tolerance
+        self.travels = {test.name: test.waveform.travel() for test in story}
+        duration = sum(float(travel.lengths.sum()) for travel in self.travels.values())
+        duration += sum(test.pause or 0.0 for test in story[1:])
+        reach = _ROOM * max((travel.largest for travel in self.travels.values()), default=0.0)
+        self.heat: PlaneHeat = cold_heat(system, reach, horizon=horizon_for(duration))
+        self.clock, self.place = 0.0, 0j
+
+    def run(self, test: RigTest) -> PlaneLoops:
+        """Run the next test of the story."""
+        travel = self.travels[test.name]
+        if test.load is not None:
+            travel = travel.cut_at(np.array(test.load.times))
+        pause = (test.pause or 0.0) if self.clock > 0.0 else 0.0
+        start = complex(travel.pieces[0, 0])
+        model = self.heat.model(self.system)
+        self.clock += pause
+        k.cool_and_place(model, self.heat.field, pause, self.clock, self.place, start)
+        begins, cold = self.clock, self.heat.copy()
+        pieces = self._pieces(test, travel)
+        began = time.perf_counter()
+        lines = self._followed(test, self.heat, travel, pieces)
+        elapsed = time.perf_counter() - began
+        self.clock = begins + float(travel.lengths.sum())
+        self.place = complex(lines[-1, k.X], lines[-1, k.Y])
+        field, hottest = None, None
+        if isinstance(self.system.heating, PreciseHeating):
+            field = self._picture(self.heat, lines[-1], self.clock)
+            hottest = self._hottest(test, cold, travel, pieces, lines, begins)
+        return PlaneLoops(
+            test=test,
+            system=self.system,
+            time=freeze(travel.time),
+            lines=freeze(lines),
+            begins=begins,
+            lap_times=freeze(travel.cycles),
+            field=field,
+            hottest_field=hottest,
+            elapsed=elapsed,
+        )
+
+    def _pieces(self, test: RigTest, travel: Travel) -> Records:
+        """Return the path with load and reference of the law in each piece."""
+        load, reference = loads_along(test, travel, self.system)
+        ratio = load / self.system.bearing.vertical_force
+        pieces = np.zeros(travel.lengths.size, k.PATH_PIECE)
+        for place, name in enumerate(("position", "velocity", "second", "third")):
+            pieces[name] = travel.pieces[:, place]
+        for name, values in (("load", ratio), ("reference", reference)):
+            pieces[name] = values[:-1]
+            pieces[f"{name}_rate"] = np.diff(values) / travel.lengths
+        return pieces
+
+    def _followed(
+        self, test: RigTest, heat: PlaneHeat, travel: Travel, pieces: Records, count: int | None = None
+    ) -> FloatArray:
+        """Follow the first pieces of a path, by default all; return the histories. The heat changes."""
+        state = np.zeros(1, k.PATH_STATE)
+        state["time"] = self.clock
+        lengths = travel.lengths[:count]
+        lines = np.empty((lengths.size + 1, k.TEMPERATURE + system_constants(self.system).plates))
+        model = heat.model(self.system)
+        status, done = k.follow(
+            model, heat.field, lengths, pieces[: lengths.size], self.tolerance, state, lines
+        )
+        if status == NO_NUMBER:
+            raise self.system.friction.no_number(test.name, float(travel.time[done]))
+        if status != DONE:
+            msg = f"{test.name}: the slider left the part of the plate that the heat model covers."
+            raise AnalysisError(msg)
+        return lines
+
+    def _picture(self, heat: PlaneHeat, line: FloatArray, now: float) -> PlateField:
+        """Return the temperature of the plates at the end of a line of the histories."""
+        bearing = self.system.bearing
+        speed = float(np.hypot(line[k.VELOCITY_X], line[k.VELOCITY_Y]))
+        flux = bearing.pressure * line[k.LOAD] * line[k.FRICTION] * speed * line[k.SLIDES]
+        return heat.picture(self.system, now, float(flux))
+
+    def _hottest(
+        self,
+        test: RigTest,
+        cold: PlaneHeat,
+        travel: Travel,
+        pieces: Records,
+        lines: FloatArray,
+        begins: float,
+    ) -> PlateField:
+        """Return the temperature of the plates at the end of the piece in which a point is hottest: that part is run again."""
+        place = max(int(lines[:, k.POINT].argmax()), 1)
+        self.clock, after = begins, self.clock
+        again = self._followed(test, cold, travel, pieces, place)
+        self.clock = after
+        return self._picture(cold, again[-1], begins + float(travel.time[place]))
+
+
+@cache
+def _load_kernels() -> None:
+    """Have the kernels compiled or loaded, so that the time of a test is its own."""
+    test = RigTest("", Sine(1.0, 1.0, 1))
+    _PlaneMachine((test,), System(heating=PreciseHeating()), DEFAULT.tolerance).run(test)
