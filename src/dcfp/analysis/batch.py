@@ -41,9 +41,13 @@ class GroundSet:
 
     @classmethod
     def of(
-        cls, motions: Sequence[GroundMotion] | Sequence[Station], integration: Integration = DEFAULT
+        cls,
+        motions: Sequence[GroundMotion | Station],
+        integration: Integration = DEFAULT,
+        *,
+        vertical: bool = False,
     ) -> "GroundSet | StationSet":
-        """Put records side by side, to be analysed as finely and as far as `integration` says; stations become a `StationSet`.
+        """Put records side by side, to be analysed as finely and as far as `integration` says; stations become a `StationSet`, which may be `vertical`.
 
         Raises
         ------
@@ -51,7 +55,7 @@ class GroundSet:
             If some are stations and others single components.
         """
         if any(isinstance(one, Station) for one in motions):
-            return StationSet.of(motions, integration)
+            return StationSet.of(motions, integration, vertical=vertical)
         tail, step = integration.tail, integration.step
         records = np.zeros(len(motions), BATCH_RECORD)
         accelerations: list[FloatArray] = []

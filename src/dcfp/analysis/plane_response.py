@@ -124,7 +124,10 @@ for _key, _words, _unit, _shown, _symbol in (
             f"{_key}_{_name}",
             Quantity(f"{_key}_{_name}", f"{_words} in direction {_name}", _unit, _shown, symbol=_symbol.format(_place)),
         )  # fmt: skip
-PLANE_HISTORIES.take(OF_LINE, "displacement", "velocity", "force", "friction", "temperature", "sliding")
+for _key in ("displacement", "velocity", "force"):
+    _one = OF_LINE.defined[_key]
+    PLANE_HISTORIES.add(_key, replace(_one, words=f"{_one.words}, resultant"))
+PLANE_HISTORIES.take(OF_LINE, "friction", "temperature", "sliding")
 PLANE_HISTORIES.take(OF_LINE, "input_energy", "absolute_input_energy", "kinetic_energy", "strain_energy", "hysteretic_energy", "energy_residual")  # fmt: skip
 
 

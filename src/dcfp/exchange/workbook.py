@@ -4,13 +4,13 @@ import math
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any, cast
 
-from dcfp.analysis.response import HISTORIES, PEAKS
 from dcfp.errors import InputError
 from dcfp.exchange.sheet import COUNT, Formats, Head, Sheet, sheet_names
 from dcfp.methods.method import Information
 from dcfp.present.tables import group_names
 from dcfp.schema.citations import citations_of
 from dcfp.schema.quantities import quantity
+from dcfp.study.scenario import OF_ONE_DIRECTION
 from dcfp.version import version
 
 if TYPE_CHECKING:
@@ -18,12 +18,19 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from dcfp.analysis import Response
+    from dcfp.analysis.plane_response import PlaneResponse
     from dcfp.inference import Case
     from dcfp.schema.declared import Declared
     from dcfp.study.scenario import Calculation, ScenarioResult
     from dcfp.system import Bearing
 
-SUMMARY, INPUTS, METHODS, CONDITIONS = "Summary", "Inputs", "Predictions and codes", "Conditions"
+SUMMARY, INPUTS, CHECKS, METHODS, CONDITIONS = (
+    "Summary",
+    "Inputs",
+    "Checks",
+    "Predictions and codes",
+    "Conditions",
+)
 PROVENANCE = "Provenance"
 #: A cell is what it is: what a user named must not become a formula or a link.
 _OPTIONS = {"strings_to_formulas": False, "strings_to_urls": False, "strings_to_numbers": False}
@@ -51,12 +58,15 @@ def write_workbook(path: "Path", calculation: "Calculation") -> None:
     )
     formats = Formats(book)
     cases = group_names([one.response for one in calculation.results])
-    fixed = (SUMMARY, INPUTS, METHODS, CONDITIONS, PROVENANCE)
-    summary, inputs, methods, conditions = (Sheet(book, formats, name, title) for name in fixed[:4])
-    _write_summary(summary, calculation, cases)
-    _write_inputs(inputs, calculation, cases)
-    _write_methods(methods, calculation, cases)
-    _write_conditions(conditions, calculation, cases)
+    of_codes = () if calculation.in_plane else (METHODS, CONDITIONS)
+    fixed = (SUMMARY, INPUTS, CHECKS, *of_codes, PROVENANCE)
+    sheets = {name: Sheet(book, formats, name, title) for name in fixed[:-1]}
+    _write_summary(sheets[SUMMARY], calculation, cases)
+    _write_inputs(sheets[INPUTS], calculation, cases)
+    _write_checks(sheets[CHECKS], calculation, cases)
+    if of_codes:
+        _write_methods(sheets[METHODS], calculation, cases)
+        _write_conditions(sheets[CONDITIONS], calculation, cases)
     for name, one in zip(sheet_names(cases, fixed), calculation.results, strict=True):
         _write_histories(Sheet(book, formats, name, title), book, one.response)
     _write_provenance(Sheet(book, formats, PROVENANCE, title), calculation)
@@ -91,7 +101,11 @@ def _write_summary(sheet: Sheet, calculation: "Calculation", cases: "Sequence[st
         f"Bearing: {model.bearing.name}; friction: {model.friction.name}; heating: {model.heating.name}."
     )
     sheet.skip()
-    columns = [one for one in PEAKS.values() if one.stored and one.is_number and one.key not in _LEFT_OUT]
+    columns = [
+        one
+        for one in calculation.quantities.values()
+        if one.stored and one.is_number and one.key not in _LEFT_OUT
+    ]
     numbers = [
         Head(one.title, one.unit.text if one.unit.has_dimension else "–", 12, _FEW.get(one.key, ""))
         for one in columns
@@ -105,11 +119,12 @@ def _write_summary(sheet: Sheet, calculation: "Calculation", cases: "Sequence[st
     sheet.skip()
     for head, column in zip(numbers, columns, strict=True):
         sheet.note(f"{head.label}: {column.words}")
-    sheet.remarks(
+    of_cases = [
         f"{case}: {remark}"
         for case, one in zip(cases, calculation.results, strict=True)
-        for remark in one.case.remarks
-    )
+        for remark in one.response.remarks
+    ]
+    sheet.remarks([*((OF_ONE_DIRECTION,) if calculation.in_plane else ()), *of_cases])
 
 
 # ----- inputs and provenance -----
@@ -120,7 +135,7 @@ _MOTIONS = (
     Head("PGV", "mm/s", get="peak_velocity"),
     Head("PGA", "mm/s2", get="peak_acceleration"),
     Head("Time step", "s", number_format="0.0000", get="time_step"),
-    Head("Values", number_format=COUNT, get="acceleration.size"),
+    Head("Values", number_format=COUNT, get=lambda motion: len(motion.acceleration)),
     Head("Event", width=22, get="origin.event"),
     Head("Station", width=22, get="origin.station"),
     Head("Component", width=14, get="origin.component"),
@@ -142,10 +157,11 @@ def _write_inputs(sheet: Sheet, calculation: "Calculation", cases: "Sequence[str
         sheet.heading(f"{title}: {part.name}")
         sheet.table(_INPUTS, _constants(part))
     sheet.skip()
-    sheet.heading("Nominal coefficient for predictions and codes")
-    sheet.table(_INPUTS, [["mu_n", nominal.value, "–"]])
-    sheet.note(f"From: {nominal.source}.")
-    sheet.skip()
+    if not calculation.in_plane:
+        sheet.heading("Nominal coefficient for predictions and codes")
+        sheet.table(_INPUTS, [["mu_n", nominal.value, "–"]])
+        sheet.note(f"From: {nominal.source}.")
+        sheet.skip()
     sheet.heading("Ground motions as they shake the bearing")
     rows = [
         [case, *(head.of(one.motion) for head in _MOTIONS)]
@@ -185,6 +201,7 @@ def _write_provenance(sheet: Sheet, calculation: "Calculation") -> None:
     records = dict.fromkeys(motion.origin.citation for motion in calculation.scenario.motions)
     rows: list[list[object]] = [
         ["Made with", f"dcfp {version()}"],
+        ["Vertical force", calculation.vertical_force],
         ["Longest step", "that of the record" if settings.step is None else f"{settings.step:g} s"],
         ["Tail", "until no more sliding can come" if settings.tail is None else f"{settings.tail:g} s"],
         ["Tolerance of the friction", settings.tolerance],
@@ -218,7 +235,7 @@ _METHODS = (
     Head("Effective period", "s"),
     Head("Effective damping", "–"),
 )
-_CONDITIONS = (
+_CHECKS = (
     Head("Condition", width=44, get="name"),
     Head("Verdict", width=12, get="verdict.value"),
     Head("Found", width=24, get="found"),
@@ -226,6 +243,7 @@ _CONDITIONS = (
     Head("Source", width=34, get="source"),
     Head("Confirmed in the source", width=14, get=lambda check: "yes" if check.confirmed else "unconfirmed"),
 )
+_CONDITIONS = (Head("Case", width=18), Head("Code", width=26), *_CHECKS)
 #: Of a prediction, which has no conditions.
 _NO_CONDITIONS = "–"
 
@@ -241,8 +259,8 @@ def _write_methods(sheet: Sheet, calculation: "Calculation", cases: "Sequence[st
     sheet.table(_METHODS, [[name, *row] for name, one in results for row in _answers(one)], frozen=2)
     notes: list[str] = []
     for one in calculation.results:
-        notes += calculation.methods.remarks(one.case.pgv)
-        for said in one.case.codes.values():
+        notes += calculation.methods.remarks(one.motion.peak_velocity)
+        for said in one.codes.values():
             sentences = (*(f"not confirmed: {words}." for words in said.unconfirmed), *said.remarks)
             notes += [f"{said.method}: {sentence}" for sentence in sentences]
     sheet.remarks(notes)
@@ -250,7 +268,10 @@ def _write_methods(sheet: Sheet, calculation: "Calculation", cases: "Sequence[st
 
 def _answers(one: "ScenarioResult") -> "Iterator[list[object]]":
     """Yield the cells of the analysis, of each prediction and of each code, without the case."""
-    case, response, whole = one.case, one.response, one.case.analysed.whole
+    case, response = one.case, one.response
+    if case is None:
+        return
+    whole = case.analysed.whole
     energies = (whole.input_velocity, whole.hysteretic_velocity, whole.total_velocity)
     shear = response.peak_force / response.bearing.vertical_force
     yield [
@@ -282,51 +303,73 @@ def _write_conditions(sheet: Sheet, calculation: "Calculation", cases: "Sequence
     sheet.heading("Conditions under which the methods of codes may be used")
     sheet.skip()
     rows = [
-        [name, said.method, *(head.of(one) for head in _CONDITIONS)]
+        [name, said.method, *(head.of(one) for head in _CHECKS)]
         for name, result in zip(cases, calculation.results, strict=True)
-        for said in result.case.codes.values()
+        for said in result.codes.values()
         for one in said.conditions
     ]
-    heads = (Head("Case", width=18), Head("Code", width=26), *_CONDITIONS)
-    sheet.table(heads, rows, frozen=3)
+    sheet.table(_CONDITIONS, rows, frozen=3)
     if rows:
-        sheet.page.autofilter(sheet.row - len(rows) - 1, 0, sheet.row - 1, len(heads) - 1)
+        sheet.page.autofilter(sheet.row - len(rows) - 1, 0, sheet.row - 1, len(_CONDITIONS) - 1)
 
 
-# ----- histories of each case: the loop of force and displacement, and the displacement over time -----
+def _write_checks(sheet: Sheet, calculation: "Calculation", cases: "Sequence[str]") -> None:
+    """Write what every analysis ought to keep to, and whether it does."""
+    sheet.heading("Checks of the analyses")
+    sheet.skip()
+    rows = [
+        [name, *(head.of(one) for head in _CHECKS)]
+        for name, result in zip(cases, calculation.results, strict=True)
+        for one in result.response.checks
+    ]
+    sheet.table((_CONDITIONS[0], *_CHECKS), rows, frozen=2)
+
+
+# ----- histories of each case: the loop of force and displacement, and the displacement over time; in the plane the path of displacement too -----
 
 #: Most samples that a sheet has; of a longer history it has every second, third, ...
 MOST_SAMPLES = 20_000
 _TIME, _DISPLACEMENT, _FORCE = "time", "displacement", "force"
-_HISTORIES = (
-    "ground_acceleration", "ground_velocity", _DISPLACEMENT, "velocity", _FORCE, "friction", "temperature",
-    "input_energy", "hysteretic_energy",
+_X, _Y = f"{_DISPLACEMENT}_x", f"{_DISPLACEMENT}_y"
+_OF_ALL = ("friction", "temperature", "input_energy", "hysteretic_energy")
+_HISTORIES = ("ground_acceleration", "ground_velocity", _DISPLACEMENT, "velocity", _FORCE, *_OF_ALL)
+_PLANE_HISTORIES = (
+    "ground_acceleration_x", "ground_acceleration_y", "ground_velocity_x", "ground_velocity_y", _X, _Y, _DISPLACEMENT,
+    "velocity", "force_x", "force_y", _FORCE, *_OF_ALL,
 )  # fmt: skip
-#: Size of a chart [pixels], and rows that it covers.
-_SIZE, _ROWS = {"width": 720, "height": 420}, 22
+#: What is drawn over what.
+_CHARTS = ((_DISPLACEMENT, _FORCE), (_TIME, _DISPLACEMENT))
+_PLANE_CHARTS = ((_X, _Y), (_TIME, _DISPLACEMENT), (_X, "force_x"), (_Y, "force_y"))
+#: Size of a chart [pixels], of one that is a map, and rows that it covers.
+_SIZE, _MAP, _ROWS = {"width": 720, "height": 420}, {"width": 470, "height": 420}, 22
 
 
-def _write_histories(sheet: Sheet, book: Any, response: "Response") -> None:
-    """Write the histories of one analysis with two charts beside them."""
+def _write_histories(sheet: Sheet, book: Any, response: "Response | PlaneResponse") -> None:
+    """Write the histories of one analysis with charts beside them."""
+    in_plane = _X in response.histories
+    names, charts = (_PLANE_HISTORIES, _PLANE_CHARTS) if in_plane else (_HISTORIES, _CHARTS)
     every = max(1, math.ceil(response.time.size / MOST_SAMPLES))
     sheet.heading(f"{response.motion.name}, PGV {response.motion.peak_velocity / 1e3:.4g} m/s")
     kept = "every sample" if every == 1 else f"one sample in {every} of {response.time.size}"
     sheet.note(
         f"Histories: {kept}; the peaks on the summary are those of the analysis itself, also between samples."
     )
-    columns = {_TIME: response.time} | {name: HISTORIES[name].of(response) for name in _HISTORIES}
-    heads = [Head(quantity(name).words, quantity(name).shown.name, 13) for name in columns]
-    values = [quantity(name).display(one)[::every].tolist() for name, one in columns.items()]
+    told = {_TIME: quantity(_TIME)} | {name: response.histories[name] for name in names}
+    columns = {_TIME: response.time} | {name: told[name].of(response) for name in names}
+    heads = [Head(one.words, one.shown.name, 13) for one in told.values()]
+    values = [told[name].display(one)[::every].tolist() for name, one in columns.items()]
     first = sheet.row + 1
     sheet.table(heads, zip(*values, strict=True), frozen=1)
     last = sheet.row - 1
     place = list(columns)
     right = len(place) + 1
-    for number, (x, y) in enumerate(((_DISPLACEMENT, _FORCE), (_TIME, _DISPLACEMENT))):
+    for number, (x, y) in enumerate(charts):
         chart = _chart(book, sheet.name, heads, (place.index(x), place.index(y)), (first, last))
+        if (x, y) == (_X, _Y):  # as long in both directions
+            _draw_to_scale(chart, heads, response.peak_displacement)
         sheet.page.insert_chart(first + number * _ROWS, right, chart)
     # on paper the charts; the numbers would be pages of their own by the hundred
-    sheet.page.print_area(0, right, first + 2 * _ROWS, right + 12)
+    sheet.page.print_area(0, right, first + len(charts) * _ROWS, right + 12)
 
 
 def _chart(book: Any, name: str, heads: list[Head], columns: tuple[int, int], rows: tuple[int, int]) -> Any:
@@ -338,10 +381,24 @@ def _chart(book: Any, name: str, heads: list[Head], columns: tuple[int, int], ro
     chart.set_title(
         {"name": f"{up.text} over {along.text}", "name_font": {"size": 11, "bold": False}, "overlay": False}
     )
-    # axes at the edge, for both quantities go through zero
-    grid = {"visible": True, "line": {"width": 0.25, "color": "#BFBFBF"}}
-    chart.set_x_axis({"name": along.label, "label_position": "low", "major_gridlines": grid})
-    chart.set_y_axis({"name": up.label, "label_position": "low", "major_gridlines": grid})
+    chart.set_x_axis(_axis(along))
+    chart.set_y_axis(_axis(up))
     chart.set_legend({"none": True})
     chart.set_size(_SIZE)
     return chart
+
+
+def _axis(head: Head, **limits: float) -> dict[str, object]:
+    # at the edge, for both quantities go through zero
+    grid = {"visible": True, "line": {"width": 0.25, "color": "#BFBFBF"}}
+    return {"name": head.label, "label_position": "low", "major_gridlines": grid, **limits}
+
+
+def _draw_to_scale(chart: Any, heads: list[Head], reach: float) -> None:
+    """Give a chart of a path the same limits in both directions, of which `reach` is the farthest [mm], on an area that is about as wide as it is high."""
+    step = 10.0 ** math.floor(math.log10(max(reach, 1.0)))
+    end = step * math.ceil(max(reach, 1.0) / step)
+    x, y = (head for head in heads if head.text.endswith((" x", " y")) and head.unit == "mm")
+    chart.set_x_axis(_axis(x, min=-end, max=end))
+    chart.set_y_axis(_axis(y, min=-end, max=end))
+    chart.set_size(_MAP)

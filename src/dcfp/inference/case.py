@@ -14,6 +14,7 @@ from dcfp.methods.method import Information, Variant
 from dcfp.methods.prediction import Ground, Methods, prediction_methods
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import Motion, motion_of
+from dcfp.motion.station import Station
 from dcfp.schema.notebook import card
 from dcfp.schema.parameters import refuse_other
 
@@ -196,7 +197,7 @@ def governing_pulse(swing: Swing, pulses: Pulses) -> int | None:
     return int(np.argmax(np.where(fits, np.abs(pulses.changes), 0.0)))
 
 
-def event_of(motion: GroundMotion) -> str:
+def event_of(motion: GroundMotion | Station) -> str:
     """Return the earthquake of a motion, under one name where the sets of FEMA P-695 have two; the motion's own name where it is not known."""
     return re.sub(r"-\d\d(?=,? )", "", motion.origin.event) or motion.name
 

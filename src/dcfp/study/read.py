@@ -8,11 +8,12 @@ from typing import Any, cast
 
 import numpy as np
 
-from dcfp.analysis.integration import Integration
+from dcfp.analysis.integration import Integration, usual_heating
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.load import load_motions
-from dcfp.motion.treatment import treated
+from dcfp.motion.load import load_records, seen_from
+from dcfp.motion.station import Station
+from dcfp.motion.treatment import record_treated
 from dcfp.schema.declared import build, read_table
 from dcfp.schema.parameters import HIGH_PASS, TIME_STEP, Parameter, read_values, table_in, unknown
 from dcfp.schema.reading import complaints_name, read_toml
@@ -23,6 +24,7 @@ from dcfp.system import System, read_bearing
 
 BEARING = "bearing"
 _TITLE = Parameter("title of the study", key="title", kind=str)
+_VERTICAL = Parameter("whether the vertical force follows the vertical components of stations", key="vertical", kind=bool)  # fmt: skip
 _TABLES = ("title", "bearing", "motion", "factors", "sampling", "analysis", "keep", "report")
 _MOTION = (
     Parameter("component of a file that holds several", key="component", kind=str),
@@ -62,6 +64,9 @@ def _study(content: Mapping[str, Any], place: Path) -> Study:
     sampling = table_in(content, "sampling")
     sampled = _flat(table_in(sampling, "factors", shown="sampling.factors"))
     motions = _motions(grid, sampled, table_in(content, "motion"), place.parent)
+    usual = usual_heating(motions)
+    analysis = table_in(content, "analysis")
+    vertical = _VERTICAL.read(analysis.pop(_VERTICAL.key, False), f"[analysis]: {_VERTICAL.key}")
     names = [motion.name for motion in motions]
     return Study(
         motions=motions,
@@ -70,11 +75,12 @@ def _study(content: Mapping[str, Any], place: Path) -> Study:
             for name, given in grid.items()
         },
         sampling=_sampling(sampling, sampled, names),
-        model=_model(table_in(content, "bearing"), place),
-        bearings=_bearings(grid, sampled, place.parent),
+        model=_model(table_in(content, "bearing"), place, usual),
+        bearings=_bearings(grid, sampled, place.parent, usual),
         title=_TITLE.read(content.get("title", place.stem), "title"),
         name=place.stem,
-        settings=Integration.from_table(table_in(content, "analysis"), "[analysis]"),
+        settings=Integration.from_table(analysis, "[analysis]"),
+        vertical=vertical,
         histories=_histories(table_in(content, "keep")),
         text=place.read_text(encoding="utf-8"),
     )
@@ -95,33 +101,22 @@ def _flat(table: dict[str, Any]) -> dict[str, Any]:
 
 def _motions(
     grid: dict[str, Any], sampled: dict[str, Any], table: dict[str, Any], folder: Path
-) -> list[GroundMotion]:
+) -> list[GroundMotion | Station]:
     options = read_values(_MOTION, table, "[motion]", "parameter of a ground motion")
     given = grid.get(RECORD, sampled.get(RECORD))
     if given is None:
         msg = "there is no factor 'record'; name at least one, for example record = [\"NCC\"] in [factors]."
         raise InputError(msg)
-    names = [_found_from(folder, str(name)) for name in values_from(factor(RECORD), given)]
+    names = [seen_from(folder, str(name)) for name in values_from(factor(RECORD), given)]
     baseline, corner = options.pop("baseline", False), options.pop("high_pass", None)
-    return [treated(motion, baseline=baseline, corner=corner) for motion in load_motions(names, **options)]
+    return [record_treated(one, baseline=baseline, corner=corner) for one in load_records(names, **options)]
 
 
-def _found_from(folder: Path, name: str) -> str:
-    """Return the name of a record; of a file that is there, as seen from the folder of the study file."""
-    file, mark, component = name.partition("::")
-    beside = folder / file
-    try:
-        there = beside.is_file()
-    except (OSError, ValueError):
-        there = False
-    return f"{beside}{mark}{component}" if there else name
-
-
-def _bearings(grid: dict[str, Any], sampled: dict[str, Any], folder: Path) -> dict[str, System]:
+def _bearings(grid: dict[str, Any], sampled: dict[str, Any], folder: Path, usual: str) -> dict[str, System]:
     """Read the files that the factor ``bearing`` names, each once."""
     given = grid.get(BEARING, sampled.get(BEARING))
     names = [] if given is None else values_from(factor(BEARING), given)
-    return {str(name): read_bearing(folder / str(name)) for name in names}
+    return {str(name): read_bearing(folder / str(name), usual) for name in names}
 
 
 def _sampling(table: dict[str, Any], factors: dict[str, Any], records: list[str]) -> Sampling | None:
@@ -139,14 +134,15 @@ def _sampling(table: dict[str, Any], factors: dict[str, Any], records: list[str]
     return build(Sampling, {"factors": found, **values}, "")
 
 
-def _model(table: dict[str, Any], place: Path) -> System:
+def _model(table: dict[str, Any], place: Path, usual: str) -> System:
     file = table.pop("file", None)
     if file is not None:
         if table:
             msg = f"[bearing] names a file, so that {next(iter(table))!r} has no place beside it."
             raise InputError(msg)
-        return read_bearing(place.parent / str(file))
-    return System.from_table(table, f"{place}: [bearing]", "bearing of the study" if table else None)
+        return read_bearing(place.parent / str(file), usual)
+    name = "bearing of the study" if table else None
+    return System.from_table(table, f"{place}: [bearing]", name, usual)
 
 
 def _histories(table: dict[str, Any]) -> tuple[str, ...]:

@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import xarray
 
-from dcfp.analysis.response import PEAKS
+from dcfp.analysis.response import HISTORIES, PEAKS
 from dcfp.errors import InputError
+from dcfp.schema.quantities import Quantities
 
 if TYPE_CHECKING:
     from zarr.abc.store import Store
@@ -32,20 +33,56 @@ MEANINGS = ("not_run", "ok", "beyond_capacity", "still_moving", "failed")
 INTENSITIES = ("pgv", "pga", "scale")
 #: Attribute by which a store knows its study.
 DIGEST = "study_sha256"
+#: Attribute that says in how many horizontal directions the ground moves.
+DIRECTIONS = "directions"
 
 
-def added_peaks() -> tuple[str, ...]:
+def peaks_of(*, in_plane: bool) -> Quantities:
+    """Return what is told of each analysis: of a single component, or of a station."""
+    if not in_plane:
+        return PEAKS
+    from dcfp.analysis.plane_response import PLANE_PEAKS  # late: most studies are of one direction
+
+    return PLANE_PEAKS
+
+
+def _given(*, in_plane: bool) -> tuple[str, ...]:
+    """Return what a batch gives itself that is a number, of single components or of stations."""
+    if not in_plane:
+        return OF_BATCH
+    from dcfp.analysis.plane_batch import PEAKS as OF_STATIONS
+
+    known = peaks_of(in_plane=True)
+    return tuple(name for name in OF_STATIONS if known[name].is_number)
+
+
+def histories_of(*, in_plane: bool) -> Quantities:
+    """Return the histories of each analysis, as `peaks_of` its peaks."""
+    if not in_plane:
+        return HISTORIES
+    from dcfp.analysis.plane_response import PLANE_HISTORIES
+
+    return PLANE_HISTORIES
+
+
+def added_peaks(*, in_plane: bool = False) -> tuple[str, ...]:
     """Return the names of the numbers that were added to what people read of an analysis, besides those that a batch gives itself."""
+    given = _given(in_plane=in_plane)
     return tuple(
         name
-        for name, one in PEAKS.items()
-        if one.is_number and one.printed and name not in OF_BATCH and one.title not in INTENSITIES
+        for name, one in peaks_of(in_plane=in_plane).items()
+        if one.is_number and one.printed and name not in given and one.title not in INTENSITIES
     )
 
 
-def kept_peaks() -> tuple[str, ...]:
+def kept_peaks(*, in_plane: bool = False) -> tuple[str, ...]:
     """Return the names of what is kept of each analysis besides its status, in the order of the results."""
-    return (*OF_BATCH, *added_peaks())
+    return (*_given(in_plane=in_plane), *added_peaks(in_plane=in_plane))
+
+
+def is_in_plane(dataset: xarray.Dataset) -> bool:
+    """Whether a study is of stations."""
+    return dataset.attrs.get(DIRECTIONS) == 2
 
 
 def open_store(path: str | Path) -> xarray.Dataset:
@@ -68,13 +105,14 @@ def open_store(path: str | Path) -> xarray.Dataset:
     if not ours:
         msg = f"{path}: this is not the store of a study."
         raise InputError(msg)
+    peaks_of(in_plane=is_in_plane(found))  # so that the nomenclature knows them
     return found
 
 
 def results_in(store: "Store | Path") -> xarray.Dataset:
     """Return what stands in a store, in the order of the quantities: Zarr lists what it finds in the order of the file system."""
     found = xarray.open_zarr(store, consolidated=False, chunks=None)
-    order = [name for name in (*kept_peaks(), STATUS) if name in found]
+    order = [name for name in (*kept_peaks(in_plane=is_in_plane(found)), STATUS) if name in found]
     return found[[*order, *sorted(str(name) for name in found.data_vars if name not in order)]]
 
 

@@ -232,7 +232,7 @@ def _check_versions(client: Any) -> None:
 
 
 def _identity() -> dict[str, Any]:
-    return {**makers(), "kept": kept_peaks()}
+    return {**makers(), "kept": [kept_peaks(in_plane=one) for one in (False, True)]}
 
 
 @contextmanager

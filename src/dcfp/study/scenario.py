@@ -1,28 +1,40 @@
 """A scenario, one bearing under some ground motions: what is to be calculated and for whom, its file, and all that is calculated of it."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from datetime import date
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import tomli_w
 
-from dcfp.analysis import Response
 from dcfp.analysis.integration import PLATES
 from dcfp.analysis.response_history import analyse
 from dcfp.errors import InputError
 from dcfp.inference import Case, compare
+from dcfp.methods.code import CodeResult
 from dcfp.methods.prediction import Methods, Nominal, nominal_coefficient
 from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.station import Station
 from dcfp.schema.declared import Declared, declared
 from dcfp.schema.notebook import card, told
 from dcfp.schema.parameters import PGV, Parameter, table_in
+from dcfp.schema.quantities import Quantities
 from dcfp.schema.reading import complaints_name, read_toml
 from dcfp.study import Study, read_study
+from dcfp.study.results import peaks_of
 from dcfp.system import System
 
+if TYPE_CHECKING:
+    from dcfp.analysis import Response
+    from dcfp.analysis.plane_response import PlaneResponse
+
+#: What is said where there are stations.
+OF_ONE_DIRECTION = (
+    "Predictions and the methods of codes are of one direction and are left out here: beside the resultant of two directions they would look safer than they are."
+    " dcfp compare and dcfp codes give them for a single component."
+)
 #: Analyses that a scenario has at most: each gets pages of its own in a report.
 MOST_ANALYSES = 40
 
@@ -82,7 +94,7 @@ class Scenario:
         return self.study.plan.models_at_ends()[0]
 
     @cached_property
-    def motions(self) -> list[GroundMotion]:
+    def motions(self) -> list[GroundMotion | Station]:
         """The ground motions as they shake the bearing, in the order of the study."""
         plan = self.study.plan
         every = (plan.cases(block).lanes for block in plan.blocks())
@@ -155,11 +167,16 @@ def scenario_toml(
 
 @dataclass(frozen=True, eq=False)
 class ScenarioResult:
-    """One ground motion on the bearing, the analysis, and beside it the predictions and what the codes say."""
+    """One ground motion on the bearing, the analysis, and beside it the predictions and what the codes say, which are of one direction: None of a station."""
 
-    motion: GroundMotion
-    response: Response
-    case: Case
+    motion: GroundMotion | Station
+    response: "Response | PlaneResponse"
+    case: Case | None
+
+    @property
+    def codes(self) -> dict[str, CodeResult]:
+        """What the codes say, by name."""
+        return {} if self.case is None else self.case.codes
 
     def _repr_html_(self) -> str:
         facts = told(self.response.quantities.values(), self.response)
@@ -175,6 +192,22 @@ class Calculation:
     nominal: Nominal
     results: tuple[ScenarioResult, ...]
 
+    @property
+    def in_plane(self) -> bool:
+        """Whether the ground motions are stations, of which nothing is predicted."""
+        return self.scenario.study.in_plane
+
+    @property
+    def vertical_force(self) -> str:
+        """What the vertical force does, in words."""
+        follows = self.scenario.study.vertical
+        return "follows the vertical component of the record" if follows else "constant"
+
+    @property
+    def quantities(self) -> Quantities:
+        """What is told of each analysis."""
+        return peaks_of(in_plane=self.in_plane)
+
     @cached_property
     def summary(self) -> list[dict[str, Any]]:
         """The peaks of each analysis, as the JSON of ``dcfp respond`` has them, with its remarks."""
@@ -187,8 +220,22 @@ class Calculation:
         return card(self.scenario.title, rows=rows, remarks=remarks)
 
 
-def calculate(scenario: Scenario, report: Callable[[], None] | None = None) -> Calculation:
-    """Analyse and predict every ground motion of a scenario; `report` is called after each.
+def calculate(
+    scenario: Scenario,
+    report: Callable[[], None] | None = None,
+    *,
+    in_plane: "Sequence[PlaneResponse] | None" = None,
+) -> Calculation:
+    """Analyse and predict every ground motion of a scenario.
+
+    Parameters
+    ----------
+    scenario
+        What is calculated.
+    report
+        Called after each ground motion.
+    in_plane
+        The analyses of the stations of the scenario, where they are at hand.
 
     Raises
     ------
@@ -198,10 +245,21 @@ def calculate(scenario: Scenario, report: Callable[[], None] | None = None) -> C
     nominal = nominal_coefficient(scenario.model)
     methods = Methods.of(scenario.model, nominal)
     results: list[ScenarioResult] = []
-    for motion in scenario.motions:
-        response = analyse(motion, scenario.model, scenario.study.settings, keep=PLATES)
-        case = compare(motion, methods, codes=True, response=response)
-        results.append(ScenarioResult(motion, response, case))
+    model, settings = scenario.model, scenario.study.settings
+    for place, motion in enumerate(scenario.motions):
+        if isinstance(motion, Station):
+            from dcfp.analysis.plane_history import analyse_plane  # late: most scenarios are of one direction
+
+            of_station = (
+                analyse_plane(motion, model, settings, vertical=scenario.study.vertical)
+                if in_plane is None
+                else in_plane[place]
+            )
+            results.append(ScenarioResult(motion, of_station, None))
+        else:
+            response = analyse(motion, model, settings, keep=PLATES)
+            case = compare(motion, methods, codes=True, response=response)
+            results.append(ScenarioResult(motion, response, case))
         if report is not None:
             report()
     return Calculation(scenario, methods, nominal, tuple(results))

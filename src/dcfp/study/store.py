@@ -25,6 +25,7 @@ from dcfp.errors import InputError
 from dcfp.inference.case import event_of
 from dcfp.kernels._jit import source_digest
 from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.station import Station
 from dcfp.schema.citations import citations_of
 from dcfp.schema.identity import identity_of
 from dcfp.schema.quantities import Quantity, quantity
@@ -32,6 +33,7 @@ from dcfp.schema.units import MM_PER_S, SECOND
 from dcfp.study.factors import factor
 from dcfp.study.results import (
     DIGEST,
+    DIRECTIONS,
     MEANINGS,
     STATUS,
     exists,
@@ -63,7 +65,8 @@ class StudyStore:
         self.place = place
         self._group = group
         histories = (f"history_{name}" for name in plan.study.histories)
-        self._arrays: dict[str, Any] = {name: group[name] for name in (*histories, *kept_peaks(), STATUS)}
+        kept = kept_peaks(in_plane=plan.study.in_plane)
+        self._arrays: dict[str, Any] = {name: group[name] for name in (*histories, *kept, STATUS)}
 
     def is_done(self, block: Block) -> bool:
         """Whether a block is whole."""
@@ -154,7 +157,7 @@ def _create(store: "Store | Path", plan: Plan) -> None:
             attributes=attributes,
         )
 
-    for name in kept_peaks():
+    for name in kept_peaks(in_plane=plan.study.in_plane):
         create(name, dict(quantity(name).attributes), "float64", np.nan)
     flags: dict[str, Any] = {
         "long_name": "how the analysis ended",
@@ -254,7 +257,12 @@ OF_RECORDS = (
     Quantity("station", "station", get="origin.station"),
     Quantity("record_sha256", "SHA-256 of the record", get="digest"),
     Quantity("time_step", "time step of the record", SECOND, get="time_step"),
-    Quantity("unscaled_pgv", "peak ground velocity of the record as it is", MM_PER_S, get="peak_velocity"),
+    Quantity(
+        "unscaled_pgv",
+        "peak ground velocity of the record as it is, of a station of the resultant",
+        MM_PER_S,
+        get="peak_velocity",
+    ),
 )
 
 
@@ -296,6 +304,7 @@ def provenance(plan: Plan) -> dict[str, Any]:
         **makers(),
         "store_form": FORM,
         DIGEST: digest(plan),
+        DIRECTIONS: 2 if study.in_plane else 1,
         "study_name": study.name,
         "study": study.text,
         "references": "\n".join(citations_of(*_citations(plan), "li_2020")),
@@ -303,6 +312,7 @@ def provenance(plan: Plan) -> dict[str, Any]:
         "friction_law": repr(study.model.friction),
         "heating_model": repr(study.model.heating),
         "settings": json.dumps(asdict(study.settings)),
+        "vertical": int(study.vertical),
         "records": json.dumps([_record(motion) for motion in study.motions]),
         "sampling_method": "grid" if study.sampling is None else study.sampling.method,
     }
@@ -332,7 +342,8 @@ def digest(plan: Plan) -> str:
         "model": identity_of(study.model),
         "bearings": {name: identity_of(model) for name, model in study.bearings.items()},
         "settings": identity_of(study.settings),
-        "kept": kept_peaks(),
+        "vertical": study.vertical,
+        "kept": kept_peaks(in_plane=study.in_plane),
         "histories": study.histories,
         "chunks": plan.chunks,
     }
@@ -354,14 +365,14 @@ def _citations(plan: Plan) -> list[str]:
     return sorted(laws)
 
 
-def _record(motion: GroundMotion) -> dict[str, Any]:
+def _record(motion: GroundMotion | Station) -> dict[str, Any]:
     return {
         "name": motion.name,
         "sha256": motion.digest,
         "origin": asdict(motion.origin),
         "treatment": list(motion.treatment),
         "time_step_s": motion.time_step,
-        "samples": motion.acceleration.size,
+        "samples": len(motion.acceleration),
         "pgv_mm_s": motion.peak_velocity,
         "pga_mm_s2": motion.peak_acceleration,
     }

@@ -10,13 +10,13 @@ from typing import Any
 import numpy as np
 
 from dcfp.analysis.batch import GroundSet, Lanes
-from dcfp.analysis.integration import DEFAULT, Integration
+from dcfp.analysis.integration import DEFAULT, Integration, usual_heating
 from dcfp.analysis.plane_batch import StationSet
-from dcfp.analysis.response import HISTORIES
 from dcfp.arrays import FloatArray, IntArray
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import refuse_a_drift
+from dcfp.motion.station import Station, stations_of
 from dcfp.schema.notebook import card
 from dcfp.schema.parameters import Parameter, unknown
 from dcfp.study.factors import (
@@ -30,12 +30,12 @@ from dcfp.study.factors import (
     factor,
     is_of_system,
 )
-from dcfp.study.results import INTENSITIES
+from dcfp.study.results import INTENSITIES, histories_of
 from dcfp.system import System
 
 RECORD, SAMPLE = "record", "sample"
-#: Analyses in a block at most, and blocks in a study at least, as far as it has so many analyses.
-LARGEST_BLOCK, FEWEST_BLOCKS = 4096, 64
+#: Analyses in a block at most, the same of stations, and blocks in a study at least, as far as it has so many analyses.
+LARGEST_BLOCK, LARGEST_PLANE_BLOCK, FEWEST_BLOCKS = 4096, 512, 64
 #: Values of histories in a block at most: 64 MiB.
 LARGEST_HISTORIES = 8 * 2**20
 #: Analyses that a study may have.
@@ -45,6 +45,10 @@ _MOST_TRIED = 5000
 _FACTOR_OF_SCALE = "scale"
 
 
+#: The system of a study that says none.
+_USUAL = System()
+
+
 @dataclass(frozen=True, eq=False)
 class Study:
     """Analyses of every combination of the factors.
@@ -52,7 +56,7 @@ class Study:
     Parameters
     ----------
     motions
-        The ground motions, unscaled.
+        The ground motions, unscaled: single components, or stations, which are analysed in the plane.
     factors
         Values of each factor of the grid in the units of the package, in the order of the dimensions of the
         results; ``record`` stands first unless it is named here (then with the names of the motions). Those
@@ -60,11 +64,14 @@ class Study:
     sampling
         Factors that vary together instead of each with each.
     model, bearings
-        The bearing, law and heating that the factors change, and those that the factor ``bearing`` names.
+        The bearing, law and heating that the factors change, and those that the factor ``bearing`` names. By default those of Li et al. (2020), with
+        the precise heating model of stations.
     title, name, text
         For people, and for files; and the study file, where it came from one.
     settings
         How each analysis goes.
+    vertical
+        Whether the vertical force follows the vertical components of the stations.
     histories
         Names of the histories that are kept besides the peaks, over the length of each record.
 
@@ -74,14 +81,15 @@ class Study:
         If a factor is not known, has no value, has one twice, or a value that cannot be.
     """
 
-    motions: Sequence[GroundMotion]
+    motions: Sequence[GroundMotion | Station]
     factors: Mapping[str, Sequence[Value]] = field(default_factory=dict[str, Sequence[Value]])
     sampling: Sampling | None = None
-    model: System = field(default_factory=System)
+    model: System = _USUAL
     bearings: Mapping[str, System] = field(default_factory=dict[str, System])
     title: str = "Study"
     name: str = "study"
     settings: Integration = DEFAULT
+    vertical: bool = False
     histories: tuple[str, ...] = ()
     text: str = ""
 
@@ -90,6 +98,8 @@ class Study:
         if not names:
             msg = "factor 'record' has no value; name at least one record, for example NCC."
             raise InputError(msg)
+        if self.model is _USUAL:
+            object.__setattr__(self, "model", System.of(usual=usual_heating(self.motions)))
         _refuse_twice(self.motions)
         given, sampled = dict(self.factors), self.sampled
         grid = given if RECORD in given or RECORD in sampled else {RECORD: names, **given}
@@ -103,9 +113,10 @@ class Study:
         if self.sampling is not None:
             drawn = {name: _checked_distribution(known[name], one) for name, one in sampled.items()}
             object.__setattr__(self, "sampling", replace(self.sampling, factors=drawn))
+        known_histories = histories_of(in_plane=self.in_plane)
         for name in self.histories:
-            if name not in HISTORIES:
-                raise InputError(unknown(name, HISTORIES, "history"))
+            if name not in known_histories:
+                raise InputError(unknown(name, known_histories, "history"))
         _refuse_without_effect(self)
         if self.intensity in ("pgv", "pga"):
             for motion in self.motions:
@@ -113,6 +124,11 @@ class Study:
                 if motion.peak_velocity == 0.0:
                     msg = f"{motion.name}: every value is zero, so the record cannot be scaled."
                     raise InputError(msg)
+
+    @property
+    def in_plane(self) -> bool:
+        """Whether the ground motions are stations, which are analysed in the plane."""
+        return bool(stations_of(self.motions))
 
     @property
     def sampled(self) -> Mapping[str, Distribution]:
@@ -166,7 +182,7 @@ class Study:
         return card(self.title, facts)
 
 
-def _refuse_twice(motions: Sequence[GroundMotion]) -> None:
+def _refuse_twice(motions: Sequence[GroundMotion | Station]) -> None:
     seen: dict[str, str] = {}
     names: set[str] = set()
     for motion in motions:
@@ -192,6 +208,16 @@ def _refuse_without_effect(study: Study) -> None:
     idle = sorted(names & {"conductivity", "diffusivity", "thickness"})
     if idle and heatings == ["none"] and not study.bearings:
         msg = f"without heating {idle[0]!r} changes nothing; leave it out, or choose another heating."
+        raise InputError(msg)
+    if study.vertical:
+        if not study.in_plane:
+            msg = "vertical is for stations; a single component has no other direction."
+            raise InputError(msg)
+        for station in stations_of(study.motions):
+            station.require_vertical()
+    predicted = [name for name in study.values_of("procedure") or [] if name != ANALYSIS]
+    if predicted and study.in_plane:
+        msg = f"the procedure {predicted[0]!r} is of one direction, and the records are stations; leave it out, or name single components."
         raise InputError(msg)
     if study.histories and ANALYSIS not in (study.values_of("procedure") or [ANALYSIS]):
         msg = f"histories are of the procedure {ANALYSIS!r}, which is not among those of the study."
@@ -294,7 +320,8 @@ class Plan:
     @cached_property
     def chunks(self) -> tuple[int, ...]:
         """Length of a block along each dimension: whole along the last ones, as far as a block may have so many analyses."""
-        room = max(1, min(LARGEST_BLOCK, self.count // FEWEST_BLOCKS))
+        largest = LARGEST_PLANE_BLOCK if self.study.in_plane else LARGEST_BLOCK
+        room = max(1, min(largest, self.count // FEWEST_BLOCKS))
         kept = len(self.study.histories) * self.longest_record
         if kept:
             room = max(1, min(room, LARGEST_HISTORIES // kept))
@@ -315,17 +342,22 @@ class Plan:
     @cached_property
     def grounds(self) -> GroundSet | StationSet:
         """The ground motions as the kernel takes them."""
-        return GroundSet.of(self.study.motions, self.study.settings)
+        study = self.study
+        return GroundSet.of(study.motions, study.settings, vertical=study.vertical)
+
+    @cached_property
+    def _samples(self) -> IntArray:
+        return np.array([len(motion.acceleration) for motion in self.study.motions], dtype=np.intp)
 
     @property
     def longest_record(self) -> int:
         """Samples of the longest ground motion."""
-        return max(motion.acceleration.size for motion in self.study.motions)
+        return int(self._samples.max())
 
     def cost(self, block: Block) -> float:
         """Return about how long a block takes, in samples of the ground motion."""
         cases = self._numbers(block)
-        return float(self.grounds.steps[cases[RECORD]].sum())
+        return float(self._samples[cases[RECORD]].sum())
 
     def cases(self, block: Block) -> Cases:
         """Return the analyses of a block."""
@@ -336,7 +368,7 @@ class Plan:
         lanes = Lanes(record, self._scales(numbers, record), model, models)
         return Cases(lanes, numbers["procedure"])
 
-    def motion(self, lanes: Lanes, lane: int) -> GroundMotion:
+    def motion(self, lanes: Lanes, lane: int) -> GroundMotion | Station:
         """Return the ground motion of an analysis as it shakes the bearing."""
         motion, scale = self.study.motions[int(lanes.record[lane])], float(lanes.scale[lane])
         return motion if scale == 1.0 else motion.scaled(scale)

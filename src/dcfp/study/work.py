@@ -5,13 +5,13 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
 from types import SimpleNamespace
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from dcfp.analysis import Response
 from dcfp.analysis.batch import Lanes, respond_in_batch
-from dcfp.analysis.response import FAILED, NUMBERS, PEAKS, Status
+from dcfp.analysis.response import FAILED, NUMBERS, Status
 from dcfp.analysis.response_history import analyse
 from dcfp.arrays import IntArray
 from dcfp.errors import AnalysisError
@@ -21,9 +21,14 @@ from dcfp.methods.code import CodeMethod
 from dcfp.methods.code_comparison import code_results
 from dcfp.methods.prediction import Ground, Methods, PredictionMethod
 from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.station import Station
 from dcfp.study.factors import ANALYSIS
-from dcfp.study.results import STATUS, added_peaks, kept_peaks
+from dcfp.study.results import STATUS, added_peaks, kept_peaks, peaks_of
 from dcfp.study.study import Block, Cases, Plan
+
+if TYPE_CHECKING:
+    from dcfp.analysis import Response
+    from dcfp.analysis.plane_response import PlaneResponse
 
 Results = dict[str, NDArray[np.float64] | NDArray[np.uint8]]
 
@@ -32,7 +37,7 @@ def work_off(plan: Plan, block: Block) -> Results:
     """Return every quantity of a block and its status, in the shape of the block."""
     cases = plan.cases(block)
     size = len(cases.lanes)
-    results: Results = {name: np.full(size, np.nan) for name in kept_peaks()}
+    results: Results = {name: np.full(size, np.nan) for name in kept_peaks(in_plane=plan.study.in_plane)}
     results[STATUS] = np.full(size, FAILED, dtype=np.uint8)
     for number, name in enumerate(plan.procedures):
         chosen = np.flatnonzero(cases.procedures == number)
@@ -45,22 +50,24 @@ def work_off(plan: Plan, block: Block) -> Results:
             found |= _added(plan, lanes, found)
         else:
             found = _predicted(plan, cases, chosen, name)
-        for quantity, values in found.items():
-            results[quantity][chosen] = values
+        for quantity in results.keys() & found.keys():
+            results[quantity][chosen] = found[quantity]
     whole: Results = {name: values.reshape(block.shape) for name, values in results.items()}
     return whole | _histories(plan, block, cases)
 
 
 def _added(plan: Plan, lanes: Lanes, found: Results) -> Results:
     """Return what was added to the peaks of an analysis: from its other peaks where they are enough, else made again."""
-    added: Results = {name: np.full(len(lanes), np.nan) for name in added_peaks()}
+    in_plane = plan.study.in_plane
+    known = peaks_of(in_plane=in_plane)
+    added: Results = {name: np.full(len(lanes), np.nan) for name in added_peaks(in_plane=in_plane)}
     for lane in np.flatnonzero(found[STATUS] != FAILED).tolist() if added else ():
         peaks = SimpleNamespace(**{name: values[lane].item() for name, values in found.items()})
         for name in added:
             try:
-                added[name][lane] = PEAKS[name].of(peaks)
+                added[name][lane] = known[name].of(peaks)
             except AttributeError:
-                added[name][lane] = PEAKS[name].of(response_of(plan, lanes, lane))
+                added[name][lane] = known[name].of(response_of(plan, lanes, lane))
     return added
 
 
@@ -78,7 +85,7 @@ def _histories(plan: Plan, block: Block, cases: Cases) -> Results:
             response = response_of(plan, cases.lanes, lane)
         except AnalysisError:  # its status says so
             continue
-        samples = response.motion.acceleration.size
+        samples = len(response.motion.acceleration)
         every = round(response.motion.time_step / (response.time[1] - response.time[0]))
         for name in names:
             history = response.history(name)[::every][:samples]
@@ -86,9 +93,14 @@ def _histories(plan: Plan, block: Block, cases: Cases) -> Results:
     return {name: values.reshape((*block.shape, -1)) for name, values in found.items()}
 
 
-def response_of(plan: Plan, lanes: Lanes, lane: int) -> Response:
+def response_of(plan: Plan, lanes: Lanes, lane: int) -> "Response | PlaneResponse":
     """Return the response history analysis of one lane, with its histories."""
-    return analyse(plan.motion(lanes, lane), lanes.models[int(lanes.model[lane])], plan.study.settings)
+    motion, system = plan.motion(lanes, lane), lanes.models[int(lanes.model[lane])]
+    if isinstance(motion, Station):
+        from dcfp.analysis.plane_history import analyse_plane  # late: most studies are of one direction
+
+        return analyse_plane(motion, system, plan.study.settings, vertical=plan.study.vertical)
+    return analyse(motion, system, plan.study.settings)
 
 
 def predict(motion: GroundMotion, methods: Methods, key: str) -> Prediction:
@@ -107,7 +119,9 @@ def _predicted(plan: Plan, cases: Cases, chosen: IntArray, name: str) -> Results
     methods = [Methods.of(model) for model in lanes.models]
     said: list[Prediction] = []
     for lane in chosen.tolist():
-        said.append(predict(plan.motion(lanes, lane), methods[int(lanes.model[lane])], name))
+        motion = plan.motion(lanes, lane)
+        assert isinstance(motion, GroundMotion)  # of a station nothing is predicted
+        said.append(predict(motion, methods[int(lanes.model[lane])], name))
     displacement = np.array([one.bound for one in said])
     velocity = [np.nan if one.total_velocity is None else one.total_velocity for one in said]
     return {
@@ -118,8 +132,8 @@ def _predicted(plan: Plan, cases: Cases, chosen: IntArray, name: str) -> Results
     }
 
 
-#: Parts that are tried for each thread, and analyses in each at most.
-_TRIED, _MOST_ANALYSES = 12, 64
+#: Parts that are tried for each thread, and analyses in each at most, and of stations.
+_TRIED, _MOST_ANALYSES, _MOST_PLANE_ANALYSES = 12, 64, 8
 
 
 @dataclass(frozen=True)
@@ -140,7 +154,8 @@ def project(plan: Plan, threads: int) -> Projection:
     chosen: list[int] = np.unique(
         np.linspace(0, len(blocks) - 1, _TRIED * threads).round().astype(int)
     ).tolist()
-    parts = [_beginning(blocks[number]) for number in chosen]
+    most = _MOST_PLANE_ANALYSES if plan.study.in_plane else _MOST_ANALYSES
+    parts = [_beginning(blocks[number], most) for number in chosen]
     work_off(plan, _beginning(blocks[0], 1))  # compiles, or loads what is compiled
     began = time.perf_counter()
     with ThreadPoolExecutor(threads) as pool:
@@ -149,13 +164,13 @@ def project(plan: Plan, threads: int) -> Projection:
     tried = sum(part.size for part in parts)
     cost = sum(plan.cost(part) for part in parts)
     duration = elapsed * sum(plan.cost(block) for block in blocks) / cost
-    numbers = len(kept_peaks()) + len(plan.study.histories) * plan.longest_record
+    numbers = len(kept_peaks(in_plane=plan.study.in_plane)) + len(plan.study.histories) * plan.longest_record
     return Projection(
         plan.count, len(blocks), tried, plan.count / duration, duration, plan.count * (8 * numbers + 1)
     )
 
 
-def _beginning(block: Block, most: int = _MOST_ANALYSES) -> Block:
+def _beginning(block: Block, most: int) -> Block:
     """Return the middle of a block, with no more analyses than that: neither the weakest nor the strongest motions alone."""
     region = list(block.region)
     while Block(block.number, tuple(region)).size > most:

@@ -1,7 +1,9 @@
 """`dcfp respond` of stations, from end to end."""
 
 import json
+import math
 
+import openpyxl
 import pytest
 import xarray
 
@@ -92,3 +94,27 @@ def test_what_is_of_one_direction_says_so(run, command: str) -> None:
     outcome = run(command, "P695-FF-2")
     assert outcome.status == 2
     assert "this takes one direction; choose P695-FF-2-a or P695-FF-2-b" in outcome.err
+
+
+def test_a_workbook_of_both_directions(run, tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    words = ("respond", "P695-FF-2", "--pgv", "0.25", "--heating", "none", "--out", "pair.xlsx", "--json")
+    outcome = run(*words)
+    (told,) = json.loads(outcome.out)
+    book = openpyxl.load_workbook(tmp_path / "pair.xlsx")
+    assert book.sheetnames == ["Summary", "Inputs", "Checks", "P695-FF-2_0.25", "Provenance"]
+    rows = [[cell for cell in row if cell is not None] for row in book["Summary"].iter_rows(values_only=True)]
+    head = next(place for place, row in enumerate(rows) if row[:1] == ["Case"])
+    summary = dict(zip(rows[head], rows[head + 1], strict=True))
+    for key, name in (("y_max_mm", "y_max [mm]"), ("y1_max_mm", "y1_max [mm]"), ("load_min_kN", "load_min [kN]")):  # fmt: skip
+        assert summary[name] == told[key]
+    assert any(row and str(row[0]).startswith("Predictions and the methods of codes") for row in rows)
+    sheet = book["P695-FF-2_0.25"]
+    lines = list(sheet.iter_rows(min_row=3, values_only=True))
+    values = dict(zip(lines[0], zip(*lines[1:], strict=True), strict=True))
+    x, y, resultant = (values[f"displacement of the isolation layer{one} [mm]"] for one in (" in direction x", " in direction y", ", resultant"))  # fmt: skip
+    assert [math.hypot(*one) for one in zip(x, y, strict=True)] == pytest.approx(resultant)
+    assert max(map(abs, x)) == pytest.approx(told["y1_max_mm"], rel=1e-3)
+    assert len(sheet._charts) == 4
+    path = sheet._charts[0]
+    assert path.x_axis.scaling.max == path.y_axis.scaling.max >= told["y_max_mm"]

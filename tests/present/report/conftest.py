@@ -80,6 +80,12 @@ def with_the_lighter_figure(document: Document) -> Document:
     return replace(document, sections=tuple(map(lean, document.sections)))
 
 
+@pytest.fixture(scope="session")
+def lighter() -> Callable[[Document], Document]:
+    """What leaves the figure of the response out of a report."""
+    return with_the_lighter_figure
+
+
 def write_pulse(path: Path) -> Path:
     """Write a record of two seconds of a sine wave and two of rest [m/s2]."""
     time = np.arange(401) * 0.01

@@ -44,9 +44,6 @@ def _in_the_plane(
 ) -> Answer:
     from dcfp.analysis.plane_history import analyse_plane  # late: most records are of one direction
 
-    if kind == WORKBOOK:
-        msg = f"{chosen.out}: an analysis in the plane is written as .py, .nc or .csv; a workbook is of one direction, so give a single component."
-        raise InputError(msg)
     if chosen.rotate is not None:
         stations = [one.rotated(chosen.rotate) for one in stations]
     integration = Integration(**inputs.given(chosen, Integration))
@@ -57,12 +54,10 @@ def _in_the_plane(
         motions,
         lambda motion: analyse_plane(motion, system, integration, vertical=chosen.vertical),
     )
-    alone = len(responses) == 1
-    return Answer(
-        lambda: [{**one.summary(), "remarks": one.all_remarks} for one in responses],
-        lambda: _page(responses),
-        lambda part, kind: write_analyses(part, kind, responses, None, vertical=chosen.vertical),
-        drawn("plane.plot_plane_response", responses[0]) if alone else drawn("plane.plot_orbits", responses),
+    return answer_of(
+        responses,
+        lambda: calculated(chosen, stations, system, integration, responses),
+        vertical=chosen.vertical,
     )
 
 
@@ -78,30 +73,43 @@ def _in_one_direction(
     integration = Integration(**inputs.given(chosen, Integration))
     keep = PLATES if kind == ".nc" or chosen.plot is not None else NOTHING
     responses = each("analyses", motions, lambda motion: analyse(motion, system, integration, keep=keep))
+    return answer_of(responses, lambda: calculated(chosen, records, system, integration))
 
-    def calculated() -> "Calculation":
-        from dcfp.study import Study  # late: workbooks are rare
-        from dcfp.study.scenario import Scenario, calculate
 
-        intensities = {"pgv": chosen.pgv} if chosen.pgv else {}
-        title = ", ".join(motion.name for motion in records)
-        return calculate(
-            Scenario(Study(records, intensities, model=system, title=title, settings=integration))
-        )
+def calculated(
+    chosen: argparse.Namespace,
+    records: Sequence[GroundMotion | Station],
+    system: System,
+    integration: Integration,
+    in_plane: "Sequence[PlaneResponse] | None" = None,
+) -> "Calculation":
+    """Return all that is calculated of records as they are read; `in_plane` are the analyses of stations."""
+    from dcfp.study import Study  # late: workbooks are rare
+    from dcfp.study.scenario import Scenario, calculate
 
-    return answer_of(responses, calculated)
+    intensities = {"pgv": chosen.pgv} if chosen.pgv else {}
+    title = ", ".join(motion.name for motion in records)
+    study = Study(
+        records,
+        intensities,
+        model=system,
+        title=title,
+        settings=integration,
+        vertical=in_plane is not None and chosen.vertical,
+    )
+    return calculate(Scenario(study), in_plane=in_plane)
 
 
 def _check_one_script(chosen: argparse.Namespace, kind: str, count: int) -> None:
     if kind == SCRIPT and count != 1:
-        msg = f"{chosen.out}: a script is of one record at one PGV, not of {count} analyses; give one, or write .nc or .csv."
+        msg = f"{chosen.out}: a script is of one record at one PGV, not of {count} analyses; give one, or write .xlsx, .nc or .csv."
         raise InputError(msg)
 
 
 def write_analyses(
     part: Path,
     kind: str,
-    responses: "Sequence[Response] | Sequence[PlaneResponse]",
+    responses: "Sequence[Response | PlaneResponse]",
     calculated: "Callable[[], Calculation] | None",
     *,
     vertical: bool = False,
@@ -118,18 +126,24 @@ def write_analyses(
     return None
 
 
-def answer_of(responses: Sequence[Response], calculated: "Callable[[], Calculation] | None" = None) -> Answer:
+def answer_of(
+    responses: "Sequence[Response | PlaneResponse]",
+    calculated: "Callable[[], Calculation] | None" = None,
+    *,
+    vertical: bool = False,
+) -> Answer:
     """Return what is told of analyses, with what a workbook has beside them where one may be wanted."""
     alone = len(responses) == 1
+    of_several = "plot_overview" if isinstance(responses[0], Response) else "plane.plot_orbits"
     return Answer(
         lambda: [{**one.summary(), "remarks": one.all_remarks} for one in responses],
         lambda: _page(responses),
-        lambda part, kind: write_analyses(part, kind, responses, calculated),
-        drawn("plot_response", responses[0]) if alone else drawn("plot_overview", responses),
+        lambda part, kind: write_analyses(part, kind, responses, calculated, vertical=vertical),
+        drawn("figure_of", responses[0]) if alone else drawn(of_several, responses),
     )
 
 
-def _page(responses: "Sequence[Response] | Sequence[PlaneResponse]") -> Page:
+def _page(responses: "Sequence[Response | PlaneResponse]") -> Page:
     first = responses[0]
     lines = [
         ("Bearing", str(first.bearing)),

@@ -186,7 +186,9 @@ def export_scenario(chosen: argparse.Namespace) -> Answer:
     responses = [one.response for one in calculation.results]
     return Answer.of_file(
         chosen.out,
-        lambda part, kind: write_analyses(part, kind, responses, lambda: calculation),
+        lambda part, kind: write_analyses(
+            part, kind, responses, lambda: calculation, vertical=scenario.study.vertical
+        ),
         {"file": chosen.out, "analyses": calculation.summary},
     )
 

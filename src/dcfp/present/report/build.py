@@ -5,12 +5,15 @@ from dataclasses import asdict
 from importlib import metadata
 from typing import Any
 
+from dcfp.analysis.integration import Integration
+from dcfp.analysis.plane_history import TOLERANCE as LARGEST_DEFECT
 from dcfp.errors import InputError
 from dcfp.inference.told import case_objects
 from dcfp.kernels._jit import source_digest
 from dcfp.methods.code import code_methods
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import motion_remarks
+from dcfp.motion.station import Station
 from dcfp.present.report import document as doc
 from dcfp.present.report import results
 from dcfp.present.report.worked import worked_out
@@ -20,8 +23,8 @@ from dcfp.schema.declared import Declared
 from dcfp.schema.formulas import Formula, true_minus
 from dcfp.schema.table import Table
 from dcfp.schema.units import M_PER_S, M_PER_S2
-from dcfp.study.scenario import Calculation, ScenarioResult
-from dcfp.system import LI_2020, FrictionLaw, Heating
+from dcfp.study.scenario import OF_ONE_DIRECTION, Calculation, ScenarioResult
+from dcfp.system import LI_2020, FrictionLaw, PreciseHeating
 from dcfp.system.heating import constant_flux_rise
 from dcfp.version import version
 
@@ -71,7 +74,7 @@ def inputs_section(calculation: Calculation) -> doc.Section:
         (
             doc.Section("Bearing", (_bearing(calculation),)),
             doc.Section("Friction", _friction(calculation)),
-            doc.Section("Heating of the contact", _heating(calculation.scenario.model.heating)),
+            doc.Section("Heating of the contact", _heating(calculation)),
             doc.Section("Ground motions", _motions(calculation)),
             doc.Section("Analysis", (_settings(calculation),)),
         ),
@@ -128,7 +131,8 @@ def _tests(law: FrictionLaw) -> str:
     return f"{tested.source}: {doc.short(low)} to {doc.short(high)} N/mm², {doc.short(slow)} to {doc.short(fast)} mm/s{ambient}"
 
 
-def _heating(heating: Heating) -> tuple[doc.Block, ...]:
+def _heating(calculation: Calculation) -> tuple[doc.Block, ...]:
+    heating = calculation.scenario.model.heating
     table = doc.named_values(
         [
             ("Model", f"{heating.name}: {heating.description}"),
@@ -144,7 +148,11 @@ def _heating(heating: Heating) -> tuple[doc.Block, ...]:
         "Li et al. (2020), Eqs (12), (11)",
     )
     shares = "The flux q goes into each of two equal plates while the contact lies on the point; of different plates each has its share of the travel."
-    return (table,) if heating.name == "none" else (table, flux, doc.note(shares))
+    disc = " In two directions the points are a grid over the plate, and the contact has the mean of those under a disc, of the diameter of the slider."
+    in_field = calculation.in_plane and isinstance(heating, PreciseHeating)
+    return (
+        (table,) if heating.name == "none" else (table, flux, doc.note(shares + (disc if in_field else "")))
+    )
 
 
 def _motions(calculation: Calculation) -> tuple[doc.Block, ...]:
@@ -160,18 +168,25 @@ def _motions(calculation: Calculation) -> tuple[doc.Block, ...]:
     ]
     head = doc.cells("Case", "Scale factor\n[–]", "PGA\n[m/s²]", "PGV\n[m/s]", "Duration\n[s]")
     widths = (1.0, 0.0, 0.0, 0.0, 0.0)
-    return (*records, doc.Table(head, tuple(rows), "lrrrr", widths, "As they shake the bearing"))
+    title = f"As they shake the bearing{', PGA and PGV of the resultant' if calculation.in_plane else ''}"
+    return (*records, doc.Table(head, tuple(rows), "lrrrr", widths, title))
 
 
-def _peaks(motion: GroundMotion) -> tuple[str, str]:
+def _peaks(motion: GroundMotion | Station) -> tuple[str, str]:
     """Return PGA and PGV."""
     pga, pgv = M_PER_S2.shown(motion.peak_acceleration), M_PER_S.shown(motion.peak_velocity)
     return doc.written("pga_m_s2", pga), doc.written("pgv_m_s", pgv)
 
 
-def _record(motion: GroundMotion) -> doc.Table:
-    origin, values = motion.origin, motion.acceleration.size
-    pga, pgv = _peaks(motion)
+def _record(motion: GroundMotion | Station) -> doc.Table:
+    origin, values = motion.origin, len(motion.acceleration)
+    of_station = isinstance(motion, Station)
+
+    def strength(one: GroundMotion | Station) -> str:
+        pga, pgv = _peaks(one)
+        return f"PGA {pga} m/s², PGV {pgv} m/s"
+
+    components = motion.components if of_station else ()
     return doc.named_values(
         [
             ("Record", motion.name),
@@ -183,72 +198,91 @@ def _record(motion: GroundMotion) -> doc.Table:
             ("Treatment here", "; ".join(motion.treatment) or "none"),
             (
                 "As recorded",
-                f"PGA {pga} m/s², PGV {pgv} m/s, {values} values, {doc.short(motion.time_step)} s apart",
+                f"{'resultant of x and y: ' if of_station else ''}{strength(motion)}, {values} values, {doc.short(motion.time_step)} s apart",
+            ),
+            *(
+                (f"Direction {name}", f"{one.name}: {strength(one)}")
+                for name, one in zip(("x", "y", "up"), components, strict=False)
             ),
             ("SHA-256 before scaling", (doc.Code(motion.digest),)),
         ]
     )
 
 
-def _scale(motion: GroundMotion) -> str:
+def _scale(motion: GroundMotion | Station) -> str:
     steps = [step for step in motion.treatment if step.startswith("scaled by ")]
     return steps[-1].removeprefix("scaled by ") if steps else "1"
 
 
 def _settings(calculation: Calculation) -> doc.Table:
     settings = calculation.scenario.study.settings
-    constants = calculation.methods.constants
     tail = "until no more sliding can come" if settings.tail is None else f"{doc.short(settings.tail)} s"
     step = (
         "that of the record, at most 0.01 s while sliding"
         if settings.step is None
         else f"{doc.short(settings.step)} s"
     )
+    directions, integration = "one direction", "closed forms from event to event"
+    tolerance = f"{doc.short(settings.tolerance)} relative, in the middle of a step"
+    if calculation.in_plane:
+        directions = "two horizontal directions, with a circular yield surface"
+        integration = "the pendulum exactly, the friction turned with the velocity, in steps that are halved where it is off its chord"
+        distance = LARGEST_DEFECT * settings.tolerance / Integration().tolerance
+        tolerance = f"{doc.short(distance)} of the friction, off its chord in the middle of a step"
     return doc.named_values(
         [
             (
                 "Structure",
-                "rigid, on one bearing, in one direction; no viscous damping (Li et al. 2020, section 5.1)",
+                f"rigid, on one bearing, in {directions}; no viscous damping (Li et al. 2020, section 5.1)",
             ),
-            (
-                "Integration",
-                "closed forms from event to event; the ground acceleration is linear between its samples",
-            ),
+            ("Vertical force", calculation.vertical_force),
+            ("Integration", f"{integration}; the ground acceleration is linear between its samples"),
             ("Longest step", step),
             ("Time after the record", tail),
-            (
-                "Tolerance of the friction",
-                f"{doc.short(settings.tolerance)} relative, in the middle of a step",
-            ),
-            (
-                "Prediction",
-                (
-                    f"pulses where the ground velocity turns back by {doc.short(calculation.methods.threshold)} PGV, for the march by"
-                    f" {doc.short(calculation.methods.march_threshold)} PGV; ",
-                    doc.Maths("epsilon"),
-                    f" {doc.short(constants.fall_ratio)}, ",
-                    doc.Maths("zeta"),
-                    f" {doc.short(constants.change_ratio)}, ",
-                    doc.Maths('k_(g,"ave")'),
-                    f" {doc.short(constants.average_slope)} mm/s², ",
-                    doc.Maths("g"),
-                    f" {doc.short(constants.gravity)} mm/s² (Li et al. 2020, section 6)",
-                ),
-            ),
+            ("Tolerance of the friction", tolerance),
+            *(() if calculation.in_plane else (_prediction(calculation),)),
         ]
     )
+
+
+def _prediction(calculation: Calculation) -> tuple[str, doc.Parts]:
+    constants = calculation.methods.constants
+    parts = (
+        f"pulses where the ground velocity turns back by {doc.short(calculation.methods.threshold)} PGV, for the march by"
+        f" {doc.short(calculation.methods.march_threshold)} PGV; ",
+        doc.Maths("epsilon"),
+        f" {doc.short(constants.fall_ratio)}, ",
+        doc.Maths("zeta"),
+        f" {doc.short(constants.change_ratio)}, ",
+        doc.Maths('k_(g,"ave")'),
+        f" {doc.short(constants.average_slope)} mm/s², ",
+        doc.Maths("g"),
+        f" {doc.short(constants.gravity)} mm/s² (Li et al. 2020, section 6)",
+    )
+    return "Prediction", parts
 
 
 # ----- remarks, limits, sources, provenance, and the scenario itself -----
 
 _LIMITS = (
-    "One horizontal direction, one bearing with the mass that it carries; the vertical force is constant.",
     "The structure above is rigid and has no viscous damping: forces and accelerations in it are not calculated, nor what its flexibility changes.",
     "The force of the pendulum is linear in the displacement; there is no restrainer, and no impact where the capacity is exceeded.",
     "Properties are the nominal ones: ageing, contamination and scatter of friction (property modification factors) are not in these numbers.",
     "A plate's heat flows at right angles to its surface; two plates share the travel as their radii do.",
     "Records scaled to a PGV keep their durations. A record stands for itself: how likely it is, and what others do, is not part of this report.",
+)
+_LIMITS_OF_LINE = (
+    "One horizontal direction, one bearing with the mass that it carries; the vertical force is constant.",
     "Predictions and codes are given beside the analysis for comparison; a verdict on a condition says whether the method may be used, not whether the structure is safe.",
+)
+
+
+_LIMITS_OF_PLANE = (
+    "Two horizontal directions, one bearing with the mass that it carries, which does not turn about the vertical axis. The structure is rigid upwards too,"
+    " so that a vertical force that changes is that of the ground, without what columns and floors add.",
+    "A record scaled to a PGV has that PGV in the resultant of its two components, which both have the same factor. Their directions are those of the record:"
+    " how they lie to a fault or to the structure is not part of this report.",
+    OF_ONE_DIRECTION,
 )
 
 
@@ -259,7 +293,8 @@ def remarks_section(calculation: Calculation) -> doc.Section:
         remarks += [*motion_remarks(one.motion, with_scale=False), *one.response.remarks]
     found = tuple((remark,) for remark in dict.fromkeys(remarks))
     blocks: tuple[doc.Block, ...] = (doc.Bullets(found),) if found else (doc.words("None."),)
-    limits = doc.Bullets(tuple((limit,) for limit in _LIMITS))
+    first, *last = _LIMITS_OF_PLANE if calculation.in_plane else _LIMITS_OF_LINE
+    limits = doc.Bullets(tuple((limit,) for limit in (first, *_LIMITS, *last)))
     return doc.Section(
         "Remarks and limits",
         (),
@@ -271,7 +306,7 @@ def sources_section(calculation: Calculation) -> doc.Section:
     """Return the bibliography and what the numbers were made with."""
     asked = dict.fromkeys(motion.origin.citation for motion in calculation.scenario.study.motions)
     lines = (*sources_of(calculation), *filter(None, asked))
-    codes = [name for one in calculation.results for name in one.case.codes]
+    codes = [name for one in calculation.results for name in one.codes]
     if codes:
         lines += (
             f"Methods of codes as dcfp has them, with what could not be confirmed marked: {', '.join(dict.fromkeys(codes))}.",
@@ -314,7 +349,7 @@ _PACKAGES = {"NumPy": "numpy", "SciPy": "scipy", "Numba": "numba", "Typst (of th
 
 def sources_of(calculation: Calculation) -> tuple[str, ...]:
     """Return the references that a report cites, each as a line."""
-    used = {name for one in calculation.results for name in one.case.codes}
+    used = {name for one in calculation.results for name in one.codes}
     codes = [key for name, method in code_methods().items() if name in used for key in method.citations]
     law = calculation.scenario.model.friction.citation
     keys = dict.fromkeys(("li_2020", law, *codes, _OF_CHECKS))
@@ -345,7 +380,9 @@ def numbers_of(calculation: Calculation, formulas: tuple[Formula, ...]) -> dict[
     scenario = calculation.scenario
     model = scenario.model
     digests = {motion.name: motion.digest for motion in scenario.study.motions}
-    compared = case_objects([one.case for one in calculation.results], calculation.methods)
+    cases = [one.case for one in calculation.results if one.case is not None]
+    of_nothing: list[dict[str, Any]] = [{} for _ in calculation.results]
+    compared = case_objects(cases, calculation.methods) if cases else of_nothing
     return {
         "title": scenario.title,
         "report": asdict(scenario.heading),

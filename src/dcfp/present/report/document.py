@@ -191,6 +191,7 @@ DECIMALS = {
     "residual_mm": 1,
     "force_max_kN": 1,
     "temperature_max_degC": 1,
+    "temperature_point_max_degC": 1,
     "friction_min": 4,
     "V_E_mm_s": 1,
     "V_Eh_mm_s": 1,

@@ -6,9 +6,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from dcfp.analysis import Status
-from dcfp.analysis.response import PEAKS
+from dcfp.analysis import Response, Status
 from dcfp.analysis.result import EnergyBalance
+from dcfp.inference.case import Case
 from dcfp.inference.statistics import ratios
 from dcfp.methods import Prediction
 from dcfp.methods.code import code_methods, code_objects
@@ -18,7 +18,7 @@ from dcfp.schema.check import Check, Verdict
 from dcfp.schema.formulas import true_minus
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.units import KN_M, NONE, Unit
-from dcfp.study.scenario import Calculation, ScenarioResult
+from dcfp.study.scenario import OF_ONE_DIRECTION, Calculation, ScenarioResult
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -49,7 +49,7 @@ def label_of(result: ScenarioResult) -> str:
 def checks_of(result: ScenarioResult) -> tuple[Check, ...]:
     """Return every check of a case: those of the analysis, then the conditions of each code."""
     of_analysis = [replace(one, of=ANALYSIS) for one in result.response.checks]
-    of_codes = [replace(one, of=name) for name, said in result.case.codes.items() for one in said.conditions]
+    of_codes = [replace(one, of=name) for name, said in result.codes.items() for one in said.conditions]
     return (*of_analysis, *of_codes)
 
 
@@ -80,7 +80,7 @@ ENERGIES = [
 def results_section(calculation: Calculation) -> doc.Section:
     """Return the section of the results."""
     key: list[doc.Part] = []
-    for one in _peaks():
+    for one in _peaks(calculation):
         key += [", " if key else "", *_symbol(one), f" {one.words}"]
     key.append(". Numbers are rounded to the digits shown; dcfp report --json prints all of them.")
     parts = [doc.Section(f"Case {place}: {label_of(one)}", _case(one, calculation), on_new_page=True) for place, one in enumerate(calculation.results, 1)]  # fmt: skip
@@ -89,7 +89,7 @@ def results_section(calculation: Calculation) -> doc.Section:
 
 def peaks_table(calculation: Calculation) -> doc.Table:
     """Return the peaks of all cases."""
-    peaks = _peaks()
+    peaks = _peaks(calculation)
     units = [(*_symbol(one), f"\n[{_digits(one)[0].name}]") for one in peaks]
     rows: list[tuple[doc.Cell, ...]] = []
     for one in calculation.results:
@@ -102,9 +102,9 @@ def peaks_table(calculation: Calculation) -> doc.Table:
     return doc.Table(head, tuple(rows), f"l{'r' * len(peaks)}l", widths, "Peaks")
 
 
-def _peaks() -> list[Quantity]:
+def _peaks(calculation: Calculation) -> list[Quantity]:
     """Return what is declared of a response, as far as it is a number that both data and tables have."""
-    return [one for one in PEAKS.values() if one.is_number and one.printed and one.stored]
+    return [one for one in calculation.quantities.values() if one.is_number and one.printed and one.stored]
 
 
 def _digits(one: Quantity) -> tuple[Unit, int | None]:
@@ -123,19 +123,22 @@ def _case(one: ScenarioResult, calculation: Calculation) -> tuple[doc.Block, ...
     name, shown = label_of(one), doc.shortened(one.motion.name, _LONGEST)
 
     def draw_response() -> "Figure":
-        from dcfp.present.figures import plot_response  # late: Matplotlib takes long to import
-
         response = one.response
-        figure = plot_response(replace(response, motion=replace(response.motion, name=shown)))
+        figure = replace(response, motion=replace(response.motion, name=shown)).plot()
         if response.profiles is not None:
             figure.set_figheight(_SHEET_WITH_PROFILE)
         return figure
 
+    response, case = one.response, one.case
+    if case is None or not isinstance(response, Response):
+        words = f"Paths of displacement and force in the plane, and histories of ground velocity, displacement, temperature, friction and energy, {name}"
+        return (doc.Drawing(draw_response, words), _energies(one))
+
     def draw_pulses() -> "Figure":
-        from dcfp.present.figures import plot_pulses
+        from dcfp.present.figures import plot_pulses  # late: Matplotlib takes long to import
 
         constants = calculation.methods.constants
-        figure = plot_pulses(replace(one.case, record=shown), response=one.response, constants=constants)
+        figure = plot_pulses(replace(case, record=shown), response=response, constants=constants)
         figure.set_figheight(_PULSES)
         return figure
 
@@ -163,6 +166,9 @@ def _energies(one: ScenarioResult) -> doc.Table:
 
 def methods_section(calculation: Calculation) -> doc.Section:
     """Return every method beside the analysis, a pair of tables for each case."""
+    title = "Predictions and codes against the analysis"
+    if calculation.in_plane:
+        return doc.Section(title, (doc.words(OF_ONE_DIRECTION),))
     note = doc.note(
         "Methods of Li et al. (2020) predict ", doc.Maths("Delta y"), ", and are above the analysis where it is at least that of the analysis; the march and the codes where their"
         " largest displacement is. ", doc.Maths('y_"max"'), " over the analysis takes ", doc.Maths("Delta y"), " where a method has no largest displacement, as Li et al. (2020), section 6.1.2, do."
@@ -170,35 +176,38 @@ def methods_section(calculation: Calculation) -> doc.Section:
         doc.Maths('V_(Delta E "hr")'), " as the largest of any pulse or swing, each on its own; those that know the analysis too have them of the pulse that it found to govern."
         " Codes know the record's own spectrum.",
     )  # fmt: skip
-    parts = [doc.Section(label_of(one), _methods(one)) for one in calculation.results]
-    return doc.Section("Predictions and codes against the analysis", (note,), tuple(parts), on_new_page=True)
+    parts = [
+        doc.Section(label_of(one), _methods(one.case, one.response.peak_displacement))
+        for one in calculation.results
+        if one.case is not None
+    ]
+    return doc.Section(title, (note,), tuple(parts), on_new_page=True)
 
 
-def _methods(one: ScenarioResult) -> tuple[doc.Block, ...]:
-    y = one.response.peak_displacement
-    analysis = (*_row(("analysis", ""), one.case.analysed.whole, y, (1.0, 1.0)), *doc.cells(""))
+def _methods(case: Case, y: float) -> tuple[doc.Block, ...]:
+    analysis = (*_row(("analysis", ""), case.analysed.whole, y, (1.0, 1.0)), *doc.cells(""))
     rows: list[tuple[doc.Cell, ...]] = [tuple(replace(cell, strong=True) for cell in analysis)]
-    for variant, said in one.case.predicted.items():
-        if variant.method in one.case.codes:
+    for variant, said in case.predicted.items():
+        if variant.method in case.codes:
             continue
-        change = float(ratios([one.case], variant, CHANGE)[0])
+        change = float(ratios([case], variant, CHANGE)[0])
         bound = said.bound / y if y > 0.0 else None
         texts = (variant.method, variant.information.words)
         against = _against(change if said.displacement is None else bound)
         rows.append((*_row(texts, said, said.displacement, (change, bound)), against))
     head = doc.cells("Method", "Knows", *(words for _, words in _METHODS), (doc.Maths('y_"max"'), "\n[mm]"), (doc.Maths("Delta y"), " over\nanalysis\n[–]"), (doc.Maths('y_"max"'), " over\nanalysis\n[–]"), "Against\nanalysis")  # fmt: skip
     blocks: list[doc.Block] = [doc.Table(head, tuple(rows), "llrrrrrrl", (1.0, 1.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.9), "Predictions")]  # fmt: skip
-    if one.case.codes:
-        blocks.append(_codes(one, y))
-    remarks = [f"{said.method}: {' '.join(said.remarks)}" for said in one.case.codes.values() if said.remarks]
-    missing = [name for name in code_methods() if name not in one.case.codes]
+    if case.codes:
+        blocks.append(_codes(case, y))
+    remarks = [f"{said.method}: {' '.join(said.remarks)}" for said in case.codes.values() if said.remarks]
+    missing = [name for name in code_methods() if name not in case.codes]
     remarks += [f"No solution: {', '.join(missing)}."] if missing else []
     return (*blocks, doc.note(" ".join(remarks))) if remarks else tuple(blocks)
 
 
-def _codes(one: ScenarioResult, y: float) -> doc.Table:
+def _codes(case: Case, y: float) -> doc.Table:
     rows: list[tuple[doc.Cell, ...]] = []
-    for said in one.case.codes.values():
+    for said in case.codes.values():
         ratio = said.displacement / y if y > 0.0 else None
         numbers = code_objects([said])[0]
         keys = ("displacement_mm", "base_shear_over_weight", "effective_period_s", "effective_damping")
@@ -301,7 +310,8 @@ def _headline(calculation: Calculation) -> doc.Block:
     capacity = calculation.scenario.model.bearing.displacement_capacity
     count = len(calculation.results)
     among = f", the largest displacement of {count} cases" if count > 1 else ""
-    start = ("Largest displacement ", doc.Maths('y_"max"'), f" = {doc.written('y_max_mm', found)} mm under {label_of(worst)}{among}. ")  # fmt: skip
+    what = "Largest resultant displacement " if calculation.in_plane else "Largest displacement "
+    start = (what, doc.Maths('y_"max"'), f" = {doc.written('y_max_mm', found)} mm under {label_of(worst)}{among}. ")  # fmt: skip
     if capacity is None:
         return doc.words(*start, "No capacity is given.", tone=doc.Tone.OPEN)
     beyond = sum(one.response.peak_displacement > capacity for one in calculation.results)
@@ -344,8 +354,10 @@ def _where(known: list[tuple[str, Check]], verdict: Verdict) -> str:
 
 
 def _codes_summary(calculation: Calculation) -> doc.Block:
+    if calculation.in_plane:
+        return doc.note(OF_ONE_DIRECTION)
     rows: list[tuple[doc.Cell, ...]] = []
-    answers = [one.case.codes for one in calculation.results]
+    answers = [one.codes for one in calculation.results]
     for name in dict.fromkeys(name for known in answers for name in known):
         said = [known[name] for known in answers if name in known]
         inside, outside = sum(one.valid is True for one in said), sum(one.valid is False for one in said)

@@ -1,21 +1,26 @@
 """The governing case, step by step: each formula with its numbers put in."""
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dcfp.analysis import Response
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.inference.case import code_inputs
 from dcfp.methods.code import CodeResult, code_methods
 from dcfp.methods.prediction import Ground, Methods, PredictionMethod, prediction_methods
 from dcfp.methods.pulses import PulsePrediction
+from dcfp.motion.station import Station
 from dcfp.present.report import document as doc
 from dcfp.present.report.results import governing, label_of
 from dcfp.schema.citations import source_of
 from dcfp.schema.formulas import Formula, number
 from dcfp.schema.units import KN, KN_PER_MM, M_PER_S2
-from dcfp.study.scenario import Calculation
+from dcfp.study.scenario import Calculation, ScenarioResult
+
+if TYPE_CHECKING:
+    from dcfp.analysis import Response
+    from dcfp.analysis.plane_response import PlaneResponse
 
 #: Rounds of an iteration that are printed, besides the last.
 _FIRST_ROUNDS = 4
@@ -26,18 +31,11 @@ def worked_out(calculation: Calculation) -> tuple[doc.Section, tuple[Formula, ..
     result = governing(calculation)
     bearing = bearing_formulas(calculation)
     friction, state = _friction(result.response)
-    ground, inputs = Ground.of(result.motion), code_inputs(result.motion, calculation.methods)
-    predictions = [
-        _prediction(method, ground, calculation.methods) for method in prediction_methods().values()
-    ]
-    codes = {
-        name: () if (formulas := code_methods()[name].formulas) is None else formulas(code_result, inputs)
-        for name, code_result in result.case.codes.items()
-    }
+    predictions, codes = _of_one_direction(result, calculation.methods)
     name = label_of(result)
+    of_pulses = ", and in it for the pulse that governs each method. The tables of the results have what comes out of every case, there with the largest velocities of any pulse."
     note = doc.note(
-        f"For {name}, the case with the largest displacement, and in it for the pulse that governs each method. The tables of the results have what comes out of every case,"
-        " there with the largest velocities of any pulse. Results are calculated with all digits"
+        f"For {name}, the case with the largest displacement{'.' if result.case is None else of_pulses} Results are calculated with all digits"
         " and rounded for print, so that the last digit of a line may differ from that of its printed numbers.",
     )
     sections = [
@@ -49,11 +47,25 @@ def worked_out(calculation: Calculation) -> tuple[doc.Section, tuple[Formula, ..
             else (doc.words("The law has no formula for a single state."),),
         ),
         *(section for section, _ in predictions if section is not None),
-        *(_code(result.case.codes[name], formulas) for name, formulas in codes.items()),
+        *(_code(result.codes[name], formulas) for name, formulas in codes.items()),
     ]
     groups = (bearing, friction, *(formulas for _, formulas in predictions), *codes.values())
     whole = doc.Section("Calculation step by step", (note,), tuple(sections), on_new_page=True)
     return whole, tuple(one for group in groups for one in group)
+
+
+def _of_one_direction(
+    result: ScenarioResult, methods: Methods
+) -> tuple[list[tuple[doc.Section | None, tuple[Formula, ...]]], dict[str, tuple[Formula, ...]]]:
+    """Return what `_prediction` does for every method, and the formulas of every code; nothing of a station."""
+    if isinstance(result.motion, Station):
+        return [], {}
+    ground, inputs = Ground.of(result.motion), code_inputs(result.motion, methods)
+    codes = {
+        name: () if (formulas := code_methods()[name].formulas) is None else formulas(code_result, inputs)
+        for name, code_result in result.codes.items()
+    }
+    return [_prediction(method, ground, methods) for method in prediction_methods().values()], codes
 
 
 def _prediction(
@@ -70,7 +82,7 @@ def _prediction(
     return doc.Section(f"Prediction by the {method.name} method", (*blocks, *notes)), formulas
 
 
-def _friction(response: Response) -> tuple[tuple[Formula, ...], str]:
+def _friction(response: "Response | PlaneResponse") -> tuple[tuple[Formula, ...], str]:
     """Return the friction at the moment of the highest temperature while sliding, on the lower plate."""
     law = response.friction_law
     slides = np.abs(response.sliding) > 0.0
@@ -167,6 +179,6 @@ def bearing_formulas(calculation: Calculation) -> tuple[Formula, ...]:
         Formula("The same from mass and stiffness", 'T = 2 pi sqrt(m / k_"ra")', f"2 pi sqrt({mass} / (1000 times {number(KN_PER_MM.shown(bearing.restoring_stiffness), 4)}))", 2.0 * math.pi * math.sqrt(bearing.mass / bearing.restoring_stiffness), 3, "s", "mechanics"),
         Formula("Displacement at yield, with the nominal coefficient", "r_f = (mu_n N) / k_f", f"({mu_n:.5f} times {number(load, 2)}) / {k_f}", mu_n * bearing.vertical_force / bearing.elastic_stiffness, 4, "mm", f"{_PAPER}, section 5.1"),
         Formula("Largest displacement at rest, with the nominal coefficient (the check of the residual takes the coefficient at the end of each analysis)", "d_r = mu_n R", f"{mu_n:.5f} times {number(radius, 1)}", mu_n * radius, 1, "mm", "mechanics"),
-        Formula("Half side of the square with the area of the contact", "(sqrt(pi) phi) / 4", f"(sqrt(pi) times {phi}) / 4", bearing.contact_half_side, 2, "mm", f"{_PAPER}, Eq. (12)"),
+        *(() if calculation.in_plane else (Formula("Half side of the square with the area of the contact", "(sqrt(pi) phi) / 4", f"(sqrt(pi) times {phi}) / 4", bearing.contact_half_side, 2, "mm", f"{_PAPER}, Eq. (12)"),)),
         *(() if heating.name == "none" else (Formula("Factor before the integral of the temperature, in °C mm √s / N", "sqrt(D) / (k sqrt(pi))", f"sqrt({heating.diffusivity:.10g}) / ({heating.conductivity:.10g} times sqrt(pi))", heating.rise_factor, 5, "", f"{_PAPER}, Eq. (11)"),)),
     )  # fmt: skip

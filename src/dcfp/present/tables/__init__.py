@@ -34,7 +34,7 @@ class Tabulated(Protocol):
         ...
 
 
-def write_responses(path: Path, responses: "Sequence[Response] | Sequence[PlaneResponse]", kind: str) -> None:
+def write_responses(path: Path, responses: "Sequence[Response | PlaneResponse]", kind: str) -> None:
     """Write analyses as ``".nc"`` or ``".csv"``: the histories of one, or the peaks of several and in NetCDF a group for each."""
     table = Table(
         (*responses[0].quantities.values(), REMARKS),
@@ -131,7 +131,7 @@ def _words(array: "xarray.DataArray") -> list[str]:
     return [str(value) for value in values.tolist()]
 
 
-def group_names(responses: "Sequence[Response] | Sequence[PlaneResponse]") -> list[str]:
+def group_names(responses: "Sequence[Response | PlaneResponse]") -> list[str]:
     """Return a name for each analysis, such as ``NCC_0.50``: the record and the PGV [m/s]."""
     return _different(
         [

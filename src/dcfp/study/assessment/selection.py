@@ -2,22 +2,25 @@
 
 import warnings
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray
 
-from dcfp.analysis import Response
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.schema.citations import citations_of
 from dcfp.schema.quantities import NOMENCLATURE, Quantity
 from dcfp.schema.units import Unit
 from dcfp.study.factors import ANALYSIS, catalogue
-from dcfp.study.results import INTENSITIES, MEANINGS, STATUS, parts_of
+from dcfp.study.results import INTENSITIES, MEANINGS, STATUS, is_in_plane, parts_of
 from dcfp.study.store import OF_RECORDS, coordinates
 from dcfp.study.study import Block, Plan
 from dcfp.study.work import response_of
+
+if TYPE_CHECKING:
+    from dcfp.analysis import Response
+    from dcfp.analysis.plane_response import PlaneResponse
 
 #: How far a number may be off the value of a factor that it means, relative [-] and, at zero, absolute.
 _SAME, _SAME_AT_ZERO = 1e-6, 1e-9
@@ -287,7 +290,8 @@ def usable(
         remarks.append(
             f"In {number['still_moving']} of the {whole} analyses it still moves at the end, so that the residual displacement is not final."
         )
-    for name in _SIGNED.intersection(names):
+    # in the plane it is a distance
+    for name in () if is_in_plane(found) else _SIGNED.intersection(names):
         remarks.append(f"Of the {name.replace('_', ' ')} the size is taken, not the direction.")
         found[name] = (found[name].dims, np.abs(values_of(found, name)), found[name].attrs)
     return noted(found, remarks)
@@ -369,7 +373,7 @@ def numbered_cases(plan: Plan) -> xarray.Dataset:
     return xarray.Dataset({"number": (list(plan.sizes), numbers)}, coords=coordinates(plan))
 
 
-def response_at(plan: Plan, at: Mapping[str, float | str]) -> Response:
+def response_at(plan: Plan, at: Mapping[str, float | str]) -> "Response | PlaneResponse":
     """Return the response history analysis of one case, at a value of every factor that has several.
 
     Parameters

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 import xarray
 
-from dcfp.analysis.response import PEAKS
 from dcfp.inference.statistics import quantile
 from dcfp.schema.quantities import NOTHING, Quantity, quantity
 from dcfp.schema.table import Table
@@ -24,7 +23,7 @@ from dcfp.study.assessment.selection import (
     remarks_of,
     shown_value,
 )
-from dcfp.study.results import INTENSITIES, added_peaks
+from dcfp.study.results import INTENSITIES, added_peaks, is_in_plane, peaks_of
 
 Row = dict[str, Any]
 
@@ -289,6 +288,7 @@ _SHOWN = {
     "peak_displacement": ("y_max", 1),
     "force_ratio": ("F/W", 3),
     "peak_temperature": ("T_max", 0),
+    "peak_point_temperature": ("T_point", 0),
     "residual_displacement": ("|residual|", 1),
     "input_velocity": ("V_E", 2),
 }
@@ -300,8 +300,14 @@ _MOST_ROWS = 12
 def summary_table(dataset: xarray.Dataset) -> Table:
     """Return quantiles over all that is done, for some intensities of the grid, or for all of them together."""
     name = next((one for one in INTENSITIES if one in dataset.dims), None)
-    shown = [replace(quantity(one), head=head, decimals=decimals) for one, (head, decimals) in _SHOWN.items()]
-    shown += [replace(PEAKS[one], key=one) for one in added_peaks() if one in dataset]
+    shown = [
+        replace(quantity(one), head=head, decimals=decimals)
+        for one, (head, decimals) in _SHOWN.items()
+        if one in dataset
+    ]
+    in_plane = is_in_plane(dataset)
+    known = peaks_of(in_plane=in_plane)
+    shown += [replace(known[one], key=one) for one in added_peaks(in_plane=in_plane) if one in dataset]
 
     def spread(one: Quantity) -> Quantity:
         def text(row: Row) -> str:
