@@ -96,6 +96,19 @@ def test_a_store_is_gone_on_with_and_is_that_of_its_stations(stations, tmp_path:
         run_study(other, tmp_path / "s.zarr", resume=True)
 
 
+def test_the_vertical_force_follows_the_vertical_component(stations, motions) -> None:
+    first = stations[0]
+    three = replace(first, vertical=replace(first.x.scaled(0.3), name="up"))
+    study = Study([three], {"pgv": [300.0]}, model=System.of(heating="none"), vertical=True)
+    found = run_study(study).squeeze()
+    alone = dcfp.respond(three, pgv=300.0, heating="none", vertical=True)
+    assert found["least_load"].item() == pytest.approx(alone.least_load, rel=1e-9)
+    assert found["peak_force"].item() == pytest.approx(alone.peak_force, rel=1e-9)
+    assert alone.least_load < alone.bearing.vertical_force < alone.largest_load
+    with pytest.raises(InputError, match="vertical is for stations"):
+        Study(motions, vertical=True)
+
+
 def test_what_follows_from_it(results) -> None:
     one = results.sel({"heating": "precise"})
     found = bounds(one, ["lambda"])
@@ -129,6 +142,7 @@ def test_a_file_names_stations(tmp_path: Path) -> None:
     [
         ({"motions": 1}, "give only stations, or only single components"),
         ({"factors": {"procedure": ["analysis", "march"]}}, "the procedure 'march' is of one direction, and the records are stations"),
+        ({"vertical": True}, "first: the station has no vertical component"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_gets_one_sentence(stations, motions, changes, sentence: str) -> None:

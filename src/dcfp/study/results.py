@@ -36,6 +36,9 @@ DIGEST = "study_sha256"
 #: Attribute that says in how many horizontal directions the ground moves.
 DIRECTIONS = "directions"
 
+#: What is said of the results of stations.
+OF_STATIONS = "The records are stations: displacement, velocity, force and the intensity of the ground are those of the resultant of two directions."
+
 
 def peaks_of(*, in_plane: bool) -> Quantities:
     """Return what is told of each analysis: of a single component, or of a station."""
@@ -50,10 +53,10 @@ def _given(*, in_plane: bool) -> tuple[str, ...]:
     """Return what a batch gives itself that is a number, of single components or of stations."""
     if not in_plane:
         return OF_BATCH
-    from dcfp.analysis.plane_batch import PEAKS as OF_STATIONS
+    from dcfp.analysis.plane_batch import PEAKS as OF_PLANE
 
     known = peaks_of(in_plane=True)
-    return tuple(name for name in OF_STATIONS if known[name].is_number)
+    return tuple(name for name in OF_PLANE if known[name].is_number)
 
 
 def histories_of(*, in_plane: bool) -> Quantities:

@@ -77,7 +77,6 @@ def test_a_bearing_file_without_a_heating_model_has_that_of_stations(run, tmp_pa
         (("NCC", "--vertical"), "--vertical is for stations"),
         (("P695-FF-2", "--vertical"), "the station has no vertical component"),
         (("KNA+NCC",), "are of different earthquakes"),
-        (("P695-FF-2", "--out", "workbook.xlsx"), "is of one direction"),
         (("P695-FF-2", "--pgv", "0.25", "0.5", "--out", "script.py"), "a script is of one record at one PGV"),
         (("P695-FF-2", "--friction", "lomiento2013", "--out", "script.py"), "OpenSees has no element"),
     ],
@@ -107,7 +106,7 @@ def test_a_workbook_of_both_directions(run, tmp_path, monkeypatch) -> None:
     head = next(place for place, row in enumerate(rows) if row[:1] == ["Case"])
     summary = dict(zip(rows[head], rows[head + 1], strict=True))
     for key, name in (("y_max_mm", "y_max [mm]"), ("y1_max_mm", "y1_max [mm]"), ("load_min_kN", "load_min [kN]")):  # fmt: skip
-        assert summary[name] == told[key]
+        assert summary[name] == pytest.approx(told[key], rel=1e-14)
     assert any(row and str(row[0]).startswith("Predictions and the methods of codes") for row in rows)
     sheet = book["P695-FF-2_0.25"]
     lines = list(sheet.iter_rows(min_row=3, values_only=True))

@@ -21,6 +21,7 @@ from dcfp.schema.units import NONE
 from dcfp.study import Plan, Study, open_store, read_study
 from dcfp.study.assessment.selection import counts, described, is_number, numbered_cases, response_at
 from dcfp.study.assessment.told import store_object, summary_table
+from dcfp.study.results import OF_STATIONS, is_in_plane
 from dcfp.study.run import run_on_cluster, run_study
 from dcfp.study.scenario import Calculation, Scenario, calculate, read_scenario
 from dcfp.study.work import project
@@ -134,7 +135,8 @@ def _page(dataset: "xarray.Dataset", place: str) -> Page:
     }
     told = [f"{found[name]:,} {words}" for name, words in remarks.items() if found[name]]
     each = "Each: median and, in brackets, 16 to 84 % of all that is done at the intensity."
-    return Page([lines, grid(summary_table(dataset))], [each, *told])
+    of_stations = [OF_STATIONS] if is_in_plane(dataset) else []
+    return Page([lines, grid(summary_table(dataset))], [each, *of_stations, *told])
 
 
 def histories(chosen: argparse.Namespace) -> Answer:

@@ -13,7 +13,7 @@ from dcfp.schema.citations import citations_of
 from dcfp.schema.quantities import NOMENCLATURE, Quantity
 from dcfp.schema.units import Unit
 from dcfp.study.factors import ANALYSIS, catalogue
-from dcfp.study.results import INTENSITIES, MEANINGS, STATUS, is_in_plane, parts_of
+from dcfp.study.results import INTENSITIES, MEANINGS, OF_STATIONS, STATUS, is_in_plane, parts_of
 from dcfp.study.store import OF_RECORDS, coordinates
 from dcfp.study.study import Block, Plan
 from dcfp.study.work import response_of
@@ -281,7 +281,7 @@ def usable(
     if missing + failed == whole:
         msg = f"None of the {whole} analyses has a result."
         raise InputError(msg)
-    remarks: list[str] = []
+    remarks = [OF_STATIONS] if is_in_plane(found) else []
     if missing:
         remarks.append(f"{missing} of the {whole} analyses have not been run, and are left out.")
     if failed:

@@ -288,7 +288,6 @@ _SHOWN = {
     "peak_displacement": ("y_max", 1),
     "force_ratio": ("F/W", 3),
     "peak_temperature": ("T_max", 0),
-    "peak_point_temperature": ("T_point", 0),
     "residual_displacement": ("|residual|", 1),
     "input_velocity": ("V_E", 2),
 }
