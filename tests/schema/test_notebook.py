@@ -71,8 +71,15 @@ def results() -> dict[str, tuple[object, tuple[str, ...]]]:
     comparison = codes_under_record(motion, System(bearing), 0.043)
     study = Study([motion], {"pgv": [250.0, 500.0]}, model=System(bearing), title=EVIL)
     calculation = calculate(Scenario(study))
+    station = replace(dcfp.load_station("P695-FF-2"), name=EVIL)
+    in_plane = dcfp.respond(station, bearing, heating="none", pgv=500.0)
+    stations = Study([station], {"pgv": [500.0]}, model=System.of(bearing, heating="none"), title=EVIL)
     return {
         "motion": (motion, ("PGV [mm/s]", "500", motion.digest, "scaled by")),
+        "station": (station, ("PGV [mm/s]", f"{station.peak_velocity:.5g}", station.digest)),
+        "response in the plane": (in_plane, ("y1_max [mm]", f"{in_plane.peak_displacement_x:.5g}", "exceeds the capacity of 50 mm")),
+        "study of stations": (stations, ("500", "analyses")),
+        "calculation in the plane": (calculate(Scenario(stations)), ("y2_max [mm]", f"{in_plane.peak_displacement_y:.5g}")),
         "origin": (motion.origin, ("Canyon Country",)),
         "record": (named_records()[-1], ("P695-NF-28-b",)),
         "bearing": (bearing, ("radii [mm]", "4500, 4500", "vertical_force [N]")),
