@@ -181,10 +181,10 @@ class Quantities(Registry[Quantity]):
         """Add a quantity of the nomenclature, under a key of JSON and with other changes."""
         return self.add(name, replace(NOMENCLATURE.defined[name], key=key or name, **changes))
 
-    def take(self, other: "Quantities", *names: str) -> None:
-        """Add quantities of another kind of result as they are there."""
+    def take(self, other: "Quantities", *names: str, **changes: Any) -> None:
+        """Add quantities of another kind of result as they are there, but for some `changes`."""
         for name in names:
-            self.add(name, other.defined[name])
+            self.add(name, replace(other.defined[name], **changes) if changes else other.defined[name])
 
 
 def quantity(name: str) -> Quantity:
