@@ -174,6 +174,17 @@ def test_a_disc_that_passes_over_points_heats_them_by_the_closed_form() -> None:
     assert loops.hottest_field.temperature.max() == pytest.approx(loops.peak_point_temperature, abs=0.1)
 
 
+def test_a_slider_that_begins_far_away_heats_nothing_in_the_middle() -> None:
+    small = replace(LI_2020, slider_diameter=100.0, displacement_capacity=None)
+    time = np.linspace(0.0, 0.5, 51)
+    loops = run_one(RecordedPath(time, 300j + 100.0 * time), heating="precise", bearing=small)
+    x, y = np.meshgrid(loops.field.position, loops.field.position)
+    near = np.abs(x + 1j * y - 150j) < 80.0
+    warm = loops.field.temperature[0] > loops.heating.ambient
+    assert warm[near].sum() > 1900
+    assert not warm[~near].any()
+
+
 def test_heat_stays_through_a_pause_and_the_slider_comes_back() -> None:
     first = RigTest("first", Circle(200.0, 400.0, 1))
     at_once = RigTest("second", Circle(200.0, 400.0, 1), pause=0.0)
