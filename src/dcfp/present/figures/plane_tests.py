@@ -139,8 +139,9 @@ def plot_plane_program(program: "Program", loops: "Sequence[PlaneLoops]") -> "Fi
     hot = Normalize(min(float(one.temperature.min()) for one in fields), max(float(one.temperature.max()) for one in fields)) if fields else None  # fmt: skip
     several = len({one.heating.name for one in loops}) > 1
     for row, one in zip(axes, loops, strict=True):
-        plot_orbit(one, row[0], norm=norm if shows == "temperature" else None, colour_bar=False)
-        plot_orbit(one, row[1], of="force", norm=norm if shows == "temperature" else None)
+        shared = norm if shows == colour_shows([one]) == "temperature" else None
+        plot_orbit(one, row[0], norm=shared, colour_bar=False)
+        plot_orbit(one, row[1], of="force", norm=shared)
         if one.hottest_field is not None:
             plot_plate(one, row[2], norm=hot)
         elif columns == 3:
