@@ -16,12 +16,13 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dcfp.analysis import Response
+    from dcfp.analysis.plane_response import PlaneResponse
     from dcfp.analysis.rig import Loops
     from dcfp.inference.design_space import DesignSpace
     from dcfp.methods import Pulses
 
     #: What has a displacement, a force, friction and temperature over time.
-    History: TypeAlias = Response | Loops
+    History: TypeAlias = Response | PlaneResponse | Loops
 
 #: Colours by the names that figures and the page have shades for.
 BLUE, OCHRE, RED, GREEN, GREY, INK = "blue", "ochre", "red", "green", "grey", "ink"
@@ -192,6 +193,17 @@ def velocities(response: "Response") -> Panel:
     return Panel(quantity("velocity"), lines, "velocity", sliding=sliding, middle=largest)
 
 
+def directions(response: "PlaneResponse", name: str) -> Panel:
+    """Both components of a history in the plane and, where it has one, their resultant."""
+    components = (
+        _line(response, f"{name}_x", BLUE, "direction x"),
+        _line(response, f"{name}_y", OCHRE, "direction y"),
+    )
+    resultant = (_line(response, name, INK, "resultant"),) if name in response.histories else ()
+    largest = max(float(np.abs(line.y).max()) for line in (*components, *resultant))
+    return Panel(quantity(name), (*components, *resultant), middle=largest)
+
+
 def displacement(history: "History") -> Panel:
     """Displacement with its peak, and the capacity where the peak comes near it."""
     line, capacity = _line(history, "displacement", BLUE), _near_capacity(history)
@@ -222,7 +234,7 @@ def friction(history: "History") -> Panel:
     return Panel(quantity("friction"), (sticking, sliding), low=0.0, high=1.12 * float(sticking.y.max()))
 
 
-def energies(response: "Response") -> Panel:
+def energies(response: "Response | PlaneResponse") -> Panel:
     """Hysteretic, strain and kinetic energies on top of each other, and the input energy as a line."""
     total = _line(response, "input_energy", INK, "input")
     total = replace(total, width=min(total.width, 0.7))

@@ -6,6 +6,7 @@ import tomllib
 import pytest
 
 import dcfp
+from dcfp.analysis.integration import PLATES
 
 from .conftest import at2_text, knet_text, pulse_motion
 from .page_reading import (
@@ -159,6 +160,48 @@ def test_precise_heating_shows_the_plate(shared_page):
     page.get_by_role("button", name="Bearing of the paper").click()
     wait_for_tile(page, DISPLACEMENT, displacement(dcfp.respond(motion)))
     plate.wait_for(state="hidden")
+
+
+def choose_alone(page, name: str) -> None:
+    """Choose one record in place of what is chosen."""
+    box = page.get_by_role("combobox", name="Records")
+    chips = page.locator(".q-chip__icon--remove")
+    chips.click()
+    chips.wait_for(state="detached")
+    box.fill(name)
+    page.get_by_role("option", name=re.compile(f"^{name} ·")).click()
+    page.keyboard.press("Escape")
+
+
+def test_a_station_has_its_orbit_and_its_plate_over_time(shared_page):
+    page = shared_page
+    choose_alone(page, "P695-FF-2")
+    response = dcfp.respond("P695-FF-2", pgv=500.0, keep=PLATES)
+    wait_for_tile(page, DISPLACEMENT, displacement(response))
+    wait_for_tile(page, "peak_displacement_y", f"{response.peak_displacement_y:.1f}")
+    wait_for_tile(page, "peak_point_temperature", f"{response.peak_point_temperature:.0f}")
+    words, fields = page.locator(".plate-words"), response.fields
+    assert fields is not None
+    hottest = fields.time[fields.hottest]
+    words.filter(has_text=f"{hottest:.2f} s: hottest point {fields.temperature.max():.0f} °C").wait_for()
+    page.get_by_label("Moment of the plate").fill("12")
+    assert words.inner_text().startswith(
+        f"{fields.time[12]:.2f} s: hottest point {fields.temperature[12].max():.0f} °C"
+    )
+    orbit = page.get_by_role("img", name=re.compile("Displacement in both directions"))
+    orbit.scroll_into_view_if_needed()
+    page.wait_for_function(
+        "document.querySelector('[aria-label^=\"Displacement in both directions\"]').dataset.drawn > 0"
+    )
+    fill(page, "Angle to turn them by, from x towards y [°]", "90")
+    wait_for_tile(page, "peak_displacement_y", f"{response.peak_displacement_x:.1f}")
+    page.get_by_role("switch", name="Vertical force follows the vertical component").click()
+    page.get_by_role("alert").filter(has_text="has no vertical component").wait_for()
+    page.get_by_role("switch", name="Vertical force follows the vertical component").click()
+    fill(page, "Angle to turn them by, from x towards y [°]", "")
+    choose_alone(page, "NCC")
+    wait_for_tile(page, DISPLACEMENT, displacement(dcfp.respond("NCC", pgv=500.0)))
+    orbit.wait_for(state="hidden")
 
 
 @pytest.mark.slow

@@ -12,10 +12,11 @@ pytest.importorskip("nicegui", reason="the web page needs nicegui")
 
 import dcfp
 from dcfp.analysis.response import PEAKS
-from dcfp.doors.app.analysis import remarks_on
+from dcfp.doors.app.analysis import Task, remarks_on
 from dcfp.doors.app.charts import TOLERANCE, kept, kept_of_path, turning_points
 from dcfp.doors.app.elements import Units
 from dcfp.doors.app.machine_tab import grouped
+from dcfp.doors.app.plane_view import beside
 from dcfp.doors.app.serve import LARGEST_BODY, Guard
 from dcfp.doors.app.session import (
     MOST_COMPONENTS,
@@ -46,6 +47,47 @@ from dcfp.schema.units import (
 from dcfp.system import FRICTION_LAWS, HEATINGS, LI_2020, ConstantFriction, Li2020, System
 
 from .conftest import at2_text, pulse_motion
+
+
+def test_components_are_joined_as_a_station_in_their_order():
+    session = Session(chosen=["P695-FF-2-b", "P695-FF-2-a"])
+    assert not session.in_plane
+    session.choose([session.join()])
+    assert session.in_plane
+    assert session.bearing.values["heating"] == "precise"
+    motion = session.motion(session.chosen[0])
+    assert isinstance(motion, dcfp.Station)
+    np.testing.assert_array_equal(motion.x.acceleration, dcfp.load_motion("P695-FF-2-b").acceleration)
+    assert session.choices()[motion.name] == "P695-FF-2-b+P695-FF-2-a · joined"
+    with pytest.raises(InputError, match="two or three components"):
+        session.join()
+    session.choose([])
+    session.choose(["NCC"])
+    assert session.bearing.values["heating"] == "simplified"
+
+
+def test_a_heating_model_that_was_chosen_stays_with_a_station():
+    session = Session()
+    session.bearing.put("heating", "none")
+    session.choose(["P695-FF-2"])
+    assert session.bearing.values["heating"] == "none"
+
+
+def test_stations_and_single_components_are_not_mixed():
+    task = Task.of(Session(chosen=["P695-FF-2", "NCC"]))
+    with pytest.raises(InputError, match="give only stations, or only single components"):
+        task.analysed()
+    with pytest.raises(InputError, match="of one direction"):
+        Task.of(Session(chosen=["P695-FF-2"])).scenario()
+
+
+def test_the_pictures_of_a_plate_stand_beside_each_other():
+    pictures = np.arange(11.0)[:, None, None] * np.ones((11, 2, 3))
+    whole = beside(pictures)
+    assert whole.shape == (4, 24)
+    for number in range(11):
+        row, column = divmod(number, 8)
+        assert (whole[2 * row : 2 * row + 2, 3 * column : 3 * column + 3] == number).all()
 
 
 def test_the_fields_begin_with_the_paper_s_bearing():

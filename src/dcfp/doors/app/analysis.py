@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from dcfp.analysis import Response, respond
 from dcfp.analysis.integration import PLATES
+from dcfp.analysis.plane_response import PlaneResponse
 from dcfp.doors.app.session import Session
 from dcfp.errors import InputError
 from dcfp.exchange import write_workbook
@@ -16,7 +17,8 @@ from dcfp.inference import Case, Methods, compare
 from dcfp.methods.prediction import Nominal, nominal_coefficient
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import motion_remarks, refuse_a_drift
-from dcfp.motion.treatment import treated
+from dcfp.motion.station import Station, stations_of
+from dcfp.motion.treatment import record_treated
 from dcfp.study import Study
 from dcfp.study.scenario import Scenario, calculate, scenario_toml
 from dcfp.system import System
@@ -32,14 +34,16 @@ Predicted: TypeAlias = tuple[Case, Nominal]
 class Task:
     """What is to be analysed: a copy of the fields, so that they may change meanwhile.
 
-    Motions are as they are in their files; the PGV is in mm/s and the corner of a high-pass filter in Hz, or None.
+    Motions are as they are in their files; the PGV is in mm/s, the corner of a high-pass filter in Hz and the angle by which stations are turned in degrees, or None.
     """
 
-    motions: tuple[GroundMotion, ...]
+    motions: tuple[GroundMotion | Station, ...]
     model: System
     pgv: float | None
     baseline: bool
     corner: float | None
+    rotate: float | None = None
+    vertical: bool = False
 
     @classmethod
     def of(cls, session: Session) -> "Task":
@@ -55,36 +59,51 @@ class Task:
             raise InputError(msg)
         motions = tuple(session.motion(key) for key in session.chosen)
         pgv = None if session.as_recorded else session.pgv * 1e3
-        return cls(motions, session.bearing.system(), pgv, session.baseline, session.corner)
+        return cls(motions, session.bearing.system(), pgv, session.baseline, session.corner, session.rotate, session.vertical)  # fmt: skip
 
     @property
     def title(self) -> str:
         """What is analysed, in words."""
         return f"{', '.join(one.name for one in self.motions)} on {self.model.bearing.name}"
 
-    def treated(self) -> list[GroundMotion]:
+    def treated(self) -> list[GroundMotion | Station]:
         """Return the motions with their treatment, unscaled."""
-        return [treated(motion, baseline=self.baseline, corner=self.corner) for motion in self.motions]
+        return [record_treated(motion, baseline=self.baseline, corner=self.corner) for motion in self.motions]
 
-    def analysed(self) -> list[Response]:
-        """Analyse every motion; with precise heating the temperature along the plates is kept.
+    def analysed(self) -> list[Response] | list[PlaneResponse]:
+        """Analyse every motion; with precise heating the temperature of the plates is kept.
 
         Raises
         ------
         InputError
-            If one cannot be scaled.
+            If one cannot be scaled, or there are stations and single components.
         """
         motions = self.treated()
+        in_plane = bool(stations_of(motions))
         if self.pgv is not None:
             for motion in motions:
                 refuse_a_drift(motion)
             motions = [motion.scaled_to_pgv(self.pgv) for motion in motions]
-        return [respond(motion, self.model, keep=PLATES) for motion in motions]
+        if in_plane:
+            turned = [one.rotated(self.rotate) if self.rotate else one for one in stations_of(motions)]
+            return [respond(one, self.model, vertical=self.vertical, keep=PLATES) for one in turned]
+        singles = [one for one in motions if isinstance(one, GroundMotion)]
+        return [respond(motion, self.model, keep=PLATES) for motion in singles]
 
     def scenario(self) -> Scenario:
-        """Return the same as a scenario, whose motions are at hand."""
+        """Return the same as a scenario, whose motions are at hand.
+
+        Raises
+        ------
+        InputError
+            If there are stations.
+        """
+        if stations_of(self.motions):
+            msg = "A report and a workbook are of one direction; choose single components, or take the histories of a station as CSV or NetCDF."
+            raise InputError(msg)
         factors = {} if self.pgv is None else {"pgv": [self.pgv]}
-        return Scenario(Study(self.treated(), factors, model=self.model, title=self.title))
+        singles = [one for one in self.treated() if isinstance(one, GroundMotion)]
+        return Scenario(Study(singles, factors, model=self.model, title=self.title))
 
     def report_pdf(self) -> bytes:
         """Return the report as PDF."""
@@ -105,7 +124,7 @@ def predict(response: Response, model: System) -> Predicted:
     return compare(response.motion, methods, codes=True, response=response), nominal
 
 
-def remarks_on(response: Response) -> list[str]:
+def remarks_on(response: Response | PlaneResponse) -> list[str]:
     """Return the sentences that must stand beside an analysis; its scale stands in the head."""
     return [*motion_remarks(response.motion, with_scale=False), *response.remarks]
 
@@ -119,6 +138,9 @@ def scenario_text(session: Session) -> str:
         If a field is empty or out of range.
     """
     task = Task.of(session)
+    if stations_of(task.motions) and (task.rotate or task.vertical):
+        msg = "A scenario file takes stations as they are: leave out the angle and the vertical force."
+        raise InputError(msg)
     motion: dict[str, bool | float | str] = {"baseline": True} if task.baseline else {}
     if task.corner is not None:
         motion["high_pass"] = task.corner

@@ -14,8 +14,8 @@ from dcfp.doors.app.session import capitalised
 from dcfp.present.panels import Line, Panel
 from dcfp.schema.quantities import Quantity
 
-#: Height of one of several panels above each other, and the gap between two of them [%].
-_ROW_HEIGHT, _GAP = 16.0, 7.4
+#: Height of one of several panels above each other, and the gap between two of them [%], where there are so many.
+_ROW_HEIGHT, _GAP, _ROWS = 16.0, 7.4, 4
 #: Parts that a history is divided into; of each part the extremes are drawn.
 PARTS = 420
 #: Distance that is allowed between a path and what is drawn of it, as a part of its extent: half a pixel on a screen [-].
@@ -46,18 +46,19 @@ def rows(panels: Sequence[Panel], units: Units) -> Options:
     """Draw panels of histories over the same time above each other."""
     lines = [line for panel in panels for line in panel.lines]
     place = _places(lines, PARTS, path=False)[0]
-    tops = [5.0 + row * (_ROW_HEIGHT + _GAP) for row in range(len(panels))]
+    scale = _ROWS / len(panels)
+    tops = [5.0 + row * scale * (_ROW_HEIGHT + _GAP) for row in range(len(panels))]
     options: Options = {"axisPointer": {"link": [{"xAxisIndex": "all"}]}}
     options |= {key: [] for key in ("grid", "xAxis", "yAxis", "series", "legend")}
     for row, (panel, top) in enumerate(zip(panels, tops, strict=True)):
-        options["grid"].append({"top": f"{top:.1f}%", "height": f"{_ROW_HEIGHT}%"})
+        options["grid"].append({"top": f"{top:.1f}%", "height": f"{scale * _ROW_HEIGHT:.1f}%"})
         options["xAxis"].append(_x_axis(panel, units, named=panel is panels[-1]) | {"gridIndex": row})
         options["yAxis"].append(_y_axis(panel, units, gridIndex=row, nameGap=13, splitNumber=3))
         places = [place] * len(panel.lines)
         options["series"] += _series(panel, units, places, xAxisIndex=row, yAxisIndex=row)
         if len(panel.lines) > 1:
             words = [line.words for line in panel.lines]
-            options["legend"].append({"data": words, "top": f"{max(top - 4.6, 0.0):.1f}%"})
+            options["legend"].append({"data": words, "top": f"{max(top - 4.6 * scale, 0.0):.1f}%"})
     return options
 
 
@@ -167,11 +168,11 @@ def _picture(panel: Panel, units: Units) -> Options:
             "text": [f"{unit.shown(end):.0f} {unit.name}" for end in (high, low)],
             "right": 8, "top": "middle", "itemHeight": 120, "itemWidth": 12, "calculable": False,
         },
-        "pictures": [{"url": _image(shares), "x": one.x[inside][[0, -1]].tolist(), "y": y.tolist()}],
+        "pictures": [{"url": image_of(shares), "x": one.x[inside][[0, -1]].tolist(), "y": y.tolist()}],
     }  # fmt: skip
 
 
-def _image(shares: FloatArray) -> str:
+def image_of(shares: FloatArray) -> str:
     """Return shares from 0 to 1, shape (rows, columns), as an image in the colours of temperatures: the address of a PNG."""
     from matplotlib import image  # late: Matplotlib takes long to import
 

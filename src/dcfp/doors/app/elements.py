@@ -99,6 +99,14 @@ class Section(Element, component="static/section.js"):
         self.run_method("load", scene)
 
 
+class Plate(Element, component="static/plate.js"):
+    """A plate seen from above, at a moment that is chosen with a slider."""
+
+    def load(self, scene: dict[str, Any]) -> None:
+        """Show another analysis."""
+        self.run_method("load", scene)
+
+
 class Grid(Element, component="static/grid.js"):
     """A table of text; `tones` are ``"good"``, ``"bad"``, ``"doubt"`` or nothing."""
 

@@ -24,7 +24,7 @@ from dcfp.doors.app.session import (
 from dcfp.errors import InputError
 from dcfp.motion.formats.registry import FORMATS
 from dcfp.schema.parameters import Parameter
-from dcfp.schema.units import HERTZ, SECOND
+from dcfp.schema.units import DEGREE, HERTZ, SECOND
 from dcfp.system import FRICTION_LAWS, HEATINGS
 
 #: Time in which no key is pressed before a number counts [ms].
@@ -35,6 +35,7 @@ _AMBIENT = "ambient"
 _MOST_CHOSEN = 8
 _PGVS = (0.05, 1.5)
 _CORNER = Parameter("high-pass filter, corner", HERTZ, step=0.01, absent="none", optional=True)
+_ROTATE = Parameter("angle to turn them by, from x towards y", DEGREE, -360.0, 360.0, step=15.0, absent="none", optional=True)  # fmt: skip
 _TIME_STEP = Parameter("time step of one column", SECOND, step=0.005, absent="in the file", optional=True)
 _UNITS = {"": "as the file says", **{unit: unit for unit in ("mm/s2", "cm/s2", "gal", "m/s2", "g")}}
 
@@ -249,6 +250,13 @@ class RecordsPanel:
             self._alert = Alert()
             self._pgv = Slider("PGV of every record", "m/s", 2, session.pgv, _PGVS, 0.01, put("pgv"))
             switch_field("As recorded, not scaled", session.as_recorded, put("as_recorded"))
+            action("Join the chosen components as a station", self._join)
+            with ui.element("div").classes("brought") as self._of_stations:
+                parameter_field(_ROTATE, session.rotate, put("rotate"))
+                switch_field(
+                    "Vertical force follows the vertical component", session.vertical, put("vertical")
+                )
+            self._of_stations.set_visibility(session.in_plane)
             with more("Treatment and plain files"):
                 switch_field("Remove a linear baseline in velocity", session.baseline, put("baseline"))
                 parameter_field(_CORNER, session.corner, put("corner"))
@@ -264,8 +272,18 @@ class RecordsPanel:
             self._records.value = chosen[:_MOST_CHOSEN]
             return
         if chosen != self._session.chosen:
-            self._session.chosen = chosen
+            self._alert.say("")
+            self._session.choose(chosen)
+            self._of_stations.set_visibility(self._session.in_plane)
             self._changed()
+
+    def _join(self) -> None:
+        try:
+            key = self._session.join()
+        except InputError as error:
+            self._alert.say(str(error))
+            return
+        self._records.set_options(self._session.choices(), value=[key])
 
     async def _take(self, event: UploadEventArguments) -> None:
         session, file = self._session, event.file

@@ -9,11 +9,13 @@ import numpy as np
 from nicegui import ui
 
 from dcfp.analysis import Response, Status
+from dcfp.analysis.plane_response import PLANE_PEAKS, PlaneResponse
 from dcfp.analysis.response import PEAKS
 from dcfp.doors.app.analysis import Predicted, Task, figure_png, predict, remarks_on, scenario_text, table_of
 from dcfp.doors.app.charts import chart, colour_of, level, rows, warm_colours
 from dcfp.doors.app.elements import Chart, Grid, Options, Section, Text, Units
 from dcfp.doors.app.fields import RecordsPanel, card
+from dcfp.doors.app.plane_view import PlaneView
 from dcfp.doors.app.session import Session, capitalised
 from dcfp.doors.app.tab import Latest, Tab, write_list
 from dcfp.errors import DcfpError
@@ -44,28 +46,41 @@ class ResponseTab(Tab):
     def __init__(self, session: Session) -> None:
         self._shown = 0
         self._task: Task | None = None
-        self._responses: list[Response] = []
+        self._responses: list[Response] | list[PlaneResponse] = []
         self._predicted: Predicted | None = None
         self._latest_prediction = Latest(lambda: self.safely(self._predict))
         super().__init__(session, "What is analysed", "Response")
 
     def add_fields(self) -> None:
         """Add the records."""
-        RecordsPanel(self.session, self.ask)
+        RecordsPanel(self.session, self._ask_again)
+
+    def _ask_again(self) -> None:
+        self._bearing.refresh()  # stations have another usual heating model
+        self.ask()
 
     def add_results(self) -> None:
         """Add numbers, table and charts."""
         self._tiles: dict[str, tuple[Text, Text]] = {}
+        self._tile_places: dict[str, ui.element] = {}
         with ui.element("div").classes("tiles"):
-            for name, one in PEAKS.items():
+            for name, one in PLANE_PEAKS.items():
                 if one.printed and one.is_number:
-                    with ui.element("div").classes("tile"):
+                    with ui.element("div").classes("tile") as self._tile_places[name]:
                         Text("div", capitalised(one.words)).classes("tile-name")
                         value = Text("span", NOTHING).classes("tile-value").props(f"data-tile={name}")
                         self._tiles[name] = (value, Text("span").classes("tile-unit"))
         self._remarks = ui.element("ul").classes("remarks")
         with card("All records", "h3") as self._summary_card:
             self._summary = Grid("Peaks of every record", self._pick)
+        self._plane = PlaneView()
+        self._plane.set_visibility(False)
+        with ui.element("div").classes("results") as self._line:
+            self._add_line()
+        self._add_files()
+
+    def _add_line(self) -> None:
+        """Add what is shown of an analysis in one direction."""
         with ui.element("div").classes("halves"):
             with card("Force and displacement", "h3"):
                 self._loop = Chart("Horizontal force against displacement")
@@ -86,7 +101,6 @@ class ResponseTab(Tab):
             self._bars = Chart("What each method offers for the largest displacement", "middle")
             self._predictions = Grid("Predictions beside the analysis")
             self._code_remarks = ui.element("ul").classes("remarks")
-        self._add_files()
 
     def _add_files(self) -> None:
         def figure() -> bytes | None:
@@ -131,7 +145,11 @@ class ResponseTab(Tab):
         if self._task is None or self.latest.outdated:
             return
         responses, shown, system = self._responses, self._shown, self._task.model
-        predicted = await asyncio.to_thread(predict, responses[shown], system)
+        response = responses[shown]
+        if isinstance(response, PlaneResponse):
+            self.busy.text = ""
+            return
+        predicted = await asyncio.to_thread(predict, response, system)
         if self.is_gone or responses is not self._responses or shown != self._shown:
             return  # something else is shown by now
         self._predicted = predicted
@@ -160,13 +178,26 @@ class ResponseTab(Tab):
         self.status.classes(replace=f"status {_TONES[one.status]}")
         self.status.set_visibility(True)
         for name, (value, unit) in self._tiles.items():
-            quantity = PEAKS[name]
+            self._tile_places[name].set_visibility(name in one.quantities)
+            if name not in one.quantities:
+                continue
+            quantity = one.quantities[name]
             value.text = units.text(quantity, one)
             unit.text = units.name(quantity) if quantity.shown.has_dimension else ""
         write_list(self._remarks, remarks_on(one))
         self._summary_card.set_visibility(len(self._responses) > 1)
-        peaks = Table(tuple(PEAKS.values()), self._responses)
+        peaks = Table(tuple(one.quantities.values()), self._responses)
         self._summary.show(peaks, units, self._shown, {"status": lambda one: _TONES[one.status]})
+        in_plane = isinstance(one, PlaneResponse)
+        self._plane.set_visibility(in_plane)
+        self._line.set_visibility(not in_plane)
+        if isinstance(one, PlaneResponse):
+            self._plane.show(one, units)
+        else:
+            self._show_line(one)
+
+    def _show_line(self, one: Response) -> None:
+        units = self.session.units
         self._loop.draw(chart(panels.loop(one), units))
         self._section.load(scene(one, units))
         histories = (panels.velocities, panels.displacement, panels.temperature, panels.friction)
@@ -182,6 +213,8 @@ class ResponseTab(Tab):
             return
         units, (case, nominal) = self.session.units, self._predicted
         response = self._responses[self._shown]
+        if isinstance(response, PlaneResponse):
+            return
         self._pulses.draw(chart(panels.pulses(response, case.pulses, case.analysed.pulse), units))
         self._nominal.text = f"The methods take a constant µ of {nominal.value:.4g}: {nominal.source}."
         self._bars.draw(bars(case, units))

@@ -15,6 +15,7 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.responses import PlainTextResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from dcfp.analysis import Response
 from dcfp.doors.app.analysis import Task, predict
 from dcfp.doors.app.design_tab import DesignTab, Surveys
 from dcfp.doors.app.elements import CHOICES, Text, Units
@@ -114,7 +115,8 @@ def _warm_up() -> None:
     named_choices()
     task = Task.of(Session())
     for response in task.analysed():
-        predict(response, task.model)
+        if isinstance(response, Response):
+            predict(response, task.model)
 
 
 async def _build_page(surveys: Surveys) -> None:

@@ -8,11 +8,13 @@ from itertools import takewhile
 from pathlib import PurePosixPath
 from typing import Any
 
+from dcfp.analysis.integration import usual_heating
 from dcfp.doors.app.elements import Units
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import LONGEST_TAIL, GroundMotion
-from dcfp.motion.load import motions_of
-from dcfp.motion.named import named_motion, named_records
+from dcfp.motion.load import STATION_MARK, motions_of
+from dcfp.motion.named import named_motion, named_records, named_station
+from dcfp.motion.station import Station, joined
 from dcfp.schema.declared import Declared, parameters
 from dcfp.schema.parameters import Parameter
 from dcfp.system import (
@@ -36,8 +38,12 @@ LARGEST_FILE, MOST_FILES, MOST_COMPONENTS = 20_000_000, 12, 36
 #: Most time steps of an analysis with the rest after the record: what a page can be kept waiting for.
 MOST_STEPS = 1_000_000
 _LONGEST_NAME = 80
-#: Records that come with the package stay in memory, for every change of a field analyses one anew.
-_named = cache(named_motion)
+
+
+@cache
+def _named(name: str) -> GroundMotion | Station:
+    """Return a record that comes with the package; it stays in memory, for every change of a field analyses it anew."""
+    return named_station(name) or named_motion(name)
 
 
 def capitalised(words: str) -> str:
@@ -237,25 +243,71 @@ def named_choices() -> dict[str, str]:
     rows = [row for row in named_records() if row.motion is not None]
     rows.sort(key=lambda row: not row.alias)
     told = [(row.alias or row.name, f"{row.event} {row.year}, {row.station}") for row in rows]
+    # both components of a record of FEMA P-695 are a station
+    told += [
+        (row.name.rpartition("-")[0], f"{row.event} {row.year}, {row.station}, two directions")
+        for row in rows
+        if row.name.startswith("P695-") and row.name.endswith("-a")
+    ]
     return {name: f"{name} · {words}" for name, words in told}
 
 
 @dataclass
 class Session:
-    """The state of one page: the fields, the units of results, records that were sent by key and the number of their files, and what is chosen.
+    """The state of one page: the fields, the units of results, records that were sent by key and the number of their files, stations that were joined, and what is chosen.
 
-    The PGV is in m/s, and the corner of a high-pass filter in Hz.
+    The PGV is in m/s, the corner of a high-pass filter in Hz, and the angle by which a station is turned in degrees; the `usual` heating model is that of the kind of the records.
     """
 
     bearing: BearingForm = field(default_factory=BearingForm)
     units: Units = field(default_factory=Units)
     sent: dict[str, Upload] = field(default_factory=dict[str, Upload])
     files: int = 0
+    stations: dict[str, tuple[str, ...]] = field(default_factory=dict[str, tuple[str, ...]])
     chosen: list[str] = field(default_factory=lambda: ["NCC"])
     pgv: float = 0.5
     as_recorded: bool = False
     baseline: bool = False
     corner: float | None = None
+    rotate: float | None = None
+    vertical: bool = False
+    usual: str = _BEGIN.heating.name
+
+    @property
+    def in_plane(self) -> bool:
+        """Whether what is chosen are stations."""
+        return any(isinstance(self.motion(key), Station) for key in self.chosen)
+
+    def choose(self, keys: list[str]) -> None:
+        """Choose records; where no heating model was chosen, it is the usual one of their kind."""
+        self.chosen = keys
+        if not keys:
+            return
+        usual = usual_heating([self.motion(keys[0])])
+        if self.bearing.values["heating"] == self.usual:
+            self.bearing.put("heating", usual)
+        self.usual = usual
+
+    def join(self) -> str:
+        """Make a station of the components that are chosen, in their order, and return its key.
+
+        Raises
+        ------
+        InputError
+            If they are not two or three components that go together.
+        """
+        keys = tuple(self.chosen)
+        if len(keys) not in (2, 3) or self.in_plane:
+            msg = "Choose the two or three components of a station, the vertical one last, and nothing else; then join them."
+            raise InputError(msg)
+        name = STATION_MARK.join(self.file_of(key) for key in keys)
+        self._joined(keys, name)
+        self.stations[name] = keys
+        return name
+
+    def _joined(self, keys: tuple[str, ...], name: str) -> Station:
+        motions = [one for key in keys if isinstance(one := self.motion(key), GroundMotion)]
+        return joined(motions, name)
 
     def take(self, uploads: list[Upload]) -> list[str]:
         """Keep the records of one more file, and return their keys.
@@ -291,10 +343,13 @@ class Session:
     def choices(self) -> dict[str, str]:
         """Return every record that can be chosen, in words: those that were sent first."""
         own = {key: f"{one.motion.name} · your file" for key, one in self.sent.items()}
+        own |= {key: f"{key} · joined" for key in self.stations}
         return own | named_choices()
 
-    def motion(self, key: str) -> GroundMotion:
-        """Return a record as it is."""
+    def motion(self, key: str) -> GroundMotion | Station:
+        """Return a record or a station as it is."""
+        if key in self.stations:
+            return self._joined(self.stations[key], key)
         return self.sent[key].motion if key in self.sent else _named(key)
 
     def file_of(self, key: str) -> str:

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from dcfp.analysis import Response
-from dcfp.analysis.integration import NOTHING, PLATES, Integration, usual_heating
+from dcfp.analysis.integration import NOTHING, PLATES, Integration, Keep, usual_heating
 from dcfp.analysis.response_history import analyse
 from dcfp.doors.cli import inputs
 from dcfp.doors.cli.console import Page, each, grid, grouped
@@ -49,10 +49,11 @@ def _in_the_plane(
     integration = Integration(**inputs.given(chosen, Integration))
     motions = inputs.scaled(stations, chosen.pgv, allow_drift=True)
     _check_one_script(chosen, kind, len(motions))
+    keep = _keep(chosen, kind)
     responses = each(
         "analyses",
         motions,
-        lambda motion: analyse_plane(motion, system, integration, vertical=chosen.vertical),
+        lambda motion: analyse_plane(motion, system, integration, vertical=chosen.vertical, keep=keep),
     )
     return answer_of(
         responses,
@@ -71,7 +72,7 @@ def _in_one_direction(
     motions = inputs.scaled(records, chosen.pgv, allow_drift=True)
     _check_one_script(chosen, kind, len(motions))
     integration = Integration(**inputs.given(chosen, Integration))
-    keep = PLATES if kind == ".nc" or chosen.plot is not None else NOTHING
+    keep = _keep(chosen, kind)
     responses = each("analyses", motions, lambda motion: analyse(motion, system, integration, keep=keep))
     return answer_of(responses, lambda: calculated(chosen, records, system, integration))
 
@@ -98,6 +99,11 @@ def calculated(
         vertical=in_plane is not None and chosen.vertical,
     )
     return calculate(Scenario(study), in_plane=in_plane)
+
+
+def _keep(chosen: argparse.Namespace, kind: str) -> Keep:
+    """Return what is kept: the temperature of the plates where it is drawn or written."""
+    return PLATES if kind == ".nc" or chosen.plot is not None else NOTHING
 
 
 def _check_one_script(chosen: argparse.Namespace, kind: str, count: int) -> None:

@@ -20,6 +20,7 @@ from dcfp.present.figures.overviews import plot_program as plot_program
 from dcfp.present.figures.plane import plot_orbit as plot_orbit
 from dcfp.present.figures.plane import plot_orbits as plot_orbits
 from dcfp.present.figures.plane import plot_plane_response as plot_plane_response
+from dcfp.present.figures.plane_field import plot_field as plot_field
 from dcfp.present.figures.plane_tests import plot_plane_program as plot_plane_program
 from dcfp.present.figures.plane_tests import plot_plane_test as plot_plane_test
 from dcfp.present.figures.plane_tests import plot_plate as plot_plate

@@ -9,6 +9,7 @@ from matplotlib.colors import Normalize
 
 from dcfp.present.figures import style
 from dcfp.present.figures.drawing import between_equal_limits, draw_cross
+from dcfp.present.figures.plane_field import plot_field
 from dcfp.schema.formulas import metres_per_second, millimetres
 from dcfp.schema.quantities import Quantity, quantity
 
@@ -92,13 +93,16 @@ def plot_orbit(
 
 @style.styled
 def plot_plane_response(response: "PlaneResponse") -> "Figure":
-    """Compose orbits and histories of one analysis in the plane on a new figure."""
-    figure = style.new_figure(6.4)
-    sides: Any = figure.subfigures(1, 2, width_ratios=(1.0, 1.25))
+    """Compose orbits and histories of one analysis in the plane on a new figure, and the plate at its hottest where its temperature was kept."""
+    has_field = response.fields is not None
+    figure = style.new_figure(7.8 if has_field else 6.4)
+    sides: Any = figure.subfigures(1, 2, width_ratios=(1.0, 1.15), wspace=0.04)
     left, right = sides
-    upper, lower = left.subplots(2, 1)
+    upper, lower, *third = left.subplots(3 if has_field else 2, 1)
     plot_orbit(response, upper)
     plot_orbit(response, lower, of="force", colour_bar=False)
+    if third:
+        plot_field(response, axes=third[0])
     axes: Any = right.subplots(5, 1, sharex=True, height_ratios=(1.0, 1.4, 1.0, 1.0, 1.0))
     quantities, known = response.histories, response.time
     draw_directions(axes[0], response, "ground_velocity")
