@@ -21,7 +21,6 @@ from dcfp.kernels.plane_step import oscillator_rows
 from dcfp.motion.ground_motion import parts_in, refined, with_tail
 from dcfp.motion.station import Station
 from dcfp.system import FrictionLaw, Heating, PreciseHeating, System, SystemLike
-from dcfp.system.plates import system_constants
 
 #: Distance of the friction from its chord in the middle of a step that is allowed by default, over mu g [-]; it goes with the tolerance of an analysis.
 TOLERANCE = 5e-3
@@ -97,9 +96,9 @@ def analyse_plane(
             break
         factor *= 2.0  # the slider left the grid
     lines, elapsed = run
-    ratios = np.maximum(loads[: len(lines), 0], 0.0) if vertical else np.ones(len(lines))
+    ratios = np.maximum(loads[: len(lines), 0], 0.0) if vertical else np.ones(1)
     fields = None
-    if moments := moments_of(keep, lines, system.heating):
+    if keep != NOTHING and (moments := moments_of(keep, lines, system.heating)):
         again = _beginning(system, start, factor)
 
         def go_on(first: int, last: int) -> float:
@@ -107,7 +106,16 @@ def analyse_plane(
             _integrated(motion.name, again, x[part], y[part], loads[part], control, x.size)
             return float(again.integration["time"][0])
 
-        fields = fields_at(moments, interval, lines, ratios, system, again.heat, state.heat, go_on)
+        fields = fields_at(
+            moments,
+            interval,
+            lines,
+            np.broadcast_to(ratios, len(lines)),
+            system,
+            again.heat,
+            state.heat,
+            go_on,
+        )
     ground = (
         np.column_stack([integral(one[: len(lines)], interval) for one in (x, y)]) + state.ground_velocity
     )
@@ -120,7 +128,7 @@ def analyse_plane(
         ground_velocity=freeze(ground),
         lines=freeze(lines),
         final_state=replace(state, ground_velocity=ground[-1]),
-        loads=freeze(system.bearing.vertical_force * ratios) if vertical else np.array([system.bearing.vertical_force]),
+        loads=freeze(bearing.vertical_force * ratios),
         rests=bool(state.integration["at_rest"][0]),
         fields=fields,
         elapsed=elapsed,
@@ -168,10 +176,9 @@ def _integrated(
     """Return histories and the computing time [s], or None if the slider left the grid; the state changes."""
     system = state.system
     began = time.perf_counter()
-    constants = system_constants(system)
-    tables = _tables(constants.restoring, constants.elastic, control.interval)
-    lines = np.empty((x.size, k.TEMPERATURE + constants.plates))
     model, integration = state.heat.model(system), state.integration
+    tables = _tables(model.system.restoring, model.system.elastic, control.interval)
+    lines = np.empty((x.size, k.TEMPERATURE + model.system.plates))
     done = k.integrate_plane(
         model, state.heat.field, x, y, loads, control, tables, free_from, integration, 0, lines, True
     )
