@@ -7,6 +7,7 @@ import pytest
 
 import dcfp
 from dcfp.analysis.integration import PLATES
+from dcfp.analysis.response import PEAKS
 
 from .conftest import at2_text, knet_text, pulse_motion
 from .page_reading import (
@@ -35,6 +36,9 @@ def test_the_first_numbers_are_those_of_the_paper_s_bearing(shared_page):
     assert tile(page, FORCE) == f"{response.peak_force / 1e3:.0f}"
     assert tile(page, TEMPERATURE) == f"{response.peak_temperature:.0f}"
     assert page.locator(".status").inner_text() == response.status.value
+    told = {name for name, one in PEAKS.items() if one.printed and one.is_number}
+    tiles = page.locator("[data-tile]:visible")
+    assert {tiles.nth(i).get_attribute("data-tile") for i in range(tiles.count())} == told
 
 
 def test_predictions_and_codes_stand_beside_the_analysis(shared_page):

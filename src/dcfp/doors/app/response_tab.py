@@ -65,7 +65,8 @@ class ResponseTab(Tab):
         self._tile_places: dict[str, ui.element] = {}
         with ui.element("div").classes("tiles"):
             for name, one in PLANE_PEAKS.items():
-                if one.printed and one.is_number:
+                # there is more room than in a table of stations
+                if one.is_number and (one.printed or (name in PEAKS and PEAKS[name].printed)):
                     with ui.element("div").classes("tile") as self._tile_places[name]:
                         Text("div", capitalised(one.words)).classes("tile-name")
                         value = Text("span", NOTHING).classes("tile-value").props(f"data-tile={name}")
