@@ -18,7 +18,7 @@ from sphinx.util.math import get_node_equation_number
 
 _PAPER = "li-"
 #: Pages with equations of their own, in the order of their letters.
-_PAGES = ("model", "friction", "motion", "prediction", "method", "others")
+_PAGES = ("model", "friction", "motion", "prediction", "method", "others", "plane")
 _FONT = "STIXTwoMath-Regular.ttf"
 
 
@@ -32,18 +32,22 @@ class NumberedMath(MathDomain):
         if labelid.startswith(_PAPER):
             number = labelid.removeprefix(_PAPER)
         else:
-            letter = "ABCDEF"[_PAGES.index(docname.rpartition("/")[2])]
+            letter = "ABCDEFG"[_PAGES.index(docname.rpartition("/")[2])]
             own = [label for label, (page, _) in self.equations.items() if page == docname]
             number = f"{letter}{sum(not label.startswith(_PAPER) for label in own)}"
         self.equations[labelid] = (docname, number)
 
 
 _BAR = re.compile(r"<mo[^>]*>(?:&#x0007C;|\\|)</mo>")
+_BOLD = re.compile(r'<mi mathvariant="bold">([a-z])</mi>')
+#: The first letter of the mathematical alphabet of bold small letters.
+_BOLD_A = 0x1D41A
 
 
 def markup(formula: str, display: str) -> str:
-    """Return a formula as MathML, with bars close to what they enclose."""
-    return _BAR.sub('<mo stretchy="false" lspace="0" rspace="0">|</mo>', convert(formula, display=display))
+    """Return a formula as MathML, with bars close to what they enclose and bold letters as characters of their own, since browsers leave the attribute out."""
+    found = _BAR.sub('<mo stretchy="false" lspace="0" rspace="0">|</mo>', convert(formula, display=display))
+    return _BOLD.sub(lambda letter: f"<mi>{chr(_BOLD_A + ord(letter[1]) - ord('a'))}</mi>", found)
 
 
 def visit_inline(translator: Any, node: nodes.math) -> None:
