@@ -78,6 +78,7 @@ class PlaneState:
         new = _integration_at_rest(float(self.heat.plates.temperature.max()))
         for name in ("extremes", "steps", "status", "at_rest"):
             state.integration[name] = new[name]
+        state.heat.begin_peaks(state.system, float(state.integration["time"][0]))
         return state
 
 
@@ -85,6 +86,7 @@ def _integration_at_rest(temperature: float) -> Records:
     integration = np.zeros(1, PLANE_STATE)
     integration["extremes"]["temperature"] = temperature
     integration["extremes"]["friction"] = math.inf
+    integration["motion"]["rim"] = -1.0  # it has not begun
     return integration
 
 

@@ -155,7 +155,7 @@ def follow(
         first.position, first.velocity, state["elongation"], state["rim"], state["friction"], state["slides"]
     )
     sums = Sums(0.0, 0.0, 0.0, 0.0)
-    if motion.rim == 0.0:  # it has not begun yet
+    if motion.rim < 0.0:  # it has not begun yet
         here = under(model, first.load, first.reference)
         friction = mean_coefficient(here, length_of(first.velocity), PRESENT)
         rim = friction * here.system.yield_per_mu

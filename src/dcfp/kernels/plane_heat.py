@@ -66,7 +66,7 @@ _SMOOTH = 0.02
 #: How close to the highest temperature of a point all points need not be looked at [degC].
 _CLOSE = 0.1
 # rows of the modes of a plate: a bound of the differences from the common modes, mode by mode; and of the first plate, room for factors
-_BOUND = 2
+BOUND = 2
 _SCRATCH = PLATE_ROW + PLATE_ROWS - 1
 
 
@@ -178,7 +178,6 @@ def heat_up(
     for i in range(system.plates):
         portion, first = share(system, i), PLATE_ROW + i * PLATE_ROWS
         felt = portion * workspace[RATIO + i]
-        swept = 0.0
         if heat.kind == POINT:
             r0, r1 = length_of(start), length_of(end)
             part = _covered_part(heat, portion, r0, r1)
@@ -217,6 +216,7 @@ def cool_down(heat: Heat, field: Field, system: SystemConstants, place: int, len
         rise = decay(heat.modes, factors, first + COMMON)
         if heat.kind == DISC:
             rise += decay(heat.modes, factors, first + INSIDE) / field.tallies[i, COVERED_POINTS]
+            decay(heat.modes, factors, first + BOUND)
             field.tallies[i, SWEEP_RATE] *= exp_neg(length / _SMOOTH)
         heat.workspace[PRESENT + i] = heat.ambient + rise
 
@@ -227,7 +227,7 @@ def _note_hottest(heat: Heat, field: Field, plate: int, time: float, common: flo
 
     No point differs from the common modes by more, in any mode, than the bound that is kept: all points are looked at only where that could matter.
     """
-    tallies, modes, bound = field.tallies, heat.modes, PLATE_ROW + plate * PLATE_ROWS + _BOUND
+    tallies, modes, bound = field.tallies, heat.modes, PLATE_ROW + plate * PLATE_ROWS + BOUND
     if tallies[plate, ALWAYS] > 0.0:
         if common > tallies[plate, HOTTEST]:
             tallies[plate, HOTTEST], tallies[plate, PEAK_ROW] = common, -1.0
@@ -340,7 +340,7 @@ def _enter(heat: Heat, field: Field, plate: int, row: int, column: int, time: fl
         difference = point[j] * modes[_SCRATCH, j] - modes[first + COMMON, j]
         point[j] = difference
         modes[first + INSIDE, j] += difference
-        modes[first + _BOUND, j] = max(modes[first + _BOUND, j], difference)
+        modes[first + BOUND, j] = max(modes[first + BOUND, j], difference)
     point[MODES] = time
     field.tallies[plate, COVERED_POINTS] += 1.0
     if point[0] == 0.0:

@@ -90,8 +90,8 @@ def integrate_plane(
     extremes = PlaneExtremes(*fields_of(state["extremes"]))
     level: int = max(state["halvings"], control.fewest_halvings)
     began, done, status, steps = state["time"], 0, DONE, 0
-    if motion.rim == 0.0:  # it has not begun yet
-        first = under(model, loads[0, RATIO], loads[0, REFERENCE]) if changes else model
+    if motion.rim < 0.0:  # it has not begun yet
+        first = under(model, max(loads[0, RATIO], 0.0), loads[0, REFERENCE]) if changes else model
         friction = mean_coefficient(first, length_of(motion.velocity), PRESENT)
         rim = friction * first.system.yield_per_mu
         motion = PlaneMotion(

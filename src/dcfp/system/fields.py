@@ -57,6 +57,22 @@ class PlaneHeat:
             return model
         return model._replace(heat=model.heat._replace(kind=DISC))
 
+    def begin_peaks(self, system: System, time: float) -> None:
+        """Begin the search for the hottest point anew at a time [s] at which nothing slides."""
+        field, modes = self.field, self.plates.modes
+        if not field.points.size:
+            return
+        for plate in range(field.points.shape[0]):
+            own = self.temperatures(plate, system, time)
+            row, column = np.unravel_index(int(own.argmax()), own.shape)
+            field.tallies[plate, k.HOTTEST] = own[row, column]
+            field.tallies[plate, [k.HOT_ROW, k.PEAK_ROW]] = row
+            field.tallies[plate, [k.HOT_COLUMN, k.PEAK_COLUMN]] = column
+            # above every difference from the common modes, so that all points are looked at once
+            modes[k.PLATE_ROW + plate * k.PLATE_ROWS + k.BOUND] = np.abs(
+                field.points[plate, ..., :MODES]
+            ).max(axis=(0, 1))
+
     def temperatures(self, plate: int, system: System, time: float, flux: float = 0.0) -> FloatArray:
         """Return the temperature of every point of a plate [degC] at a time [s], under a `flux` of that plate [N/(mm s)], shape (rows, columns)."""
         field, modes = self.field, self.plates.modes

@@ -269,3 +269,37 @@ def test_a_slider_that_goes_too_far_for_a_field_is_told() -> None:
     small = replace(dcfp.LI_2020, slider_diameter=30.0)
     with pytest.raises(dcfp.AnalysisError, match="too far for the field of heat on 200 points"):
         dcfp.respond(station, small, heating=dcfp.PreciseHeating(points=200))
+
+
+def test_the_hottest_point_of_the_next_earthquake_is_its_own() -> None:
+    station = dcfp.load_station("P695-FF-2").scaled_to_pgv(1000.0)
+    first = dcfp.respond(station)
+    second = dcfp.respond(station.scaled(0.2), start=first.final_state.afresh())
+    assert second.peak_temperature <= second.peak_point_temperature < first.peak_point_temperature - 20.0
+    still = second.line("point_temperature")[0]
+    assert still == pytest.approx(
+        first.final_state.heat.temperatures(0, first.system, first.time[-1]).max(), abs=0.01
+    )
+
+
+def test_no_point_of_the_plate_is_hotter_than_the_hottest_after_a_rest_either() -> None:
+    once = dcfp.load_station("P695-NF-14").scaled_to_pgv(1000.0)
+    rest = np.zeros(round(20.0 / once.time_step))
+    x, y = (
+        dcfp.GroundMotion(
+            np.concatenate((one.acceleration, rest, 1.2 * one.acceleration)), once.time_step, name
+        )
+        for one, name in ((once.x, "x"), (once.y, "y"))
+    )
+    response = dcfp.respond(
+        dcfp.Station(x, y),
+        replace(dcfp.LI_2020, slider_diameter=200.0),
+        heating=dcfp.PreciseHeating(points=16),
+        tail=0.0,
+        keep=dcfp.Keep(every=20),
+    )
+    fields, reached = response.fields, response.line("point_temperature")
+    samples = np.round(fields.time / once.time_step).astype(int)
+    hottest = fields.temperature.max(axis=(1, 2, 3))
+    assert fields.time[hottest.argmax()] > 20.0 + once.duration
+    assert (hottest <= reached[samples] + 0.2).all()

@@ -135,6 +135,7 @@ class _PlaneMachine:
     ) -> FloatArray:
         """Follow the first pieces of a path, by default all; return the histories. The heat changes."""
         state = np.zeros(1, k.PATH_STATE)
+        state["rim"] = -1.0  # it has not begun
         state["time"] = self.clock
         lengths = travel.lengths[:count]
         lines = np.empty((lengths.size + 1, k.TEMPERATURE + system_constants(self.system).plates))

@@ -99,7 +99,7 @@ class Task:
             If there are stations.
         """
         if stations_of(self.motions):
-            msg = "A report and a workbook are of one direction; choose single components, or take the histories of a station as CSV or NetCDF."
+            msg = "This page writes reports and workbooks of single components; for a station take its histories as CSV or NetCDF, or dcfp report and dcfp respond --out on the command line."
             raise InputError(msg)
         factors = {} if self.pgv is None else {"pgv": [self.pgv]}
         singles = [one for one in self.treated() if isinstance(one, GroundMotion)]

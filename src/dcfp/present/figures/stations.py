@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dcfp.errors import InputError
-from dcfp.methods.spectra.of_station import PAIR_MEASURES
 from dcfp.motion.station_measures import principal_axes
 from dcfp.present.figures import style
 from dcfp.present.figures.drawing import between_equal_limits, draw_cross
@@ -113,6 +112,8 @@ def plot_station_spectra(spectra: "Sequence[StationSpectrum]", velocities: "Sequ
 
 def _draw_measures(panels: Any, spectrum: "StationSpectrum") -> None:
     lines = [("x", spectrum.x, style.GREY, 0.6, "-"), ("y", spectrum.y, style.GREY, 0.6, style.DASHED)]
+    from dcfp.methods.spectra.of_station import PAIR_MEASURES  # late: it loads the kernels
+
     lines += [(one.title, one.get(spectrum), _OF_MEASURES[name], 1.0, "-") for name, one in PAIR_MEASURES.items()]  # fmt: skip
     middle = spectrum.rotated(50.0)
     for label, values, colour, width, dashes in lines:
