@@ -12,7 +12,7 @@ from dcfp.analysis.plane_fields import fields_at, moments_of
 from dcfp.analysis.plane_response import PlaneResponse, PlaneState, plane_state_at_rest
 from dcfp.arrays import FloatArray, freeze, integral
 from dcfp.constants import STANDARD_GRAVITY
-from dcfp.errors import InputError
+from dcfp.errors import AnalysisError, InputError
 from dcfp.kernels import plane_integrate as k
 from dcfp.kernels.heat_state import MOST_HALVINGS
 from dcfp.kernels.motion import NO_NUMBER, OUT_OF_CELLS
@@ -90,7 +90,11 @@ def analyse_plane(
     control = PlaneControl(interval, fewest, TOLERANCE * integration.tolerance / DEFAULT.tolerance)
     factor = 1.0
     while True:
-        state = _beginning(system, start, factor)
+        try:
+            state = _beginning(system, start, factor)
+        except AnalysisError as error:
+            msg = f"{motion.name}, PGV {motion.peak_velocity / 1e3:.3g} m/s: {error}"
+            raise AnalysisError(msg) from None
         run = _integrated(motion.name, state, x, y, loads, control, free_from)
         if run is not None:
             break

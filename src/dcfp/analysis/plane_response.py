@@ -288,6 +288,19 @@ class PlaneResponse(PlaneResult, MotionResult):
         return (*(one for check in OF_RESPONSE.values() for one in check(self)), *super().checks)
 
     @property
+    def remarks(self) -> tuple[str, ...]:
+        """Sentences that a reader must know, also on the vertical motion."""
+        if self.load.size > 1:
+            ratio = self.load / self.bearing.vertical_force
+            lifts = ", so that it lifts off" if self.uplift else ""
+            told = (f"{self.name}: the vertical force follows the vertical component, from {ratio.min():.2f} to {ratio.max():.2f} times the weight{lifts}.",)  # fmt: skip
+        elif self.motion.vertical is not None:
+            told = (f"{self.name}: the vertical component is left out, and the vertical force is constant.",)
+        else:
+            told = ()
+        return (*super().remarks, *told)
+
+    @property
     def all_remarks(self) -> list[str]:
         """Sentences that a reader must know, those on the motion first."""
         return [*motion_remarks(self.motion), *self.remarks]

@@ -135,7 +135,7 @@ def cold_heat(system: System, reach: float = FIRST_REACH, *, horizon: float = HO
     rows = 2 * middle + 1
     if count * rows**2 > MOST_POINTS:
         msg = (
-            f"The slider of {bearing.slider_diameter:g} mm goes further than {0.5 * reach:.0f} mm, too far for the field of heat on {heating.points} points"
+            f"the slider of {bearing.slider_diameter:g} mm goes further than {0.5 * reach:.0f} mm, too far for the field of heat on {heating.points} points"
             " across it; take fewer points, or the simplified heating model."
         )
         raise AnalysisError(msg)

@@ -303,3 +303,12 @@ def test_no_point_of_the_plate_is_hotter_than_the_hottest_after_a_rest_either() 
     hottest = fields.temperature.max(axis=(1, 2, 3))
     assert fields.time[hottest.argmax()] > 20.0 + once.duration
     assert (hottest <= reached[samples] + 0.2).all()
+
+
+def test_what_is_done_with_the_vertical_component_is_told() -> None:
+    station = dcfp.load_station("P695-FF-2").scaled_to_pgv(250.0)
+    whole = replace(station, vertical=station.x)
+    for vertical, words in ((False, "is left out"), (True, "follows the vertical component, from 0.")):
+        response = dcfp.respond(whole, heating="none", vertical=vertical)
+        assert [words in one for one in response.remarks].count(True) == 1
+    assert not any("vertical" in one for one in dcfp.respond(station, heating="none").remarks)

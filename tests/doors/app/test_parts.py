@@ -77,7 +77,7 @@ def test_stations_and_single_components_are_not_mixed():
     task = Task.of(Session(chosen=["P695-FF-2", "NCC"]))
     with pytest.raises(InputError, match="give only stations, or only single components"):
         task.analysed()
-    with pytest.raises(InputError, match="of one direction"):
+    with pytest.raises(InputError, match="reports and workbooks of single components"):
         Task.of(Session(chosen=["P695-FF-2"])).scenario()
 
 

@@ -146,7 +146,7 @@ def draw_directions(axes: "Axes", response: "PlaneResponse | PlaneLoops", name: 
 
 
 def _head(response: "PlaneResponse") -> str:
-    name = style.drawable(response.motion.name, 60)
+    name = style.drawable(response.motion.name, 36)
     return f"{name}, PGV {metres_per_second(response.motion.peak_velocity)}, largest displacement {millimetres(response.peak_displacement)}"
 
 
