@@ -36,9 +36,11 @@ def rise_between_points(
     interval
         Between two places of the path [s].
     """
+    if not plates.field.points.size:  # another heating model than the precise one
+        return 0.0
     tallies = plates.field.tallies
     plate = int(np.argmax(tallies[:, heat.HOTTEST]))
-    if not tallies.size or tallies[plate, heat.PEAK_ROW] < 0.0:
+    if tallies[plate, heat.PEAK_ROW] < 0.0:
         return 0.0
     share = system.bearing.shares[plate]
     rates, weights, instant = modes_of(system.heating)

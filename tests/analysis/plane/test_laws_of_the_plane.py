@@ -305,6 +305,13 @@ def test_no_point_of_the_plate_is_hotter_than_the_hottest_after_a_rest_either() 
     assert (hottest <= reached[samples] + 0.2).all()
 
 
+def test_without_a_field_the_hottest_point_is_the_contact() -> None:
+    station = dcfp.load_station("P695-NF-2").scaled_to_pgv(1000.0)
+    assert dcfp.respond(station, heating="none").peak_point_temperature == 20.0
+    simplified = dcfp.respond(station, heating="simplified")
+    assert simplified.peak_point_temperature == simplified.peak_temperature
+
+
 def test_what_is_done_with_the_vertical_component_is_told() -> None:
     station = dcfp.load_station("P695-FF-2").scaled_to_pgv(250.0)
     whole = replace(station, vertical=station.x)
