@@ -48,9 +48,10 @@ def plot_orbit(
     """
     axes = style.new_axes(height=3.2) if axes is None else axes
     x, y = (response.histories[f"{of}_{name}"] for name in ("x", "y"))
-    path = np.column_stack([one.display(one.of(response)) for one in (x, y)])
+    last = _last_shown(response)
+    path = np.column_stack([one.display(one.of(response)) for one in (x, y)])[:last]
     shows = "temperature" if np.ptp(response.temperature) > 0.0 else "time"
-    values: FloatArray = getattr(response, shows)
+    values: FloatArray = getattr(response, shows)[:last]
     drawn = LineCollection(
         list(np.stack((path[:-1], path[1:]), axis=1)),
         array=0.5 * (values[:-1] + values[1:]),
@@ -91,6 +92,12 @@ def plot_orbit(
     return axes
 
 
+def _last_shown(response: Any) -> int:
+    """Return the number of samples up to a little after the last sliding: what follows is a weak elastic oscillation."""
+    last = int(np.flatnonzero(response.sliding).max(initial=0))
+    return min(len(response.time), max(last + last // 10, 2) + 1)
+
+
 @style.styled
 def plot_plane_response(response: "PlaneResponse") -> "Figure":
     """Compose orbits and histories of one analysis in the plane on a new figure, and the plate at its hottest where its temperature was kept."""
@@ -128,7 +135,7 @@ def plot_plane_response(response: "PlaneResponse") -> "Figure":
     axes[4].set_ylabel(f"$E$ [{entry.shown.name}]")
     style.legend_above(axes[4])
     axes[-1].set_xlabel(quantity("time").label)
-    axes[-1].set_xlim(float(known[0]), float(known[-1]))
+    axes[-1].set_xlim(float(known[0]), float(known[_last_shown(response) - 1]))
     figure.suptitle(_head(response))
     return figure
 
