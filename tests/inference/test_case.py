@@ -8,7 +8,7 @@ import pytest
 from dcfp.analysis import respond
 from dcfp.analysis.swings import swings_of
 from dcfp.inference import Case, Methods, compare
-from dcfp.inference.case import event_of
+from dcfp.inference.earthquake import event_of
 from dcfp.inference.statistics import displacement_over_change, ratios, scatter, scatters
 from dcfp.methods import Prediction, find_pulses
 from dcfp.methods.li_2020 import LI_2020, predict_from_pgv, predict_from_pulses, predict_simplified

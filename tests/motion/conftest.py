@@ -1,6 +1,5 @@
 """Record files to read: small ones made here for each format, and samples where they are at hand."""
 
-import os
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -8,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from samples import sample_folder
 
 STANDARD_GRAVITY = 9806.65
 
@@ -201,13 +201,6 @@ MAKERS: dict[str, Callable[[], MadeFile]] = {
     "two-columns": two_columns(","),
     "two-columns-blank": two_columns("   "),
 }
-
-
-def sample_folder() -> Path | None:
-    """The folder of sample records: DCFP_SAMPLE_RECORDS, or ../shared/records beside the repository."""
-    named = os.environ.get("DCFP_SAMPLE_RECORDS")
-    folder = Path(named) if named else Path(__file__).resolve().parents[3] / "shared" / "records"
-    return folder if (folder / "INDEX.tsv").is_file() else None
 
 
 def sample_files() -> list[Path]:

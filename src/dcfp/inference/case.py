@@ -1,12 +1,12 @@
 """One record at one PGV: what the analysis gives, and what each method says of it."""
 
-import re
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from dcfp.analysis import Response, respond
 from dcfp.analysis.swings import Swing, swings_of
+from dcfp.inference.earthquake import event_of
 from dcfp.methods import NOTHING, Prediction, Pulses
 from dcfp.methods.code import CodeInputs, CodeResult, code_methods
 from dcfp.methods.code_comparison import code_results
@@ -14,19 +14,11 @@ from dcfp.methods.method import Information, Variant
 from dcfp.methods.prediction import Ground, Methods, prediction_methods
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import Motion, motion_of
-from dcfp.motion.station import Station
 from dcfp.schema.notebook import card
 from dcfp.schema.parameters import refuse_other
 
 #: Part of a swing that lies in the rise of a pulse, from which on the pulse is behind it even if it has its peak later [-].
 _MOST = 0.5
-#: Largest difference of the same sample in two files, over the peak [-].
-_SAME_SAMPLES = 1e-3
-_YEAR = re.compile(r"(?<!\d)(?:19|20)\d\d(?!\d)")
-#: Words of a place that are in the names of many earthquakes.
-_COMMON = re.compile(
-    "earthquake|of|the|and|japan|taiwan|turkey|italy|iran|usa|ussr|canada|california|alaska|mexico|chile|new|zealand"
-)
 
 
 @dataclass(frozen=True)
@@ -195,42 +187,3 @@ def governing_pulse(swing: Swing, pulses: Pulses) -> int | None:
     if not fits.any():
         return None
     return int(np.argmax(np.where(fits, np.abs(pulses.changes), 0.0)))
-
-
-def event_of(motion: GroundMotion | Station) -> str:
-    """Return the earthquake of a motion, under one name where the sets of FEMA P-695 have two; the motion's own name where it is not known."""
-    return re.sub(r"-\d\d(?=,? )", "", motion.origin.event) or motion.name
-
-
-def is_known(motion: GroundMotion) -> bool:
-    """Whether the source of a motion says enough of the earthquake to find others of it: a year at least."""
-    return _YEAR.search(motion.origin.event) is not None
-
-
-def is_same_record(motion: GroundMotion, other: GroundMotion) -> bool:
-    """Whether two motions have the same samples but for their scale and the digits that a file leaves out."""
-    if motion.acceleration.size != other.acceleration.size or 0.0 in (
-        motion.peak_acceleration,
-        other.peak_acceleration,
-    ):
-        return False
-    one, two = motion.acceleration / motion.peak_acceleration, other.acceleration / other.peak_acceleration
-    return bool(np.abs(np.abs(one) - np.abs(two)).max() < _SAME_SAMPLES)
-
-
-def same_earthquake(event: str, other: str) -> bool:
-    """Return whether two events may be the same earthquake: the same year, and where both have a name a word in common.
-
-    To leave out one too many is the safer mistake.
-    """
-    if event == other:
-        return True
-    years = _YEAR.findall(event), _YEAR.findall(other)
-    if not years[0] or not years[1] or years[0][0] != years[1][0]:
-        return False
-    names = _words(event), _words(other)
-    return not names[0] or not names[1] or bool(names[0] & names[1])
-
-
-def _words(event: str) -> set[str]:
-    return {word for word in re.findall(r"[a-z]{3,}", event.lower()) if not _COMMON.fullmatch(word)}

@@ -12,7 +12,7 @@ from dcfp.analysis.batch import GroundSet, Lanes, available_threads, respond_in_
 from dcfp.analysis.response import FAILED
 from dcfp.arrays import FloatArray
 from dcfp.errors import AnalysisError, InputError
-from dcfp.inference.case import event_of
+from dcfp.inference.earthquake import event_of
 from dcfp.methods.li_2020 import friction_that_holds
 from dcfp.methods.li_2020.constants import Constants
 from dcfp.motion.ground_motion import GroundMotion

@@ -7,7 +7,8 @@ from typing import TypeAlias
 
 import numpy as np
 
-from dcfp.inference.case import Case, compare, event_of, is_known, is_same_record, same_earthquake
+from dcfp.inference.case import Case, compare
+from dcfp.inference.earthquake import earthquake_of, is_known, is_same_record, read_earthquake
 from dcfp.inference.statistics import Interval, errors, fewest, interval
 from dcfp.methods import Prediction, Pulses
 from dcfp.methods.li_2020 import predict_from_pgv
@@ -171,9 +172,13 @@ def cases_at(pgv: float, methods: Methods, report: Callable[[], None] | None = N
 
 def _others_than(motion: GroundMotion, cases: Sequence[Case]) -> list[Case]:
     """Return the cases of other earthquakes than that of a motion, as far as its source tells."""
-    event = event_of(motion)
+    earthquake = earthquake_of(motion)
     same = {one.name for one in calibration_set() if is_same_record(motion, one)}
-    return [case for case in cases if case.record not in same and not same_earthquake(event, case.event)]
+    return [
+        case
+        for case in cases
+        if case.record not in same and not earthquake.may_be(read_earthquake(case.event))
+    ]
 
 
 def _intervals(cases: Sequence[Case], variant: Variant | None, prediction: Prediction | None) -> Intervals:

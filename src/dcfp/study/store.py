@@ -22,7 +22,7 @@ from zarr.storage import MemoryStore
 
 from dcfp.analysis.response import NOT_RUN
 from dcfp.errors import InputError
-from dcfp.inference.case import event_of
+from dcfp.inference.earthquake import event_of
 from dcfp.kernels._jit import source_digest
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.station import Station
