@@ -12,8 +12,7 @@ from dcfp.schema.registry import Registry
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-    from dcfp.analysis.plane_response import PlaneResponse
-    from dcfp.analysis.response import Response
+    from dcfp.analysis.response import RigidResponse
     from dcfp.analysis.result import Result
 
 #: Displacement over the effective radius up to which the pendulum's force is linear within some percent [-].
@@ -34,12 +33,10 @@ _MODEL = "assumption of the model"
 
 #: Assumptions of every result, and of the analysis of a rigid structure, by name: each gives checks, with a remark where one is not met.
 OF_MODEL: "Registry[Callable[[Result], Iterable[Check]]]" = Registry("assumption")
-OF_RESPONSE: "Registry[Callable[[Response | PlaneResponse], Iterable[Check]]]" = Registry(
-    "check of a response"
-)
+OF_RESPONSE: "Registry[Callable[[RigidResponse], Iterable[Check]]]" = Registry("check of a response")
 
 
-def _capacity(response: "Response | PlaneResponse") -> list[Check]:
+def _capacity(response: "RigidResponse") -> list[Check]:
     bearing, found = response.bearing, response.peak_displacement
     capacity, note = bearing.displacement_capacity, bearing.capacity_note
     name, words = "largest displacement within the capacity", f"{_fixed(found)} mm"
@@ -54,7 +51,7 @@ def _capacity(response: "Response | PlaneResponse") -> list[Check]:
     return [_judged(name, verdict, words, limit, note or "capacity of the scenario", remark)]
 
 
-def _angle(response: "Response | PlaneResponse") -> list[Check]:
+def _angle(response: "RigidResponse") -> list[Check]:
     found, far = response.peak_displacement, LARGEST_ANGLE * response.bearing.effective_radius
     remark = (
         f"{response.name}: the displacement of {found:.0f} mm exceeds {far:.0f} mm, half of the effective radius,"
@@ -65,14 +62,14 @@ def _angle(response: "Response | PlaneResponse") -> list[Check]:
     return [_judged(name, at_most(found, far), f"{_fixed(found)} mm", limit, remark=remark)]
 
 
-def _rest(response: "Response | PlaneResponse") -> list[Check]:
+def _rest(response: "RigidResponse") -> list[Check]:
     found = "at rest" if response.rests else "still moving"
     limit = "no sliding can come any more"
     remark = f"{response.name}: it still moves at the end, so the residual displacement is not final."
     return [_judged("at rest at the end", Verdict.of(response.rests), found, limit, "analysis", remark)]
 
 
-def _residual(response: "Response | PlaneResponse") -> list[Check]:
+def _residual(response: "RigidResponse") -> list[Check]:
     most = float(response.friction[-1]) * response.bearing.effective_radius
     found = response.residual_displacement
     name = "residual displacement one that friction can hold"
@@ -81,14 +78,14 @@ def _residual(response: "Response | PlaneResponse") -> list[Check]:
     return [Check(name, at_most(abs(found), most), words, limit, "mechanics; no code's limit is set")]
 
 
-def _energy(response: "Response | PlaneResponse") -> list[Check]:
+def _energy(response: "RigidResponse") -> list[Check]:
     found, most = response.energy.relative_residual, LARGEST_RESIDUAL
     name = "energy balance, residual over the largest input"
     limit = f"at most {_power(most)}"
     return [Check(name, at_most(found, most), _power(found), limit, "Li et al. (2020), Eq. (6)")]
 
 
-def _baseline(response: "Response | PlaneResponse") -> list[Check]:
+def _baseline(response: "RigidResponse") -> list[Check]:
     drift, most = baseline_drift(response.motion), DRIFT_THRESHOLD
     name = "baseline of the record: velocity at its end over PGV"
     found, limit = f"{100.0 * drift:.1f} %", f"at most {100.0 * most:.0f} %"

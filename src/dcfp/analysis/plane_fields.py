@@ -1,4 +1,4 @@
-"""The temperature of the plates over time, as it is kept of an analysis in the plane: at some moments, and at the hottest."""
+"""The temperature of the plates over time, as it is kept of an analysis or a test in the plane: at some moments, and at the hottest."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -79,35 +79,32 @@ def moments_of(keep: Keep, lines: FloatArray, heating: Heating) -> list[int]:
 
 def fields_at(
     moments: Sequence[int],
-    interval: float,
+    time: FloatArray,
     lines: FloatArray,
     ratios: FloatArray,
     system: System,
-    heat: PlaneHeat,
     end: PlaneHeat,
-    go_on: Callable[[int, int], float],
+    go_on: Callable[[int, int], tuple[PlaneHeat, float]],
 ) -> Fields:
-    """Return the temperature of the plates at some samples of an analysis that is gone through again.
+    """Return the temperature of the plates at some samples of what is gone through again.
 
     Parameters
     ----------
     moments
         The samples.
-    interval
-        Between two samples [s].
-    lines, ratios
-        Histories of the analysis, and the vertical force over that at rest at its samples.
+    time, lines, ratios
+        Times [s], histories, and the vertical force over that at rest, at all samples.
     system
         What is analysed.
-    heat, end
-        The heat that goes on from the start, and that at the end.
+    end
+        The heat at the end.
     go_on
-        Goes on from one sample to another, and returns the time of the state there [s].
+        Goes on from one sample to another, the first time from the start, and returns the heat there and the time since it was cold [s].
     """
     rows, columns = _hot(end)
     found: list[NDArray[np.float32]] = []
     for before, moment in pairwise((0, *moments)):
-        now = go_on(before, moment)
+        heat, now = go_on(before, moment)
         grid = heat.field
         spans = grid.spans[:, rows] - columns.start
         part = replace(heat, field=grid._replace(points=grid.points[:, rows, columns], spans=spans))
@@ -115,10 +112,10 @@ def fields_at(
         found.append(part.temperatures_of_all(system, now, flux).astype(np.float32))
     temperature = np.stack(found)
     temperature.flags.writeable = False
-    across = int(heat.field.points.shape[1])
-    place = (np.arange(across) - across // 2) * heat.field.spacing
+    across = int(end.field.points.shape[1])
+    place = (np.arange(across) - across // 2) * end.field.spacing
     hottest = int(temperature.max(axis=(1, 2, 3)).argmax())
-    return Fields(freeze(np.array(moments) * interval), freeze(place[columns]), freeze(place[rows]), temperature, hottest)  # fmt: skip
+    return Fields(freeze(time[list(moments)]), freeze(place[columns]), freeze(place[rows]), temperature, hottest)  # fmt: skip
 
 
 def _rubbing(line: FloatArray) -> float:

@@ -21,6 +21,7 @@ from dcfp.kernels.plane_step import oscillator_rows
 from dcfp.motion.ground_motion import parts_in, refined, with_tail
 from dcfp.motion.station import Station
 from dcfp.system import FrictionLaw, Heating, PreciseHeating, System, SystemLike
+from dcfp.system.fields import PlaneHeat
 
 #: Distance of the friction from its chord in the middle of a step that is allowed by default, over mu g [-]; it goes with the tolerance of an analysis.
 TOLERANCE = 5e-3
@@ -101,24 +102,17 @@ def analyse_plane(
         factor *= 2.0  # the slider left the grid
     lines, elapsed = run
     ratios = np.maximum(loads[: len(lines), 0], 0.0) if vertical else np.ones(1)
-    fields = None
+    known, fields = freeze(np.arange(len(lines)) * interval), None
     if keep != NOTHING and (moments := moments_of(keep, lines, system.heating)):
         again = _beginning(system, start, factor)
 
-        def go_on(first: int, last: int) -> float:
+        def go_on(first: int, last: int) -> tuple[PlaneHeat, float]:
             part = slice(first, last + 1)
             _integrated(motion.name, again, x[part], y[part], loads[part], control, x.size)
-            return float(again.integration["time"][0])
+            return again.heat, float(again.integration["time"][0])
 
         fields = fields_at(
-            moments,
-            interval,
-            lines,
-            np.broadcast_to(ratios, len(lines)),
-            system,
-            again.heat,
-            state.heat,
-            go_on,
+            moments, known, lines, np.broadcast_to(ratios, len(lines)), system, state.heat, go_on
         )
     ground = (
         np.column_stack([integral(one[: len(lines)], interval) for one in (x, y)]) + state.ground_velocity
@@ -127,7 +121,7 @@ def analyse_plane(
         motion=motion,
         system=system,
         integration=integration,
-        time=freeze(np.arange(len(lines)) * interval),
+        time=known,
         ground_acceleration=freeze(np.column_stack((x, y))[: len(lines)]),
         ground_velocity=freeze(ground),
         lines=freeze(lines),

@@ -1,35 +1,25 @@
 """The result of an analysis in the plane: histories in two directions, energies, peaks, and how it ended."""
 
-import json
 import math
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
-from dcfp.analysis.assumptions import OF_RESPONSE
 from dcfp.analysis.hottest_point import rise_between_points
-from dcfp.analysis.integration import Integration
-from dcfp.analysis.plane_fields import Fields
 from dcfp.analysis.plane_result import PlaneResult, add_directions
 from dcfp.analysis.response import HISTORIES as OF_LINE
-from dcfp.analysis.response import PEAKS, Status
-from dcfp.analysis.result import MotionResult
+from dcfp.analysis.response import PEAKS, RigidResponse
 from dcfp.arrays import FloatArray
 from dcfp.kernels import plane_swings
 from dcfp.kernels._jit import Records
 from dcfp.kernels.plane_integrate import PLANE_STATE, PlaneExtremes
-from dcfp.motion.measures import motion_remarks
 from dcfp.motion.station import Station
-from dcfp.schema.check import Check
 from dcfp.schema.quantities import Quantities, Quantity
 from dcfp.schema.units import DEGC, KN, M_PER_S, M_PER_S2, MM, MM_PER_S, MM_PER_S2, NEWTON
 from dcfp.system import System
 from dcfp.system.fields import PlaneHeat, cold_heat
-
-if TYPE_CHECKING:
-    import xarray
 
 
 @dataclass(frozen=True)
@@ -137,10 +127,10 @@ PLANE_HISTORIES.take(OF_LINE, "input_energy", "absolute_input_energy", "kinetic_
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class PlaneResponse(PlaneResult, MotionResult):
+class PlaneResponse(PlaneResult, RigidResponse):
     """Histories, peaks and energies of a rigid structure on a bearing in two directions; its ``final_state`` is where it can be gone on with.
 
-    What is called as in one direction is the magnitude in the plane; `fields` are the temperature of the plates at some moments, where it was kept.
+    What is called as in one direction is the magnitude in the plane.
     """
 
     quantities: ClassVar[Quantities] = PLANE_PEAKS
@@ -152,19 +142,12 @@ class PlaneResponse(PlaneResult, MotionResult):
 
     motion: Station
     loads: FloatArray
-    integration: Integration
     final_state: PlaneState
-    fields: Fields | None = None
 
     @property
     def title(self) -> str:
         """What it is, in words."""
         return f"Response to {self.motion.name} in the plane"
-
-    def to_dataset(self) -> "xarray.Dataset":
-        """Return histories over ``time`` with their units, the temperature of the plates where it was kept, and what is told of it and its provenance as attributes."""
-        dataset = super().to_dataset()
-        return dataset if self.fields is None else dataset.merge(self.fields.variables())
 
     @property
     def load(self) -> FloatArray:
@@ -175,11 +158,6 @@ class PlaneResponse(PlaneResult, MotionResult):
         mass, ground = self.bearing.mass, self.ground_velocity
         of_ground = mass * (ground * (0.5 * ground + self.velocity_vectors)).sum(axis=1)
         return of_ground, 0.5 * mass * self.velocity**2, {"lifting": mass * self.line("lifting")}
-
-    @property
-    def peak_displacement(self) -> float:
-        """Largest distance from the middle y_max [mm]."""
-        return self.final_state.extremes.displacement
 
     @property
     def peak_displacement_x(self) -> float:
@@ -195,26 +173,6 @@ class PlaneResponse(PlaneResult, MotionResult):
     def peak_change(self) -> float:
         """Largest change of displacement between two successive peaks, dy_max [mm], in whatever direction it is largest."""
         return largest_change(self.displacement_vectors, self.velocity_vectors, float(self.time[1]))
-
-    @property
-    def peak_velocity(self) -> float:
-        """Largest relative speed at the ends of steps [mm/s]."""
-        return self.final_state.extremes.velocity
-
-    @property
-    def peak_force(self) -> float:
-        """Largest horizontal force at the ends of steps [N]."""
-        return self.final_state.extremes.force * self.bearing.mass
-
-    @property
-    def force_ratio(self) -> float:
-        """Largest horizontal force over the weight [-]."""
-        return self.peak_force / self.bearing.vertical_force
-
-    @property
-    def peak_temperature(self) -> float:
-        """Highest mean temperature of the contact of any plate [degC]."""
-        return self.final_state.extremes.temperature
 
     @cached_property
     def rise_between_points(self) -> float:
@@ -237,17 +195,8 @@ class PlaneResponse(PlaneResult, MotionResult):
         )
 
     @property
-    def least_friction(self) -> float:
-        """Smallest coefficient of friction while sliding [-]; where it never slides, the one at rest at the start."""
-        least = self.final_state.extremes.friction
-        return least if math.isfinite(least) else float(self.friction[0])
-
-    @property
-    def residual_displacement(self) -> float:
-        """Distance from the middle at which it stays when the last elastic oscillation has died away [mm]."""
-        stuck = complex(*self.displacement_vectors[-1]) - self.final_state.elongation
-        elastic = self.bearing.elastic_stiffness
-        return abs(stuck) * elastic / (elastic + self.bearing.restoring_stiffness)
+    def _anchor(self) -> float:
+        return abs(complex(*self.displacement_vectors[-1]) - self.final_state.elongation)
 
     @property
     def least_load(self) -> float:
@@ -270,24 +219,6 @@ class PlaneResponse(PlaneResult, MotionResult):
         return self.final_state.extremes.rubbed * self.bearing.mass
 
     @property
-    def steps(self) -> int:
-        """Number of steps that the integration took."""
-        return int(self.final_state.integration["steps"][0])
-
-    @property
-    def status(self) -> Status:
-        """How the analysis ended."""
-        capacity = self.bearing.displacement_capacity
-        if capacity is not None and self.peak_displacement > capacity:
-            return Status.BEYOND_CAPACITY
-        return Status.OK if self.rests else Status.STILL_MOVING
-
-    @property
-    def checks(self) -> tuple[Check, ...]:
-        """What it ought to keep to, and every assumption, with whether it was kept to."""
-        return (*(one for check in OF_RESPONSE.values() for one in check(self)), *super().checks)
-
-    @property
     def remarks(self) -> tuple[str, ...]:
         """Sentences that a reader must know, also on the vertical motion."""
         if self.load.size > 1:
@@ -299,23 +230,6 @@ class PlaneResponse(PlaneResult, MotionResult):
         else:
             told = ()
         return (*super().remarks, *told)
-
-    @property
-    def all_remarks(self) -> list[str]:
-        """Sentences that a reader must know, those on the motion first."""
-        return [*motion_remarks(self.motion), *self.remarks]
-
-    @property
-    def attributes(self) -> dict[str, Any]:
-        """What a data set says of it besides its system."""
-        motion = self.motion
-        return {
-            **self.summary(),
-            "record_sha256": motion.digest,
-            "record_origin": json.dumps(asdict(motion.origin)),
-            "record_treatment": "; ".join(motion.treatment) or "none",
-            "settings": json.dumps(asdict(self.integration)),
-        }
 
 
 add_directions(PlaneResponse, ground_acceleration="ground_acceleration", ground_velocity="ground_velocity")

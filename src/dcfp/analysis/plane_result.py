@@ -1,15 +1,35 @@
 """What results in the plane have in common: histories by direction, and their magnitudes under the names of one direction."""
 
+from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dcfp.analysis.plane_fields import Fields
 from dcfp.analysis.result import Result
 from dcfp.arrays import FloatArray, freeze
 
+if TYPE_CHECKING:
+    import xarray
 
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class PlaneResult(Result):
-    """A result in two horizontal directions; what is called as in one direction is the magnitude in the plane."""
+    """A result in two horizontal directions; what is called as in one direction is the magnitude in the plane.
+
+    Attributes
+    ----------
+    fields
+        Temperature of the plates at some moments, where it was kept.
+    """
+
+    fields: Fields | None = None
+
+    def to_dataset(self) -> "xarray.Dataset":
+        """Return histories over ``time`` with their units, the temperature of the plates where it was kept, and what is told of it and its provenance as attributes."""
+        dataset = super().to_dataset()
+        return dataset if self.fields is None else dataset.merge(self.fields.variables())
 
     def vectors(self, name: str) -> FloatArray:
         """Return both columns that the kernels wrote under a name, shape (n, 2)."""

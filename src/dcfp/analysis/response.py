@@ -2,10 +2,11 @@
 
 import json
 import math
+from abc import ABC, abstractmethod
 from dataclasses import asdict, dataclass, replace
 from enum import Enum
 from operator import attrgetter
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
@@ -22,6 +23,9 @@ from dcfp.schema.quantities import Quantities, Quantity
 from dcfp.schema.units import KN, M_PER_S
 from dcfp.system import System
 from dcfp.system.plates import PlateHeat, cold_plates
+
+if TYPE_CHECKING:
+    from dcfp.analysis.plane_response import PlaneState
 
 
 @dataclass(frozen=True)
@@ -129,47 +133,16 @@ HISTORIES.tell("energy_residual", get=attrgetter("energy.residual"))
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Response(MotionResult):
-    """Histories, peaks and energies of a rigid structure on a bearing; its ``final_state`` is where it can be gone on with."""
+class RigidResponse(MotionResult, ABC):
+    """What responses of a rigid structure on a bearing have in common, in one direction and in the plane, where the magnitude is meant."""
 
-    quantities: ClassVar[Quantities] = PEAKS
-    histories: ClassVar[Quantities] = HISTORIES
-    columns: ClassVar[tuple[str, ...]] = (
-        "displacement", "velocity", "elongation", "friction", "sliding", "input", "hysteretic",
-    )  # fmt: skip
-
-    motion: GroundMotion
     integration: Integration
-    final_state: State
-
-    @property
-    def title(self) -> str:
-        """What it is, in words."""
-        return f"Response to {self.motion.name}"
-
-    @property
-    def structure_velocity(self) -> FloatArray:
-        """Absolute velocity of the structure v_u = v + v_g [mm/s]: Li et al. (2020), Eq. (13)."""
-        return self.velocity + self.ground_velocity
-
-    @property
-    def structure_acceleration(self) -> FloatArray:
-        """Absolute acceleration of the structure [mm/s2]."""
-        return -self.force / self.bearing.mass
-
-    def _energies(self) -> tuple[FloatArray, FloatArray, dict[str, FloatArray]]:
-        mass, velocity, ground = self.bearing.mass, self.velocity, self.ground_velocity
-        return mass * ground * (0.5 * ground + velocity), 0.5 * mass * velocity**2, {}
+    final_state: "State | PlaneState"
 
     @property
     def peak_displacement(self) -> float:
-        """Largest displacement y_max, to either side [mm]."""
+        """Largest displacement y_max, to either side or from the middle [mm]."""
         return self.final_state.extremes.displacement
-
-    @property
-    def peak_change(self) -> float:
-        """Largest change of displacement between two successive peaks, dy_max [mm]; Li et al. (2020), section 6.1."""
-        return self.final_state.extremes.change
 
     @property
     def peak_velocity(self) -> float:
@@ -198,11 +171,15 @@ class Response(MotionResult):
         return least if math.isfinite(least) else float(self.friction[0])
 
     @property
+    @abstractmethod
+    def _anchor(self) -> float:
+        """Where the other end of spring (b) is at the end [mm]."""
+
+    @property
     def residual_displacement(self) -> float:
         """Displacement at which it stays when the last elastic oscillation has died away [mm]."""
-        stuck = float(self.displacement[-1] - self.elongation[-1])
         elastic = self.bearing.elastic_stiffness
-        return stuck * elastic / (elastic + self.bearing.restoring_stiffness)
+        return self._anchor * elastic / (elastic + self.bearing.restoring_stiffness)
 
     @property
     def steps(self) -> int:
@@ -238,3 +215,45 @@ class Response(MotionResult):
             "record_treatment": "; ".join(motion.treatment) or "none",
             "settings": json.dumps(asdict(self.integration)),
         }
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Response(RigidResponse):
+    """Histories, peaks and energies of a rigid structure on a bearing; its ``final_state`` is where it can be gone on with."""
+
+    quantities: ClassVar[Quantities] = PEAKS
+    histories: ClassVar[Quantities] = HISTORIES
+    columns: ClassVar[tuple[str, ...]] = (
+        "displacement", "velocity", "elongation", "friction", "sliding", "input", "hysteretic",
+    )  # fmt: skip
+
+    motion: GroundMotion
+    final_state: State
+
+    @property
+    def title(self) -> str:
+        """What it is, in words."""
+        return f"Response to {self.motion.name}"
+
+    @property
+    def structure_velocity(self) -> FloatArray:
+        """Absolute velocity of the structure v_u = v + v_g [mm/s]: Li et al. (2020), Eq. (13)."""
+        return self.velocity + self.ground_velocity
+
+    @property
+    def structure_acceleration(self) -> FloatArray:
+        """Absolute acceleration of the structure [mm/s2]."""
+        return -self.force / self.bearing.mass
+
+    def _energies(self) -> tuple[FloatArray, FloatArray, dict[str, FloatArray]]:
+        mass, velocity, ground = self.bearing.mass, self.velocity, self.ground_velocity
+        return mass * ground * (0.5 * ground + velocity), 0.5 * mass * velocity**2, {}
+
+    @property
+    def peak_change(self) -> float:
+        """Largest change of displacement between two successive peaks, dy_max [mm]; Li et al. (2020), section 6.1."""
+        return self.final_state.extremes.change
+
+    @property
+    def _anchor(self) -> float:
+        return float(self.displacement[-1] - self.elongation[-1])

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from dcfp.arrays import FloatArray, freeze
+from dcfp.arrays import FloatArray
 from dcfp.errors import AnalysisError
 from dcfp.kernels import plane_heat as k
 from dcfp.kernels.friction import BearingModel
@@ -95,21 +95,6 @@ class PlaneHeat:
             for plate in range(int(self.field.points.shape[0]))
         ]
         return np.stack(each)
-
-    def picture(self, system: System, time: float, flux: float = 0.0) -> "PlateField":
-        """Return the same with the places of the points."""
-        across = int(self.field.points.shape[2])
-        position = (np.arange(across) - 0.5 * (across - 1)) * self.field.spacing
-        return PlateField(time, freeze(position), freeze(self.temperatures_of_all(system, time, flux)))
-
-
-@dataclass(frozen=True, eq=False)
-class PlateField:
-    """Temperature of the surface of each plate that differs [degC], shape (plates, y, x), at a time since they were cold [s]; positions along both directions, from the middle [mm]."""
-
-    time: float
-    position: FloatArray
-    temperature: FloatArray
 
 
 def cold_heat(system: System, reach: float = FIRST_REACH, *, horizon: float = HORIZON) -> PlaneHeat:

@@ -144,12 +144,12 @@ def test_a_disc_that_passes_over_points_heats_them_by_the_closed_form() -> None:
     path = RecordedPath(time, (speed * time - 0.5 * length) * lean)
     heating = PreciseHeating()
     loops = run_one(path, ConstantFriction(MU), heating, replace(LI_2020, displacement_capacity=None))
-    field = loops.field
-    assert field is not None
+    fields = loops.fields
+    assert fields is not None
     # two equal plates: half of the travel and of the flux on each
     share, radius, now = 0.5, 0.5 * LI_2020.slider_diameter, time[-1]
     flux = share * MU * LI_2020.pressure * speed
-    x, y = np.meshgrid(field.position, field.position)
+    x, y = np.meshgrid(fields.x, fields.y)
     point = (x + 1j * y) / lean
     offset = np.abs(point.imag)
     half = np.sqrt(np.maximum(radius**2 - offset**2, 0.0))
@@ -159,28 +159,28 @@ def test_a_disc_that_passes_over_points_heats_them_by_the_closed_form() -> None:
     )
     factor = 2.0 * flux * math.sqrt(heating.diffusivity / math.pi) / heating.conductivity
     expected = factor * (np.sqrt(now - came) - np.sqrt(now - left))
-    found = field.temperature[0] - heating.ambient
+    found = fields.temperature[-1, 0] - heating.ambient
     # what the rim passes, it passes a fraction of a step early or late: there the rise is steep
-    cell = field.position[1] - field.position[0]
+    cell = fields.x[1] - fields.x[0]
     rim = np.abs(np.abs(point - 0.5 * share * length) - radius) < 2.0 * cell
     inside = (offset < 0.97 * radius) & (left > came)
     assert (inside & ~rim).sum() > 3500
     assert found[inside & ~rim] == pytest.approx(expected[inside & ~rim], abs=0.1)
     assert np.sqrt(np.mean((found - expected)[inside] ** 2)) < 0.03
     assert not found[offset > 1.01 * radius].any()
-    assert field.temperature.max() == pytest.approx(heating.ambient + expected.max(), abs=0.05)
+    assert fields.temperature[-1].max() == pytest.approx(heating.ambient + expected.max(), abs=0.05)
     covered = np.abs(point - 0.5 * share * length) < radius
     assert loops.temperature[-1] == pytest.approx(heating.ambient + expected[covered].mean(), abs=0.02)
-    assert loops.hottest_field.temperature.max() == pytest.approx(loops.peak_point_temperature, abs=0.1)
+    assert fields.temperature[fields.hottest].max() == pytest.approx(loops.peak_point_temperature, abs=0.1)
 
 
 def test_a_slider_that_begins_far_away_heats_nothing_in_the_middle() -> None:
     small = replace(LI_2020, slider_diameter=100.0, displacement_capacity=None)
     time = np.linspace(0.0, 0.5, 51)
     loops = run_one(RecordedPath(time, 300j + 100.0 * time), heating="precise", bearing=small)
-    x, y = np.meshgrid(loops.field.position, loops.field.position)
+    x, y = np.meshgrid(loops.fields.x, loops.fields.y)
     near = np.abs(x + 1j * y - 150j) < 80.0
-    warm = loops.field.temperature[0] > loops.heating.ambient
+    warm = loops.fields.temperature[-1, 0] > loops.heating.ambient
     assert warm[near].sum() > 1900
     assert not warm[~near].any()
 

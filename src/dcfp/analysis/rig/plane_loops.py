@@ -5,7 +5,7 @@ import json
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -16,14 +16,10 @@ from dcfp.analysis.rig.loops import HISTORIES, TEST
 from dcfp.analysis.rig.program import RigTest
 from dcfp.arrays import FloatArray
 from dcfp.schema.notebook import card, told
-from dcfp.schema.quantities import Quantities, Quantity, quantity
+from dcfp.schema.quantities import Quantities, Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import DEGC, KN, KN_M, METRE, MM, MM_PER_S, N_PER_MM2, NONE, SECOND
-from dcfp.system.fields import PlateField
 from dcfp.system.plates import memory_of
-
-if TYPE_CHECKING:
-    import xarray
 
 #: What is told of one test in the plane as a whole.
 PLANE_TEST = Quantities("quantity of a test in the plane")
@@ -88,8 +84,8 @@ class PlaneLoops(PlaneResult):
         Time at which the test begins since the plates were at the ambient temperature [s].
     lap_times
         At which the laps begin and end [s], shape (laps + 1,).
-    field, hottest_field
-        Temperature of the plates at the end, and where a point of them is hottest; None without a field.
+    fields
+        Temperature of the plates where a point of them is hottest, and at the end; None without a field.
     """
 
     quantities: ClassVar[Quantities] = PLANE_TEST
@@ -102,8 +98,6 @@ class PlaneLoops(PlaneResult):
     test: RigTest
     begins: float
     lap_times: FloatArray
-    field: PlateField | None = None
-    hottest_field: PlateField | None = None
 
     @property
     def name(self) -> str:
@@ -212,19 +206,6 @@ class PlaneLoops(PlaneResult):
             "laps_measured": json.dumps(lap_objects(laps_of_tests([self]))),
             "vertical_load": json.dumps(load),
         }
-
-    def to_dataset(self) -> "xarray.Dataset":
-        """Return histories over ``time`` with their units, the temperature of the plates, and what is told of it and its provenance as attributes."""
-        dataset = super().to_dataset()
-        kept = [one for one in (self.field, self.hottest_field) if one is not None]
-        if not kept:
-            return dataset
-        axes, words = ("profile_time", "plate", "plate_y", "plate_x"), quantity("plate_position").attributes
-        values = np.stack([one.temperature for one in kept])
-        return dataset.assign({"plate_temperature": (axes, values, quantity("plate_temperature").attributes)}).assign_coords(
-            profile_time=("profile_time", [one.time - self.begins for one in kept], quantity("time").attributes),
-            plate_y=("plate_y", np.array(kept[0].position), words), plate_x=("plate_x", np.array(kept[0].position), words),
-        )  # fmt: skip
 
     def _repr_html_(self) -> str:
         rows = [told(LAPS, lap) for lap in laps_of_tests([self])]

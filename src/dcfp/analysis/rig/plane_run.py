@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from dcfp.analysis.integration import DEFAULT, Integration
+from dcfp.analysis.plane_fields import Fields, fields_at
 from dcfp.analysis.plane_history import TOLERANCE, plane_system
 from dcfp.analysis.rig.plane_loops import PlaneLoops
 from dcfp.analysis.rig.program import Program, RigTest
@@ -19,7 +20,7 @@ from dcfp.kernels import imposed_path as k
 from dcfp.kernels._jit import Records
 from dcfp.kernels.motion import DONE, NO_NUMBER
 from dcfp.system import FrictionLaw, Heating, PreciseHeating, System, SystemLike
-from dcfp.system.fields import PlaneHeat, PlateField, cold_heat
+from dcfp.system.fields import PlaneHeat, cold_heat
 from dcfp.system.plates import horizon_for, system_constants
 
 #: Room beyond the furthest end of a piece, relative to it [-]: a piece bends outwards.
@@ -98,14 +99,10 @@ class _PlaneMachine:
         begins, cold = self.clock, self.heat.copy()
         pieces = self._pieces(test, travel)
         began = time.perf_counter()
-        lines = self._followed(test, self.heat, travel, pieces)
+        lines = self._followed(test, self.heat, travel, pieces, begins)
         elapsed = time.perf_counter() - began
         self.clock = begins + float(travel.lengths.sum())
         self.place = complex(lines[-1, k.X], lines[-1, k.Y])
-        field, hottest = None, None
-        if isinstance(self.system.heating, PreciseHeating):
-            field = self._picture(self.heat, lines[-1], self.clock)
-            hottest = self._hottest(test, cold, travel, pieces, lines, begins)
         return PlaneLoops(
             test=test,
             system=self.system,
@@ -113,8 +110,7 @@ class _PlaneMachine:
             lines=freeze(lines),
             begins=begins,
             lap_times=freeze(travel.cycles),
-            field=field,
-            hottest_field=hottest,
+            fields=self._fields(test, cold, travel, pieces, lines, begins),
             elapsed=elapsed,
         )
 
@@ -131,12 +127,18 @@ class _PlaneMachine:
         return pieces
 
     def _followed(
-        self, test: RigTest, heat: PlaneHeat, travel: Travel, pieces: Records, count: int | None = None
+        self,
+        test: RigTest,
+        heat: PlaneHeat,
+        travel: Travel,
+        pieces: Records,
+        begins: float,
+        count: int | None = None,
     ) -> FloatArray:
-        """Follow the first pieces of a path, by default all; return the histories. The heat changes."""
+        """Follow the first pieces of a path from a time [s] on, by default all; return the histories. The heat changes."""
         state = np.zeros(1, k.PATH_STATE)
         state["rim"] = -1.0  # it has not begun
-        state["time"] = self.clock
+        state["time"] = begins
         lengths = travel.lengths[:count]
         lines = np.empty((lengths.size + 1, k.TEMPERATURE + system_constants(self.system).plates))
         model = heat.model(self.system)
@@ -150,14 +152,7 @@ class _PlaneMachine:
             raise AnalysisError(msg)
         return lines
 
-    def _picture(self, heat: PlaneHeat, line: FloatArray, now: float) -> PlateField:
-        """Return the temperature of the plates at the end of a line of the histories."""
-        bearing = self.system.bearing
-        speed = float(np.hypot(line[k.VELOCITY_X], line[k.VELOCITY_Y]))
-        flux = bearing.pressure * line[k.LOAD] * line[k.FRICTION] * speed * line[k.SLIDES]
-        return heat.picture(self.system, now, float(flux))
-
-    def _hottest(
+    def _fields(
         self,
         test: RigTest,
         cold: PlaneHeat,
@@ -165,13 +160,21 @@ class _PlaneMachine:
         pieces: Records,
         lines: FloatArray,
         begins: float,
-    ) -> PlateField:
-        """Return the temperature of the plates at the end of the piece in which a point is hottest: that part is run again."""
-        place = max(int(lines[:, k.POINT].argmax()), 1)
-        self.clock, after = begins, self.clock
-        again = self._followed(test, cold, travel, pieces, place)
-        self.clock = after
-        return self._picture(cold, again[-1], begins + float(travel.time[place]))
+    ) -> Fields | None:
+        """Return the temperature of the plates where a point is hottest and at the end; to the first of these it is run again."""
+        if not isinstance(self.system.heating, PreciseHeating):
+            return None
+        last = travel.lengths.size
+        hottest = max(int(lines[:, k.POINT].argmax()), 1)
+
+        def go_on(_: int, piece: int) -> tuple[PlaneHeat, float]:
+            if piece == last:
+                return self.heat, self.clock
+            self._followed(test, cold, travel, pieces, begins, piece)
+            return cold, begins + float(travel.time[piece])
+
+        moments = sorted({hottest, last})
+        return fields_at(moments, travel.time, lines, lines[:, k.LOAD], self.system, self.heat, go_on)
 
 
 @cache

@@ -23,7 +23,6 @@ from dcfp.present.figures.plane import plot_plane_response as plot_plane_respons
 from dcfp.present.figures.plane_field import plot_field as plot_field
 from dcfp.present.figures.plane_tests import plot_plane_program as plot_plane_program
 from dcfp.present.figures.plane_tests import plot_plane_test as plot_plane_test
-from dcfp.present.figures.plane_tests import plot_plate as plot_plate
 from dcfp.present.figures.predictions import plot_comparison as plot_comparison
 from dcfp.present.figures.pulses import plot_pulses as plot_pulses
 from dcfp.present.figures.stations import plot_station_spectra as plot_station_spectra

@@ -1,4 +1,4 @@
-"""The plate seen from above at one moment of an analysis in the plane: its temperature, the path of the slider until then, and its rim."""
+"""The plate seen from above at one moment of an analysis or a test in the plane: its temperature, the path of the slider until then, and its rim."""
 
 import math
 from typing import TYPE_CHECKING, Any
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from dcfp.analysis.plane_response import PlaneResponse
+    from dcfp.analysis.rig import PlaneLoops
 
 #: Points of a circle.
 _CIRCLE = np.linspace(0.0, 2.0 * math.pi, 181)
@@ -24,7 +25,7 @@ _ROOM = 1.06
 
 @style.styled
 def plot_field(
-    response: "PlaneResponse",
+    response: "PlaneResponse | PlaneLoops",
     moment: float | None = None,
     axes: "Axes | None" = None,
     *,
@@ -37,7 +38,7 @@ def plot_field(
     Parameters
     ----------
     response
-        An analysis in the plane with the precise heating model that kept the temperature of the plates.
+        An analysis in the plane with the precise heating model that kept the temperature of the plates, or a test with that model.
     moment
         When [s]: the nearest one that was kept; by default when a point is hottest.
     axes
@@ -84,7 +85,7 @@ def plot_field(
     return axes
 
 
-def _draw_slider(axes: "Axes", response: "PlaneResponse", time: float, plate: int) -> None:
+def _draw_slider(axes: "Axes", response: "PlaneResponse | PlaneLoops", time: float, plate: int) -> None:
     """Draw the path of the slider's centre until a time, and its rim then."""
     place = quantity("plate_position")
     so_far = response.time <= time + 1e-9
