@@ -68,7 +68,7 @@ def test_near_field_spans_two_files():
     "name", ["P695-FF-23-a", "P695-FF-0-a", "P695-NF-29-b", "P695-FF-1-c", "KNB", "", "?"]
 )
 def test_unknown_name(name):
-    with pytest.raises(InputError, match="a file path is also accepted"):
+    with pytest.raises(InputError, match="and no such file; "):
         named_motion(name)
 
 

@@ -116,6 +116,60 @@ def test_a_plus_needs_two_different_components(text: str) -> None:
         load_station(text)
 
 
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("P695-FF-2+P695-FF-3", "P695-FF-2 has both components already, and + joins single ones; between stations stand blanks"),
+        ("KNA+P695-FF-7", "P695-FF-7 has both components already"),
+        ("P695-stations+KNA", "P695-stations has both components already"),
+        ("P695-NF+KNA", "P695-NF is a set of records, and + joins the components of one station"),
+    ],
+)  # fmt: skip
+def test_a_plus_joins_single_components(text: str, sentence: str) -> None:
+    for load in (load_station, load_motion):
+        with pytest.raises(InputError) as caught:
+            load(text)
+        assert str(caught.value).startswith(f"{text}: {sentence}")
+
+
+def test_what_a_component_does_not_say_is_told() -> None:
+    told, silent = motion("EW", event="Kobe 1995"), motion("NS", seed=2)
+    with_station = replace(told, origin=replace(told.origin, station="JMA Kobe"))
+    assert joined([told, silent], "pair").treatment == (
+        "NS does not say of which earthquake it is, which is taken to be as of EW",
+    )
+    assert joined([silent, with_station], "pair").treatment == (
+        "NS does not say of which earthquake and station it is, which is taken to be as of EW",
+    )
+    other = motion("UD", seed=3, event="Northridge 1994")
+    with pytest.raises(InputError, match="EW and UD are of different earthquakes, 'Kobe 1995' and 'North"):
+        joined([silent, told, other], "three")
+    assert joined([silent, motion("EW")], "plain").treatment == ()
+
+
+def test_a_component_without_motion_is_told() -> None:
+    dead = motion("NS", seed=2).scaled(0.0)
+    (remark,) = joined([motion("EW"), replace(dead, treatment=())], "pair").treatment
+    assert remark == "NS is zero throughout, which is taken for a ground that does not move in its direction"
+
+
+def test_a_missing_file_of_a_triple_is_named(tmp_path) -> None:
+    east, north = (replace(motion(name, seed=place), origin=Origin(component=name, source=f"AKT0139703.{name}")) for place, name in enumerate(("EW", "NS")))  # fmt: skip
+    with pytest.raises(
+        InputError, match=r"no vertical component; put its file AKT0139703\.UD beside the others"
+    ):
+        joined([east, north], "pair").require_vertical()
+    with pytest.raises(InputError, match="no vertical component; join it as the third one"):
+        joined([motion("EW"), motion("NS", seed=2)], "pair").require_vertical()
+    for name in ("AKT0139703.EW", "AKT0139703.NS"):
+        (tmp_path / name).touch()
+    for name in ("AKT0139703.UD", "AKT01"):
+        with pytest.raises(
+            InputError, match=r"there is no such file; in its folder are AKT0139703\.EW, AKT0139703\.NS"
+        ):
+            load_motion(tmp_path / name)
+
+
 def test_one_direction_asks_for_a_component() -> None:
     with pytest.raises(
         InputError,

@@ -33,8 +33,16 @@ def brought_together(components: Sequence[GroundMotion], name: str) -> tuple[lis
     if len(components) not in (2, 3):
         msg = f"{name}: a station has two horizontal components and may have a vertical one, not {len(components)} components."
         raise InputError(msg)
-    _check_origins(components, name)
-    told = [*_own_treatment(components), *_check_directions(components, name)]
+    told = [
+        *_own_treatment(components),
+        *_check_origins(components, name),
+        *_check_directions(components, name),
+    ]
+    told += [
+        f"{one.name} is zero throughout, which is taken for a ground that does not move in its direction"
+        for one in components
+        if not one.acceleration.any()
+    ]
     if len(components) == 3 and points_down(components[2].origin.component):
         *horizontal, down = components
         up = replace(down, acceleration=-down.acceleration)
@@ -112,19 +120,30 @@ def _delays(components: Sequence[GroundMotion], name: str, step: float, told: li
     return delays
 
 
-def _check_origins(components: Sequence[GroundMotion], name: str) -> None:
-    first = components[0]
-    for one in components[1:]:
-        for what, mine, other in (
-            ("earthquakes", first.origin.event, one.origin.event),
-            ("stations", first.origin.station, one.origin.station),
-        ):
-            if mine and other and mine.casefold().split() != other.casefold().split():
+def _check_origins(components: Sequence[GroundMotion], name: str) -> list[str]:
+    """Return which component does not say of which earthquake or station it is, where another says it."""
+    silent: dict[tuple[str, str], list[str]] = {}
+    for what, said in (
+        ("earthquake", [one.origin.event for one in components]),
+        ("station", [one.origin.station for one in components]),
+    ):
+        who_says = [place for place, words in enumerate(said) if words]
+        if not who_says:
+            continue
+        first, mine = components[who_says[0]], said[who_says[0]]
+        for one, other in zip(components, said, strict=True):
+            if not other:
+                silent.setdefault((one.name, first.name), []).append(what)
+            elif mine.casefold().split() != other.casefold().split():
                 msg = (
-                    f"{name}: {first.name} and {one.name} are of different {what}, {mine!r} and {other!r};"
+                    f"{name}: {first.name} and {one.name} are of different {what}s, {mine!r} and {other!r};"
                     " the components of a station are of one record."
                 )
                 raise InputError(msg)
+    return [
+        f"{one} does not say of which {' and '.join(words)} it is, which is taken to be as of {first}"
+        for (one, first), words in silent.items()
+    ]
 
 
 def _check_directions(components: Sequence[GroundMotion], name: str) -> list[str]:

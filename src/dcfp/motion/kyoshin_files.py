@@ -29,6 +29,13 @@ def station_files(text: str) -> list[Path]:
     return _of_folder(place, stems) if is_folder else _of_stem(place)
 
 
+def vertical_beside(name: str) -> str:
+    """Return the name of the file of the vertical that belongs to that of x; empty where it is not one of K-NET or KiK-net."""
+    file = Path(name)
+    found = [up for x, _, up in _ENDINGS if file.suffix.upper() == x]
+    return file.with_suffix(found[0]).name if found else ""
+
+
 def _of_stem(stem: Path) -> list[Path]:
     if not stem.name:
         return []

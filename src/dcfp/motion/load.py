@@ -11,7 +11,7 @@ from dcfp.motion.formats.registry import read_components, select_component
 from dcfp.motion.formats.source import read_source, source_of
 from dcfp.motion.ground_motion import TAKEN_AS_HORIZONTAL, GroundMotion
 from dcfp.motion.kyoshin_files import station_files
-from dcfp.motion.named import named_motion, named_station, record_set, station_set
+from dcfp.motion.named import is_of_stations, is_set, named_motion, named_station, record_set, station_set
 from dcfp.motion.station import Station, joined, one_direction
 from dcfp.schema.parameters import refuse_other
 
@@ -125,6 +125,13 @@ def _components(text: str) -> list[str]:
     words = [first + one if one.startswith(COMPONENT_MARK) else one for one in words]
     if "" in words or len(set(words)) < len(words) or len(words) > 3:
         raise _no_station(text)
+    for one in words:
+        if is_of_stations(one) or _files(one):
+            msg = f"{text}: {one} has both components already, and + joins single ones; between stations stand blanks."
+            raise InputError(msg)
+        if is_set(one):
+            msg = f"{text}: {one} is a set of records, and + joins the components of one station, as in P695-FF-2-a+P695-FF-2-b."
+            raise InputError(msg)
     return words
 
 

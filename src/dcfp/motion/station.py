@@ -15,6 +15,7 @@ from dcfp.errors import InputError
 from dcfp.motion.alignment import brought_together
 from dcfp.motion.formats.directions import azimuth
 from dcfp.motion.ground_motion import GroundMotion, Origin
+from dcfp.motion.kyoshin_files import vertical_beside
 from dcfp.schema.notebook import card
 from dcfp.schema.parameters import PGV
 
@@ -71,7 +72,9 @@ class Station:
             If there is none.
         """
         if self.vertical is None:
-            msg = f"{self.name}: the station has no vertical component; join it as the third one, as in east.AT2+north.AT2+up.AT2."
+            file = vertical_beside(self.x.origin.source)
+            how = f"put its file {file} beside the others, or join" if file else "join"
+            msg = f"{self.name}: the station has no vertical component; {how} it as the third one, as in east.AT2+north.AT2+up.AT2."
             raise InputError(msg)
         return self.vertical
 

@@ -85,7 +85,7 @@ def test_a_record_of_zeros_has_no_pgv(run, zeros: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "expected"),
     [
-        (("P695-FF-99-a",), ("P695-FF-9-a",)),
+        (("P695-FF-99-a",), ("P695-FF-99-a", "1 to 22")),
         (("NCD",), ("NCC",)),
         (("JKB",), ("JKB", "KJM000")),
         (("NCC", "--friction", "kumar2051"), ("kumar2051", "kumar2015")),

@@ -54,6 +54,39 @@ def test_a_file_with_a_drift_is_warned_of(run, drifting: Path) -> None:
     assert row["baseline_drift"] > 0.5
 
 
+def test_the_drift_is_taken_out_where_that_is_wanted(run, drifting: Path) -> None:
+    words = ("records", drifting, "--units", "m/s2")
+    assert "filter it (--high-pass) or remove its baseline (--baseline)" in " ".join(run(*words).out.split())
+    for option in (("--baseline",), ("--high-pass", "0.1")):
+        (row,) = json.loads(run(*words, *option, "--json").out)
+        assert row["baseline_drift"] < 0.25
+        assert "removed" in row["remarks"][0]
+
+
+def test_the_sets_of_stations_are_told(run) -> None:
+    for words in ((), ("P695-NF",)):
+        out = " ".join(run("records", *words).out.split())
+        assert "P695-FF-1 to P695-FF-22 and P695-NF-1 to P695-NF-28" in out
+        assert "P695-stations, P695-FF-stations, P695-NF-stations" in out
+
+
+@pytest.mark.parametrize(
+    ("name", "sentence"),
+    [
+        ("P695-FF-99", "those of P695-FF have the numbers 1 to 22."),
+        ("P695-NF-29-a", "those of P695-NF have the numbers 1 to 28."),
+        ("P695-FF-2-c", "the components of this station are P695-FF-2-a and P695-FF-2-b."),
+        ("P695-FF-station", "did you mean P695-FF-stations"),
+        ("FF-2", "did you mean P695-FF-2 or"),
+    ],
+)
+def test_what_is_meant_by_a_name_that_is_none(run, name: str, sentence: str) -> None:
+    status, out, err = run("records", name)
+    assert (status, out, err.count("\n")) == (2, "", 1)
+    assert f"'{name}'" in err
+    assert sentence in err
+
+
 def test_every_component_of_a_file_or_one(run, three_components: Path) -> None:
     rows = json.loads(run("records", three_components, "--json").out)
     assert [row["component"] for row in rows] == ["NS", "EW", "UD"]
@@ -110,6 +143,7 @@ def test_several_records_as_measures_and_groups(run, three_components: Path, tmp
     [
         ("--plot", "a.png"),
         ("--out", "a.nc"),
+        ("--high-pass", "0.05"),
         ("NCC", "--out", "a.txt"),
         ("NCC", "--plot", "a.gif"),
         ("NCC", "--out", "there.csv"),

@@ -117,3 +117,32 @@ def test_a_workbook_of_both_directions(run, tmp_path, monkeypatch) -> None:
     assert len(sheet._charts) == 4
     path = sheet._charts[0]
     assert path.x_axis.scaling.max == path.y_axis.scaling.max >= told["y_max_mm"]
+
+
+def test_one_that_fails_takes_no_other_with_it(run, tmp_path, monkeypatch) -> None:
+    monkeypatch.setattr("dcfp.system.fields.MOST_POINTS", 120_000)
+    words = (
+        "respond",
+        "P695-FF-8",
+        "P695-FF-22",
+        "--pgv",
+        "0.1",
+        "6",
+        "--out",
+        tmp_path / "peaks.csv",
+        "--json",
+    )
+    status, out, err = run(*words)
+    assert status == 1
+    first, second = err.splitlines()
+    assert first.startswith("dcfp: P695-FF-8, PGV 6 m/s: the slider of 400 mm goes further than")
+    assert second.startswith("dcfp: P695-FF-22, PGV 6 m/s: ")
+    alone = json.loads(run("respond", "P695-FF-8", "--pgv", "0.1", "--json").out)
+    found = json.loads(out)
+    assert [(one["record"], one["pgv_m_s"]) for one in found] == [
+        ("P695-FF-8", pytest.approx(0.1)),
+        ("P695-FF-22", pytest.approx(0.1)),
+    ]
+    assert found[0]["y_max_mm"] == alone[0]["y_max_mm"]
+    _, *lines = (tmp_path / "peaks.csv").read_text().splitlines()
+    assert len(lines) == 2

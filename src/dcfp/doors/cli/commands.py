@@ -311,6 +311,10 @@ def _check_records(chosen: argparse.Namespace) -> None:
     if chosen.plot is not None:
         msg = "--plot draws the histories of records; name at least one RECORD."
         raise InputError(msg)
+    for name in ("baseline", "high_pass"):
+        if getattr(chosen, name):
+            msg = f"--{name.replace('_', '-')} corrects records; name at least one RECORD."
+            raise InputError(msg)
     if chosen.out is not None and Path(chosen.out).suffix.lower() == ".nc":
         msg = f"{chosen.out}: the list of named records can be written as .csv; name a RECORD for its histories."
         raise InputError(msg)
@@ -324,6 +328,7 @@ def records(parser: Parser) -> None:
         "*",
         f"name of a record or a file, or a station: {STATION}; without any, the named records are listed",
     )
+    options.add_correction(parser.add_argument_group("motion"))
     options.add_output(
         parser,
         "the list as CSV (.csv); of records, their histories as NetCDF (.nc), or as CSV (.csv) the histories of one, "

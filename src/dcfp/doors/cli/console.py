@@ -21,6 +21,7 @@ from rich.progress import (
 from rich.table import Table as Grid
 from rich.text import Text
 
+from dcfp.errors import AnalysisError
 from dcfp.schema.table import Table
 
 if TYPE_CHECKING:
@@ -156,6 +157,30 @@ def each(words: str, things: Sequence[T], work: Callable[[T], R]) -> list[R]:
             found.append(work(one))
             advance()
     return found
+
+
+def each_that_can(
+    words: str, things: Sequence[T], work: Callable[[T], R]
+) -> tuple[list[R], list[AnalysisError]]:
+    """Do the same, and return what could be made, and what failed.
+
+    Raises
+    ------
+    AnalysisError
+        If all of them fail.
+    """
+
+    def tried(one: T) -> R | AnalysisError:
+        try:
+            return work(one)
+        except AnalysisError as error:
+            return error
+
+    made = each(words, things, tried)
+    failures = [one for one in made if isinstance(one, AnalysisError)]
+    if failures and len(failures) == len(things):
+        raise AnalysisError(" ".join(dict.fromkeys(map(str, failures))))
+    return [one for one in made if not isinstance(one, AnalysisError)], failures
 
 
 @contextmanager

@@ -7,7 +7,7 @@ from textwrap import fill
 
 from dcfp.doors.cli import study_commands
 from dcfp.doors.cli.commands import COMMANDS, Command
-from dcfp.doors.cli.outputs import deliver, outputs_of
+from dcfp.doors.cli.outputs import complain, deliver, outputs_of
 from dcfp.doors.cli.parser import nearest
 from dcfp.errors import DcfpError, InputError
 
@@ -36,7 +36,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         status = _run(words)
         sys.stdout.flush()
     except DcfpError as error:
-        _complain(str(error))
+        complain(str(error))
         return error.exit_status
     except BrokenPipeError:
         _silence_output()  # the reader, for example `head`, has what it wanted
@@ -46,7 +46,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     except Exception as error:  # the last resort: a user must not meet a traceback
         if os.environ.get(TRACEBACK):
             raise
-        _complain(
+        complain(
             f"an unexpected error, {type(error).__name__}: {error}; please report it with this command"
             f" (with {TRACEBACK}=1 in the environment it shows where it arose)."
         )
@@ -141,10 +141,6 @@ def _help(program: str, about: str, known: Mapping[str, str]) -> str:
         f"{program} COMMAND --help shows the options of a command.",
     )
     return "\n\n".join(parts)
-
-
-def _complain(sentence: str) -> None:
-    print(f"dcfp: {' '.join(sentence.split())}", file=sys.stderr)
 
 
 def _write_what_can_be_written() -> None:

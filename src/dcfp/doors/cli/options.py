@@ -28,10 +28,15 @@ def add_treatment(parser: Parser) -> Any:
     """Add how the records are scaled and treated; return the group of these options."""
     group = parser.add_argument_group("motion")
     add_parameter(group, PGVS, any_number=True)
+    add_correction(group)
+    return group
+
+
+def add_correction(group: Any) -> None:
+    """Add how an instrument's offset and what is slower than the record can tell are taken out of the records."""
     words = "remove the constant acceleration whose velocity fits best (an instrument's offset)"
     add_switch(group, "--baseline", words)
     add_parameter(group, HIGH_PASS)
-    return group
 
 
 def option_name(key: str) -> str:

@@ -1,7 +1,8 @@
-"""What a command has found, and where it goes: standard output as text or JSON, a file of data, a figure."""
+"""What a command has found, and where it goes: standard output as text or JSON, a file of data, a figure; and what failed, to standard error."""
 
 import argparse
-from collections.abc import Callable, Iterable, Iterator
+import sys
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from dcfp.doors.cli.console import Block, Page
+    from dcfp.errors import DcfpError
     from dcfp.schema.table import Table
 
 
@@ -32,6 +34,8 @@ class Answer:
         Draws the figure of ``--plot``.
     status
         Exit status.
+    failures
+        What of it could not be found: each is told on standard error, and the last one's exit status is the command's.
     """
 
     document: Callable[[], Any]
@@ -39,6 +43,7 @@ class Answer:
     data: Callable[[Path, str], str | None] | None = None
     figure: "Callable[[], Figure] | None" = None
     status: int = 0
+    failures: "Sequence[DcfpError]" = ()
 
     @classmethod
     def of_table(
@@ -129,7 +134,15 @@ def deliver(
         print(json.dumps(answer.document(), indent=2, allow_nan=False))
     else:
         answer.page().show(said)
-    return answer.status
+    sys.stdout.flush()  # what failed is told below what was found
+    for one in answer.failures:
+        complain(said(str(one)))
+    return answer.failures[-1].exit_status if answer.failures else answer.status
+
+
+def complain(sentence: str) -> None:
+    """Tell on standard error, in one line, what is wrong."""
+    print(f"dcfp: {' '.join(sentence.split())}", file=sys.stderr)
 
 
 def _write(answer: Answer, option: str, part: Path, kind: str) -> None:

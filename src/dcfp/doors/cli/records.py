@@ -10,9 +10,10 @@ from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import load_records, read_motions
 from dcfp.motion.measures import MEASURES, motion_remarks
-from dcfp.motion.named import ALIASES, NAMED, NamedRecord, named_records
+from dcfp.motion.named import ALIASES, NAMED, SETS, STATIONS_TOLD, NamedRecord, named_records
 from dcfp.motion.station import Station, stations_of
 from dcfp.motion.station_measures import STATION_MEASURES, station_remarks
+from dcfp.motion.treatment import record_treated
 from dcfp.present.tables import write_motions
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
@@ -32,7 +33,8 @@ def run(chosen: argparse.Namespace) -> Answer:
     if stations:
         return _described(stations, STATION_MEASURES, station_remarks, "stations.plot_stations", _LEGEND)
     singles = [one for one in records if isinstance(one, GroundMotion)]
-    return _described(singles, MEASURES, motion_remarks, "plot_motions")
+    sets = [STATIONS_TOLD] if SETS.keys() & map(str.upper, chosen.records) else []
+    return _described(singles, MEASURES, motion_remarks, "plot_motions", sets)
 
 
 def _described(
@@ -59,15 +61,17 @@ def _named() -> Answer:
     # the paper's records first, then those of the paper that have to be supplied, then the sets in their own order
     places = [*ALIASES, *(row.name for row in named if not row.alias)]
     rows: list[NamedRecord] = sorted(named, key=lambda row: places.index(row.alias or row.name))
-    remarks = [f"{row.name}: {row.note}." for row in rows if row.note]
+    remarks = [STATIONS_TOLD, *(f"{row.name}: {row.note}." for row in rows if row.note)]
     return Answer.of_table(Table(tuple(NAMED), rows), remarks=remarks)
 
 
 def _records(name: str, chosen: argparse.Namespace) -> Sequence[GroundMotion | Station]:
     reading = {"units": chosen.units, "time_step": chosen.time_step}
     if chosen.component is None and Path(name).is_file():
-        return read_motions(name, **reading)
-    return load_records([name], chosen.component, vertical=True, **reading)
+        records: Sequence[GroundMotion | Station] = read_motions(name, **reading)
+    else:
+        records = load_records([name], chosen.component, vertical=True, **reading)
+    return [record_treated(one, baseline=chosen.baseline, corner=chosen.high_pass) for one in records]
 
 
 def _origin(motion: GroundMotion | Station) -> tuple[tuple[str, str], ...]:

@@ -9,9 +9,9 @@ from dcfp.analysis import Response
 from dcfp.analysis.integration import NOTHING, PLATES, Integration, Keep, usual_heating
 from dcfp.analysis.response_history import analyse
 from dcfp.doors.cli import inputs
-from dcfp.doors.cli.console import Page, each, grid, grouped
+from dcfp.doors.cli.console import Page, each_that_can, grid, grouped
 from dcfp.doors.cli.outputs import Answer, drawn
-from dcfp.errors import InputError
+from dcfp.errors import AnalysisError, InputError
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import motion_remarks
 from dcfp.motion.station import Station, stations_of
@@ -50,16 +50,19 @@ def _in_the_plane(
     motions = inputs.scaled(stations, chosen.pgv, allow_drift=True)
     _check_one_script(chosen, kind, len(motions))
     keep = _keep(chosen, kind)
-    responses = each(
+    responses, failures = each_that_can(
         "analyses",
         motions,
         lambda motion: analyse_plane(motion, system, integration, vertical=chosen.vertical, keep=keep),
     )
-    return answer_of(
-        responses,
-        lambda: calculated(chosen, stations, system, integration, responses),
-        vertical=chosen.vertical,
-    )
+
+    def workbook() -> "Calculation":
+        if failures:
+            msg = f"{failures[0]} A workbook holds every analysis, so none is written; leave this one out, or write .nc or .csv."
+            raise AnalysisError(msg)
+        return calculated(chosen, stations, system, integration, responses)
+
+    return answer_of(responses, workbook, vertical=chosen.vertical, failures=failures)
 
 
 def _in_one_direction(
@@ -73,8 +76,10 @@ def _in_one_direction(
     _check_one_script(chosen, kind, len(motions))
     integration = Integration(**inputs.given(chosen, Integration))
     keep = _keep(chosen, kind)
-    responses = each("analyses", motions, lambda motion: analyse(motion, system, integration, keep=keep))
-    return answer_of(responses, lambda: calculated(chosen, records, system, integration))
+    responses, failures = each_that_can(
+        "analyses", motions, lambda motion: analyse(motion, system, integration, keep=keep)
+    )
+    return answer_of(responses, lambda: calculated(chosen, records, system, integration), failures=failures)
 
 
 def calculated(
@@ -119,6 +124,7 @@ def write_analyses(
     calculated: "Callable[[], Calculation] | None",
     *,
     vertical: bool = False,
+    alone: bool | None = None,
 ) -> str | None:
     """Write one analysis as a script for OpenSees, a workbook of what is calculated, or analyses as data."""
     from dcfp.exchange import opensees_script, write_workbook  # late: scripts and workbooks are rare
@@ -128,7 +134,7 @@ def write_analyses(
     if kind == WORKBOOK and calculated is not None:
         write_workbook(part, calculated())
     else:
-        write_responses(part, responses, kind)
+        write_responses(part, responses, kind, alone=alone)
     return None
 
 
@@ -137,15 +143,17 @@ def answer_of(
     calculated: "Callable[[], Calculation] | None" = None,
     *,
     vertical: bool = False,
+    failures: Sequence[AnalysisError] = (),
 ) -> Answer:
-    """Return what is told of analyses, with what a workbook has beside them where one may be wanted."""
-    alone = len(responses) == 1
+    """Return what is told of analyses and of those that failed, with what a workbook has beside them where one may be wanted."""
+    alone = len(responses) + len(failures) == 1
     of_several = "plot_overview" if isinstance(responses[0], Response) else "plane.plot_orbits"
     return Answer(
         lambda: [{**one.summary(), "remarks": one.all_remarks} for one in responses],
         lambda: _page(responses),
-        lambda part, kind: write_analyses(part, kind, responses, calculated, vertical=vertical),
+        lambda part, kind: write_analyses(part, kind, responses, calculated, vertical=vertical, alone=alone),
         drawn("figure_of", responses[0]) if alone else drawn(of_several, responses),
+        failures=failures,
     )
 
 

@@ -47,12 +47,23 @@ def read_source(
     InputError
         If there is no such file, or it is empty, too large, not readable or not text.
     """
-    hint = "check the path" if what == _RECORD else f"{what} was expected"
+    hint = _likely(path) if what == _RECORD else f"{what} was expected"
     content = read_bytes(path, hint, most=MAXIMUM_SIZE + 1)
     if len(content) > MAXIMUM_SIZE:
         msg = f"{path}: the file is larger than {MAXIMUM_SIZE / 1e6:.0f} MB, so it is not {what}."
         raise InputError(msg)
     return source_of(content, path, units=units, time_step=time_step, what=what)
+
+
+def _likely(path: Path) -> str:
+    """Return which files are there that begin as one that is not."""
+    try:
+        near = sorted(one.name for one in path.parent.iterdir() if one.name.startswith(path.stem))
+    except OSError:
+        near = []
+    if not near or path.exists():
+        return "check the path"
+    return f"in its folder {'is' if len(near) == 1 else 'are'} {', '.join(near[:3])}{' and others' if len(near) > 3 else ''}"
 
 
 def source_of(

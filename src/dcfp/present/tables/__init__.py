@@ -34,14 +34,19 @@ class Tabulated(Protocol):
         ...
 
 
-def write_responses(path: Path, responses: "Sequence[Response | PlaneResponse]", kind: str) -> None:
-    """Write analyses as ``".nc"`` or ``".csv"``: the histories of one, or the peaks of several and in NetCDF a group for each."""
+def write_responses(
+    path: Path, responses: "Sequence[Response | PlaneResponse]", kind: str, *, alone: bool | None = None
+) -> None:
+    """Write analyses as ``".nc"`` or ``".csv"``: the histories of one, or the peaks of several and in NetCDF a group for each.
+
+    One that is not `alone` is what is left of several.
+    """
     table = Table(
         (*responses[0].quantities.values(), REMARKS),
         responses,
         "Peaks of several response history analyses; the histories are in a group for each",
     )
-    _write(path, kind, responses, group_names(responses), table, "analysis")
+    _write(path, kind, responses, group_names(responses), table, "analysis", alone=alone)
 
 
 def write_tests(path: Path, loops: "Sequence[Loops] | Sequence[PlaneLoops]", kind: str) -> None:
@@ -161,15 +166,17 @@ def _write(
     *,
     named: bool = True,
     attributes: Mapping[str, Any] | None = None,
+    alone: bool | None = None,
 ) -> None:
+    alone = len(results) == 1 if alone is None else alone
     if kind == ".csv":
-        text = histories_csv(results[0].to_dataset()) if len(results) == 1 else table.csv()
+        text = histories_csv(results[0].to_dataset()) if alone else table.csv()
         path.write_text(text, encoding="utf-8", newline="\n")
         return
     import xarray  # late: it takes long to import
 
     datasets = [compressed(one.to_dataset()) for one in results]
-    if len(datasets) == 1:
+    if alone:
         datasets[0].attrs.update(attributes or {})
         datasets[0].to_netcdf(path, engine="h5netcdf")
         return
