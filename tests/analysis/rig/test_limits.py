@@ -266,7 +266,7 @@ def test_a_load_that_grows_at_rest_changes_nothing() -> None:
     assert loops.hysteretic_energy[-1] == loops.hysteretic_energy[120]
 
 
-# ----- stories -----
+# ----- sequences -----
 
 
 def story(pause: float, heating: Heating) -> tuple[Loops, ...]:

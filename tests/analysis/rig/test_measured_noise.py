@@ -70,4 +70,4 @@ def test_later_tests_of_a_story_bring_those_before_them():
     alone = run_program(program)[1]
     whole = {test.test.name: test for test in run_program(load_program("asce").only(["T12c"]))}["T12b"]
     assert alone.peak_temperature == pytest.approx(whole.peak_temperature, abs=0.1)
-    assert replace(program, code="").stories == program.stories
+    assert replace(program, code="").sequences == program.sequences

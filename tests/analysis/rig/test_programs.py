@@ -58,7 +58,7 @@ def test_the_papers_programs_are_as_printed(name, table, slack):
 
 def test_the_heat_of_the_endurance_test_stays_in_the_plate():
     program = load_program("asce")
-    assert [len(story) for story in program.stories].count(3) == 1
+    assert [len(tests) for tests in program.sequences].count(3) == 1
     loops = {test.test.name: test for test in run_program(program)}
     assert loops["T12a"].temperature[0] == 20.0
     assert 35.0 < loops["T12b"].temperature[0] < loops["T12a"].temperature[-1]

@@ -1,40 +1,19 @@
-"""The result of a virtual test: histories of force, friction and temperature; its remarks, its data set and its rows."""
+"""The result of a virtual test in one direction: histories of force, friction and temperature, and what is told of its cycles."""
 
-import json
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
 
-import numpy as np
-
-from dcfp.analysis.result import Result
 from dcfp.analysis.rig.measures import Cycle, cycles_of, zero_crossings
-from dcfp.analysis.rig.program import RigTest
+from dcfp.analysis.rig.virtual_test import TEST, ToldRound, VirtualTest
 from dcfp.arrays import FloatArray
-from dcfp.schema.notebook import card, told
 from dcfp.schema.quantities import Quantities, Quantity
-from dcfp.schema.table import Table
 from dcfp.schema.units import DEGC, KN, KN_M, KN_PER_MM, MM, MM_PER_S, N_PER_MM2, NONE, SECOND
 from dcfp.system import Bearing
-from dcfp.system.plates import memory_of
 
 if TYPE_CHECKING:
     from dcfp.analysis.rig.measurement import Measurement
-
-
-#: What is told of one test as a whole.
-TEST = Quantities("quantity of a test")
-TEST.add("test", Quantity("test", "name of the test", get="test.name"))
-TEST.add("law", Quantity("friction", "friction law", get="friction_law.name"))
-TEST.add("heating", Quantity("heating", "heating model", get="heating.name"))
-TEST.add("waveform", Quantity("waveform", "waveform", get="test.waveform.kind"))
-TEST.add("begins", Quantity("begins_s", "time since the plates were cold, at the start", SECOND, decimals=1, name="begins"))  # fmt: skip
-TEST.add("count", Quantity("cycles", "number of cycles", NONE, decimals=0, get=lambda one: len(one.cycles)))
-TEST.tell("peak_displacement", "displacement_max_mm", name="displacement_max", decimals=1)
-TEST.tell("peak_velocity", "velocity_max_mm_s", name="velocity_max", decimals=3)
-TEST.tell("peak_temperature", "temperature_max_degC", name="temperature_max", decimals=0)
-TEST.tell("elapsed", "elapsed_s")
 
 #: Its histories.
 HISTORIES = Quantities("history of a test")
@@ -44,136 +23,11 @@ for _name in (
     HISTORIES.tell(_name)
 
 
-@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Loops(Result):
-    """Histories of one test.
-
-    Attributes
-    ----------
-    begins
-        Time at which the test begins since the plates were at the ambient temperature [s].
-    cycle_times
-        At which the cycles begin and end [s], shape (cycles + 1,).
-    """
-
-    quantities: ClassVar[Quantities] = TEST
-    histories: ClassVar[Quantities] = HISTORIES
-    columns: ClassVar[tuple[str, ...]] = (
-        "displacement", "velocity", "elongation", "friction", "sliding", "load", "work", "hysteretic",
-    )  # fmt: skip
-
-    test: RigTest
-    begins: float
-    cycle_times: FloatArray
-
-    @property
-    def name(self) -> str:
-        """Name of the test."""
-        return self.test.name
-
-    @property
-    def title(self) -> str:
-        """What it is, in words."""
-        return f"Virtual test {self.test.name}"
-
-    @property
-    def load(self) -> FloatArray:
-        """Vertical force [N]."""
-        return self.line("load")
-
-    @property
-    def friction_force(self) -> FloatArray:
-        """Force of spring (b) [N]."""
-        return self.bearing.elastic_stiffness * self.elongation
-
-    @property
-    def force(self) -> FloatArray:
-        """Horizontal force [N]."""
-        return self.load * self.displacement / self.bearing.effective_radius + self.friction_force
-
-    @property
-    def work(self) -> FloatArray:
-        """Work of the machine on the bearing since the start of the test [N mm]."""
-        return self.line("work")
-
-    @property
-    def hysteretic_energy(self) -> FloatArray:
-        """Energy dissipated by friction since the start of the test [N mm]."""
-        return self.line("hysteretic")
-
-    @property
-    def crossings(self) -> FloatArray:
-        """Time [s], force [N] and load [N] wherever the displacement passes zero, shape (crossings, 3)."""
-        return zero_crossings(self)
-
-    @cached_property
-    def cycles(self) -> tuple[Cycle, ...]:
-        """Measures of each cycle."""
-        return cycles_of(self, self.work, self.temperature)
-
-    @property
-    def peak_displacement(self) -> float:
-        """Largest displacement, to either side [mm]."""
-        return float(np.abs(self.displacement).max())
-
-    @property
-    def heat_age(self) -> float:
-        """Time since the plates were cold, at the end [s]."""
-        return self.begins + float(self.time[-1])
-
-    @property
-    def memory(self) -> float:
-        """Time for which heat is remembered [s]: chosen for the whole story, up to a longest."""
-        return memory_of(self.heat_age) * (1.0 + 1e-9)
-
-    @property
-    def cooled(self) -> bool:
-        """Whether the plates have cooled in a pause."""
-        return self.begins > 0.0
-
-    @property
-    def attributes(self) -> dict[str, Any]:
-        """What a data set says of it besides its system."""
-        load = None if self.test.load is None else asdict(self.test.load)
-        return {
-            **self.summary(),
-            "cycles": json.dumps(cycle_objects(cycles_of_tests([self]))),
-            "vertical_load": json.dumps(load),
-        }
-
-    def _repr_html_(self) -> str:
-        rows = [told(CYCLES, cycle) for cycle in cycles_of_tests([self])]
-        return card(self.title, rows=rows, remarks=self.remarks)
-
-
-@dataclass(frozen=True)
-class ToldCycle:
-    """One cycle with the name of its test and the area of the slider [mm2]; the loops of a virtual test, or the file of a measured one."""
-
-    cycle: Cycle
-    test: str
-    area: float
-    loops: "Loops | None" = None
-    file: str | None = None
-
-
-def cycles_of_tests(tests: Sequence[Loops]) -> list[ToldCycle]:
-    """Return every cycle of virtual tests."""
-    return [
-        ToldCycle(one, test.name, test.bearing.slider_area, test) for test in tests for one in test.cycles
-    ]
-
-
-def cycles_of_measurement(name: str, measurement: "Measurement", bearing: Bearing) -> list[ToldCycle]:
-    """Return every cycle of a measured test beside the test `name`."""
-    return [ToldCycle(one, name, bearing.slider_area, file=measurement.name) for one in measurement.cycles]
-
-
-def _of(get: Callable[[Loops], Any], measured: object = None) -> Callable[[ToldCycle], Any]:
+def _of(get: Callable[[VirtualTest], Any], measured: object = None) -> Callable[[ToldRound], Any]:
     return lambda one: measured if one.loops is None else get(one.loops)
 
 
-def _pressure(one: ToldCycle) -> float:
+def _pressure(one: ToldRound) -> float:
     return one.cycle.load * (1.0 / one.area)
 
 
@@ -211,7 +65,68 @@ CYCLES = [
 ]  # fmt: skip
 
 
-def cycle_objects(cycles: Sequence[ToldCycle]) -> list[dict[str, Any]]:
-    """Return what JSON holds of cycles; only those of a measured test have a file."""
-    rows = Table(tuple(CYCLES), cycles).objects()
-    return [{key: value for key, value in row.items() if key != "file" or value is not None} for row in rows]
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Loops(VirtualTest):
+    """Histories of one test in one direction.
+
+    Attributes
+    ----------
+    cycle_times
+        At which the cycles begin and end [s], shape (cycles + 1,).
+    """
+
+    quantities: ClassVar[Quantities] = TEST
+    histories: ClassVar[Quantities] = HISTORIES
+    round_name: ClassVar[str] = "cycle"
+    rounds_key: ClassVar[str] = "cycles"
+    rounds_told: ClassVar[Sequence[Quantity]] = CYCLES
+    columns: ClassVar[tuple[str, ...]] = (
+        "displacement", "velocity", "elongation", "friction", "sliding", "load", "work", "hysteretic",
+    )  # fmt: skip
+
+    cycle_times: FloatArray
+
+    @property
+    def load(self) -> FloatArray:
+        """Vertical force [N]."""
+        return self.line("load")
+
+    @property
+    def friction_force(self) -> FloatArray:
+        """Force of spring (b) [N]."""
+        return self.bearing.elastic_stiffness * self.elongation
+
+    @property
+    def force(self) -> FloatArray:
+        """Horizontal force [N]."""
+        return self.load * self.displacement / self.bearing.effective_radius + self.friction_force
+
+    @property
+    def work(self) -> FloatArray:
+        """Work of the machine on the bearing since the start of the test [N mm]."""
+        return self.line("work")
+
+    @property
+    def hysteretic_energy(self) -> FloatArray:
+        """Energy dissipated by friction since the start of the test [N mm]."""
+        return self.line("hysteretic")
+
+    @property
+    def crossings(self) -> FloatArray:
+        """Time [s], force [N] and load [N] wherever the displacement passes zero, shape (crossings, 3)."""
+        return zero_crossings(self)
+
+    @property
+    def rounds(self) -> Sequence[Cycle]:
+        """Its cycles."""
+        return self.cycles
+
+    @cached_property
+    def cycles(self) -> tuple[Cycle, ...]:
+        """Measures of each cycle."""
+        return cycles_of(self, self.work, self.temperature)
+
+
+def cycles_of_measurement(name: str, measurement: "Measurement", bearing: Bearing) -> list[ToldRound]:
+    """Return every cycle of a measured test beside the test `name`."""
+    return [ToldRound(one, name, bearing.slider_area, file=measurement.name) for one in measurement.cycles]

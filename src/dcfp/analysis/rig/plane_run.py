@@ -10,9 +10,9 @@ import numpy as np
 from dcfp.analysis.integration import DEFAULT, Integration
 from dcfp.analysis.plane_fields import Fields, fields_at
 from dcfp.analysis.plane_history import TOLERANCE, plane_system
+from dcfp.analysis.rig.machine import Machine, checked_program, run_all
 from dcfp.analysis.rig.plane_loops import PlaneLoops
 from dcfp.analysis.rig.program import Program, RigTest
-from dcfp.analysis.rig.run import checked_program, loads_along
 from dcfp.analysis.rig.waveform import Sine, Travel
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import AnalysisError
@@ -21,7 +21,6 @@ from dcfp.kernels._jit import Records
 from dcfp.kernels.motion import DONE, NO_NUMBER
 from dcfp.system import FrictionLaw, Heating, PreciseHeating, System, SystemLike
 from dcfp.system.fields import PlaneHeat, cold_heat
-from dcfp.system.plates import horizon_for, system_constants
 
 #: Room beyond the furthest end of a piece, relative to it [-]: a piece bends outwards.
 _ROOM = 1.01
@@ -64,33 +63,21 @@ def run_in_the_plane(
     system, integration = plane_system(bearing, friction, heating), Integration(tolerance=tolerance)
     program = checked_program(program, system)
     _load_kernels()
-    loops: list[PlaneLoops] = []
-    for story in program.stories:
-        machine = _PlaneMachine(story, system, integration.tolerance)
-        for test in story:
-            loops.append(machine.run(test))
-            if report is not None:
-                report()
-    return tuple(loops)
+    return run_all(program, lambda tests: _PlaneMachine(tests, system, integration.tolerance), report)
 
 
-class _PlaneMachine:
-    """A bearing through one story of tests in the plane."""
+class _PlaneMachine(Machine[PlaneLoops]):
+    """A bearing through tests in the plane."""
 
-    def __init__(self, story: Sequence[RigTest], system: System, tolerance: float) -> None:
-        self.system, self.tolerance = system, TOLERANCE * tolerance / DEFAULT.tolerance
-        self.travels = {test.name: test.waveform.travel() for test in story}
-        duration = sum(float(travel.lengths.sum()) for travel in self.travels.values())
-        duration += sum(test.pause or 0.0 for test in story[1:])
-        reach = _ROOM * max((travel.largest for travel in self.travels.values()), default=0.0)
-        self.heat: PlaneHeat = cold_heat(system, reach, horizon=horizon_for(duration))
-        self.clock, self.place = 0.0, 0j
+    def __init__(self, tests: Sequence[RigTest], system: System, tolerance: float) -> None:
+        super().__init__(tests, system)
+        self.tolerance = TOLERANCE * tolerance / DEFAULT.tolerance
+        self.heat: PlaneHeat = cold_heat(system, _ROOM * self.reach, horizon=self.horizon)
+        self.place = 0j
 
     def run(self, test: RigTest) -> PlaneLoops:
-        """Run the next test of the story."""
-        travel = self.travels[test.name]
-        if test.load is not None:
-            travel = travel.cut_at(np.array(test.load.times))
+        """Run the next of the tests."""
+        travel = self.travel(test)
         pause = (test.pause or 0.0) if self.clock > 0.0 else 0.0
         start = complex(travel.pieces[0, 0])
         model = self.heat.model(self.system)
@@ -116,8 +103,8 @@ class _PlaneMachine:
 
     def _pieces(self, test: RigTest, travel: Travel) -> Records:
         """Return the path with load and reference of the law in each piece."""
-        load, reference = loads_along(test, travel, self.system)
-        ratio = load / self.system.bearing.vertical_force
+        load, reference = self.loads(test, travel)
+        ratio = load / self.bearing.vertical_force
         pieces = np.zeros(travel.lengths.size, k.PATH_PIECE)
         for place, name in enumerate(("position", "velocity", "second", "third")):
             pieces[name] = travel.pieces[:, place]
@@ -140,13 +127,13 @@ class _PlaneMachine:
         state["rim"] = -1.0  # it has not begun
         state["time"] = begins
         lengths = travel.lengths[:count]
-        lines = np.empty((lengths.size + 1, k.TEMPERATURE + system_constants(self.system).plates))
+        lines = np.empty((lengths.size + 1, k.TEMPERATURE + self.constants.plates))
         model = heat.model(self.system)
         status, done = k.follow(
             model, heat.field, lengths, pieces[: lengths.size], self.tolerance, state, lines
         )
         if status == NO_NUMBER:
-            raise self.system.friction.no_number(test.name, float(travel.time[done]))
+            raise self.friction.no_number(test.name, float(travel.time[done]))
         if status != DONE:
             msg = f"{test.name}: the slider left the part of the plate that the heat model covers."
             raise AnalysisError(msg)

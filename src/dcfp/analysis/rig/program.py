@@ -142,14 +142,14 @@ class Program(Declared):
         return any(isinstance(test.waveform, (PlanePath, RecordedPath)) for test in self.tests)
 
     @property
-    def stories(self) -> tuple[tuple[RigTest, ...], ...]:
+    def sequences(self) -> tuple[tuple[RigTest, ...], ...]:
         """Runs of tests through which the plates keep their heat."""
-        stories: list[list[RigTest]] = []
+        sequences: list[list[RigTest]] = []
         for test in self.tests:
-            if test.pause is None or not stories:
-                stories.append([])
-            stories[-1].append(test)
-        return tuple(tuple(story) for story in stories)
+            if test.pause is None or not sequences:
+                sequences.append([])
+            sequences[-1].append(test)
+        return tuple(tuple(tests) for tests in sequences)
 
     def only(self, names: Sequence[str]) -> "Program":
         """Return the program with some of its tests, in its own order, and with those before them whose heat is still in the plates.
@@ -165,9 +165,9 @@ class Program(Declared):
                 msg = f"{self.name} has no test {name!r}; it has {', '.join(known)}."
                 raise InputError(msg)
         kept: list[RigTest] = []
-        for story in self.stories:
-            wanted = [place for place, test in enumerate(story) if test.name in names]
-            kept.extend(story[: max(wanted) + 1] if wanted else ())
+        for tests in self.sequences:
+            wanted = [place for place, test in enumerate(tests) if test.name in names]
+            kept.extend(tests[: max(wanted) + 1] if wanted else ())
         return replace(self, tests=tuple(kept))
 
     def _repr_html_(self) -> str:

@@ -9,7 +9,8 @@ import numpy as np
 
 from dcfp.analysis.integration import DEFAULT, NOTHING, Integration, Keep
 from dcfp.analysis.rig.loops import Loops
-from dcfp.analysis.rig.program import Program, RigTest, VerticalLoad, check_stroke, load_program
+from dcfp.analysis.rig.machine import Machine, checked_program, run_all
+from dcfp.analysis.rig.program import Program, RigTest
 from dcfp.analysis.rig.waveform import Travel
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
@@ -38,9 +39,7 @@ from dcfp.system.plates import (
     Profiles,
     cold_plates,
     heat_of,
-    horizon_for,
     profile_now,
-    system_constants,
 )
 
 
@@ -88,72 +87,23 @@ def run_program(
         msg = f"{program.name}: its tests go in two directions; run_in_the_plane runs them."
         raise InputError(msg)
     _load_kernels()
-    loops: list[Loops] = []
-    for story in program.stories:
-        machine = _Machine(story, system, integration.tolerance, keep)
-        for test in story:
-            loops.append(machine.run(test))
-            if report is not None:
-                report()
-    return tuple(loops)
+    return run_all(program, lambda tests: _Machine(tests, system, integration.tolerance, keep), report)
 
 
-def checked_program(program: Program | str | Path, system: System) -> Program:
-    """Return a program, or load it, if none of its tests goes beyond the plate.
+class _Machine(Machine[Loops]):
+    """A bearing through tests in one direction."""
 
-    Raises
-    ------
-    InputError
-        If one does, or there is no such program.
-    """
-    if isinstance(program, (str, Path)):
-        program = load_program(program)
-    refuse_other(program, Program, "program", "a Program, the name of one or a file")
-    for test in program.tests:
-        check_stroke(test, system.bearing)
-    return program
-
-
-def loads_along(test: RigTest, travel: Travel, system: System) -> tuple[FloatArray, FloatArray]:
-    """Return the vertical force [N] at the ends of the pieces of a test, and the reference of the friction law at its pressure [-].
-
-    Raises
-    ------
-    InputError
-        If the pressure is out of any sensible range.
-    """
-    vertical = VerticalLoad((system.bearing.pressure,)) if test.load is None else test.load
-    load = vertical.at(travel.time, system.bearing)
-    levels, place = np.unique(load / system.bearing.slider_area, return_inverse=True)
-    known = [system.friction.at_pressure(float(level)).reference for level in levels]
-    return load, np.array(known)[place]
-
-
-class _Machine:
-    """A bearing through one story of tests."""
-
-    def __init__(self, story: Sequence[RigTest], system: System, tolerance: float, keep: Keep) -> None:
-        self.system, self.tolerance, self.keep = system, tolerance, keep
-        self.bearing, self.friction = system.bearing, system.friction
-        self.constants = system_constants(system)
+    def __init__(self, tests: Sequence[RigTest], system: System, tolerance: float, keep: Keep) -> None:
+        super().__init__(tests, system)
+        self.tolerance, self.keep = tolerance, keep
         self.machine = MachineConstants(
             self.bearing.slider_area, self.bearing.effective_radius, self.bearing.elastic_stiffness
         )
-        self.travels = {test.name: test.waveform.travel() for test in story}
-        duration = sum(float(travel.lengths.sum()) for travel in self.travels.values())
-        duration += sum(test.pause or 0.0 for test in story[1:])
-        self.plates: PlateHeat = cold_plates(
-            system,
-            reach=max((travel.largest for travel in self.travels.values()), default=0.0),
-            horizon=horizon_for(duration),
-        )
-        self.clock = 0.0
+        self.plates: PlateHeat = cold_plates(system, reach=self.reach, horizon=self.horizon)
 
     def run(self, test: RigTest) -> Loops:
-        """Run the next test of the story."""
-        travel = self.travels[test.name]
-        if test.load is not None:
-            travel = travel.cut_at(np.array(test.load.times))
+        """Run the next of the tests."""
+        travel = self.travel(test)
         heat = heat_of(self.plates, self.system)
         if self.clock > 0.0 and test.pause:
             self.pause(heat, test.pause)
@@ -192,7 +142,7 @@ class _Machine:
 
     def _path(self, test: RigTest, travel: Travel) -> tuple[Law, Records]:
         """Return the law at some pressure, and the path with load and reference of the law in each interval."""
-        load, reference = loads_along(test, travel, self.system)
+        load, reference = self.loads(test, travel)
         law = self.friction.at_pressure(float(load[0]) / self.bearing.slider_area)
         load_rate, reference_rate = (np.diff(values) / travel.lengths for values in (load, reference))
         columns = (travel.pieces, load[:-1], load_rate, reference[:-1], reference_rate)

@@ -8,7 +8,8 @@ import numpy as np
 from nicegui import ui
 
 from dcfp.analysis.rig import Loops, Program, RigTest, Sine, load_program, run_program
-from dcfp.analysis.rig.loops import CYCLES, cycles_of_tests
+from dcfp.analysis.rig.loops import CYCLES
+from dcfp.analysis.rig.virtual_test import rounds_of
 from dcfp.doors.app.analysis import table_of
 from dcfp.doors.app.charts import chart, line, points
 from dcfp.doors.app.elements import Chart, Grid, Options, Text
@@ -114,7 +115,7 @@ class MachineTab(Tab):
         scroll = {"type": "scroll", "left": 230}
         self._temperature.draw(chart(panels.of_tests(some, "temperature"), units, 300, legend=scroll))
         told = [replace(one, printed=one.printed or one.key in _ALSO) for one in CYCLES]
-        self._measures.show(Table(tuple(told), cycles_of_tests(some)), units)
+        self._measures.show(Table(tuple(told), rounds_of(some)), units)
         write_list(self._remarks, grouped(self._tests))
 
     def _choose_program(self, name: str) -> None:

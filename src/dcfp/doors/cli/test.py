@@ -8,8 +8,9 @@ from typing import TypeAlias
 from dcfp.analysis.integration import DEFAULT, NOTHING, PLATES
 from dcfp.analysis.result import Result
 from dcfp.analysis.rig import Loops, Measurement, Program, codes, load_program, read_measurement, run_program
-from dcfp.analysis.rig.loops import CYCLES, ToldCycle, cycle_objects, cycles_of_measurement, cycles_of_tests
+from dcfp.analysis.rig.loops import CYCLES, cycles_of_measurement
 from dcfp.analysis.rig.run import paper_models
+from dcfp.analysis.rig.virtual_test import ToldRound, VirtualTest, objects_of, rounds_of
 from dcfp.doors.cli import inputs
 from dcfp.doors.cli.console import Block, Page, grid, grouped, progress
 from dcfp.doors.cli.outputs import Answer, drawn
@@ -23,10 +24,10 @@ from dcfp.system.friction.constant import NOMINAL_COEFFICIENT
 
 Runs: TypeAlias = Mapping[str, Sequence[Loops]]
 #: A cycle with each model, or one that was measured.
-Row: TypeAlias = tuple[ToldCycle, ...]
+Row: TypeAlias = tuple[ToldRound, ...]
 
-#: Of a test with more cycles than this the first few and the last are shown.
-_MOST_CYCLES = 4
+#: Of a test with more cycles or laps than this the first few and the last are shown.
+_MOST_ROUNDS = 4
 #: What is shown of every model side by side.
 _SIDE_BY_SIDE = ("keff_kN_mm", "beta_eff", "energy_kN_m")
 _LEGEND = (
@@ -48,11 +49,11 @@ def run(chosen: argparse.Namespace) -> Answer:
         _refuse_without_checks(program)
     runs = _run(program, system, chosen)
     loops = [test for tests in runs.values() for test in tests]
-    told = cycles_of_tests(loops)
+    told = rounds_of(loops)
     for name, test in measured.items():
         told += cycles_of_measurement(name, test, loops[0].bearing)
     answer = Answer(
-        lambda: cycle_objects(told),
+        lambda: objects_of(told, CYCLES),
         lambda: _page(program, runs, measured),
         lambda part, kind: write_tests(part, loops, kind),
         drawn("plot_program", program, runs, measured),
@@ -121,22 +122,30 @@ def _run(program: Program, system: System, chosen: argparse.Namespace) -> Runs:
         }
 
 
-def _shown(cycles: Sequence[ToldCycle]) -> list[ToldCycle]:
-    return list(cycles) if len(cycles) <= _MOST_CYCLES else [*cycles[: _MOST_CYCLES - 1], cycles[-1]]
+def shown_of(rounds: Sequence[ToldRound]) -> list[ToldRound]:
+    """Return the cycles or laps of a test that are shown: where there are many, the first few and the last."""
+    return list(rounds) if len(rounds) <= _MOST_ROUNDS else [*rounds[: _MOST_ROUNDS - 1], rounds[-1]]
+
+
+def legend_of(words: str, tests: Sequence[VirtualTest]) -> str:
+    """Return what is said below the measures of tests, and whether any of them are left out."""
+    left_out = any(len(test.rounds) > _MOST_ROUNDS for test in tests)
+    return f"{words}{f'; {tests[0].round_name}s between the third and the last are left out' if left_out else ''}."
 
 
 def _page(program: Program, runs: Runs, measured: Mapping[str, Measurement]) -> Page:
     """Return the measures of every cycle, of several models side by side, those measured in reality below them."""
     rows: list[Row] = []
     for tests in zip(*runs.values(), strict=True):
-        rows += zip(*(_shown(cycles_of_tests([test])) for test in tests), strict=True)
+        rows += zip(*(shown_of(rounds_of([test])) for test in tests), strict=True)
         name = tests[0].test.name
         if name in measured:
-            rows += [(one,) for one in _shown(cycles_of_measurement(name, measured[name], tests[0].bearing))]
+            rows += [
+                (one,) for one in shown_of(cycles_of_measurement(name, measured[name], tests[0].bearing))
+            ]
     every = [test for tests in runs.values() for test in tests]
     if len(runs) == 1:
-        left_out = any(len(test.cycles) > _MOST_CYCLES for test in every)
-        legend = f"{_LEGEND}{'; cycles between the third and the last are left out' if left_out else ''}."
+        legend = legend_of(_LEGEND, every)
         table = Table(tuple(CYCLES), [row[0] for row in rows])
     else:
         first = next(iter(runs))
@@ -146,7 +155,7 @@ def _page(program: Program, runs: Runs, measured: Mapping[str, Measurement]) -> 
         table = Table(_side_by_side(list(runs)), rows)
     nominal = [remark for tests in runs.values() for remark in _nominal(program, tests)]
     return Page(
-        [head_lines(program, every[0], ", ".join(runs)), grid(table)], [legend, *nominal, *_remarks(every)]
+        [head_lines(program, every[0], ", ".join(runs)), grid(table)], [legend, *nominal, *remarks_of(every)]
     )
 
 
@@ -198,7 +207,7 @@ def _checked(program: Program, loops: Sequence[Loops], answer: Answer) -> Answer
             notes.append(
                 "An unconfirmed limit is from memory of the code, whose text could not be read; look it up before relying on it."
             )
-        return Page(blocks, [*notes, *_remarks(loops)])
+        return Page(blocks, [*notes, *remarks_of(loops)])
 
     document = {
         "heating": heating,
@@ -236,5 +245,6 @@ def _nominal(program: Program, loops: Sequence[Loops]) -> list[str]:
     ]
 
 
-def _remarks(loops: Sequence[Loops]) -> list[str]:
+def remarks_of(loops: Sequence[VirtualTest]) -> list[str]:
+    """Return the remarks of tests, each with the names of those that it is of."""
     return grouped((test.test.name, remark) for test in loops for remark in test.remarks)

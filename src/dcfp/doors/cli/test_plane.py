@@ -6,18 +6,17 @@ from dataclasses import replace
 
 from dcfp.analysis.integration import DEFAULT
 from dcfp.analysis.rig import PlaneLoops, Program, run_in_the_plane
-from dcfp.analysis.rig.plane_loops import LAPS, ToldLap, lap_objects, laps_of_tests
+from dcfp.analysis.rig.plane_loops import LAPS
 from dcfp.analysis.rig.run import paper_models
-from dcfp.doors.cli.console import Page, grid, grouped, progress
+from dcfp.analysis.rig.virtual_test import objects_of, rounds_of
+from dcfp.doors.cli.console import Page, grid, progress
 from dcfp.doors.cli.outputs import Answer, drawn
-from dcfp.doors.cli.test import head_lines
+from dcfp.doors.cli.test import head_lines, legend_of, remarks_of, shown_of
 from dcfp.errors import InputError
 from dcfp.present.tables import write_tests
 from dcfp.schema.table import Table
 from dcfp.system import PreciseHeating, System
 
-#: Of a test with more laps than this the first few and the last are shown.
-_MOST_LAPS = 4
 _LEGEND = (
     "d: largest displacement; F_max: largest resultant force; E: work over the lap; mu: E over the load and the path;"
     " T: contact at the end of the lap and at its hottest, and the hottest point of the plates so far"
@@ -41,27 +40,21 @@ def run(chosen: argparse.Namespace, program: Program, system: System) -> Answer:
     loops = [test for tests in runs for test in tests]
     side_by_side = [test for tests in zip(*runs, strict=True) for test in tests]
     return Answer(
-        lambda: lap_objects(laps_of_tests(loops)),
+        lambda: objects_of(rounds_of(loops), LAPS),
         lambda: _page(program, side_by_side, ", ".join(models), compared=len(models) > 1),
         lambda part, kind: write_tests(part, loops, kind),
         drawn("plane_tests.plot_plane_program", program, loops),
     )
 
 
-def _shown(laps: Sequence[ToldLap]) -> list[ToldLap]:
-    return list(laps) if len(laps) <= _MOST_LAPS else [*laps[: _MOST_LAPS - 1], laps[-1]]
-
-
 def _page(program: Program, loops: Sequence[PlaneLoops], heating: str, *, compared: bool) -> Page:
     """Return the measures of every lap; of several models below one another, with the name of each."""
-    laps = [lap for test in loops for lap in _shown(laps_of_tests([test]))]
+    laps = [lap for test in loops for lap in shown_of(rounds_of([test]))]
     columns = [
         replace(one, printed=True, head="Heating") if compared and one.key == "heating" else one
         for one in LAPS
     ]
-    left_out = any(len(test.laps) > _MOST_LAPS for test in loops)
-    legend = f"{_LEGEND}{'; laps between the third and the last are left out' if left_out else ''}."
-    remarks = grouped((test.test.name, remark) for test in loops for remark in test.remarks)
+    table = grid(Table(tuple(columns), laps))
     return Page(
-        [head_lines(program, loops[0], heating), grid(Table(tuple(columns), laps))], [legend, *remarks]
+        [head_lines(program, loops[0], heating), table], [legend_of(_LEGEND, loops), *remarks_of(loops)]
     )

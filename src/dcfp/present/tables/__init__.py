@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from dcfp.analysis.plane_response import PlaneResponse
     from dcfp.analysis.response import Response
-    from dcfp.analysis.rig import Loops, PlaneLoops
+    from dcfp.analysis.rig.virtual_test import VirtualTest
 
 REMARKS = Quantity("remarks", "what a reader must know", get="remarks", printed=False)
 
@@ -49,19 +49,15 @@ def write_responses(
     _write(path, kind, responses, group_names(responses), table, "analysis", alone=alone)
 
 
-def write_tests(path: Path, loops: "Sequence[Loops] | Sequence[PlaneLoops]", kind: str) -> None:
+def write_tests(path: Path, loops: "Sequence[VirtualTest]", kind: str) -> None:
     """Write virtual tests as ``".nc"`` or ``".csv"``: the histories of one, or the measures of every cycle or lap of several and in NetCDF a group for each."""
-    from dcfp.analysis.rig import Loops, PlaneLoops
-    from dcfp.analysis.rig.loops import CYCLES, cycles_of_tests
-    from dcfp.analysis.rig.plane_loops import LAPS, laps_of_tests
+    from dcfp.analysis.rig.virtual_test import rounds_of
 
-    words = "Measures of every {} of several virtual tests; the histories are in a group for each"
-    if all(isinstance(one, PlaneLoops) for one in loops):
-        told = laps_of_tests([one for one in loops if isinstance(one, PlaneLoops)])
-        table = Table(tuple(LAPS), told, words.format("lap"))
-    else:
-        cycles = cycles_of_tests([one for one in loops if isinstance(one, Loops)])
-        table = Table(tuple(CYCLES), cycles, words.format("cycle"))
+    table = Table(
+        tuple(loops[0].rounds_told),
+        rounds_of(loops),
+        f"Measures of every {loops[0].round_name} of several virtual tests; the histories are in a group for each",
+    )
     names = _different(
         [[one.test.name, f"{one.test.name}_{one.friction_law.name}_{one.heating.name}"] for one in loops]
     )
