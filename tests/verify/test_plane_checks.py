@@ -10,7 +10,7 @@ from dcfp import LI_2020, ConstantFriction, GroundMotion, PreciseHeating, Simpli
 from dcfp.system import NoHeating
 from dcfp.verify import plane_explicit
 from dcfp.verify.plane import CIRCLES
-from dcfp.verify.plane_explicit import Story, integrate, on_a_grid, overlaps
+from dcfp.verify.plane_explicit import Outcome, integrate, on_a_grid, overlaps
 
 CONSTANT = np.array([0.043, 0.0, 0.0, 0.0, 0.0, 1.0])
 
@@ -34,11 +34,11 @@ def turning(seconds: float, turn: float = 1.0) -> Station:
 )
 def test_plain_python_and_the_analysis_agree_in_a_second(heating) -> None:
     motion = turning(1.0)
-    story = integrate(motion, LI_2020, plane_explicit.li_2020_constants(60.0), heating)
+    outcome = integrate(motion, LI_2020, plane_explicit.li_2020_constants(60.0), heating)
     response = respond(motion, LI_2020, "li2020", heating, tail=0.0)
     assert response.peak_displacement > 50.0
-    assert story.peak == pytest.approx(response.peak_displacement, rel=2e-3)
-    assert story.temperature.max() == pytest.approx(response.peak_temperature, abs=0.3)
+    assert outcome.peak == pytest.approx(response.peak_displacement, rel=2e-3)
+    assert outcome.temperature.max() == pytest.approx(response.peak_temperature, abs=0.3)
 
 
 @pytest.mark.usefixtures("plain")
@@ -57,9 +57,9 @@ def test_two_directions_are_turned_and_not_each_for_itself() -> None:
 @pytest.mark.slow
 def test_brute_force_follows_the_steady_circle() -> None:
     exact = CIRCLES["A 1500 mm/s2, T 2 s, mu 0.043"]
-    story = integrate(exact.response().motion, LI_2020, CONSTANT, NoHeating())
-    turn = round(exact.period / story.step)
-    assert np.hypot(*story.displacement[-turn:].T) == pytest.approx(exact.radius, rel=1e-4)
+    outcome = integrate(exact.response().motion, LI_2020, CONSTANT, NoHeating())
+    turn = round(exact.period / outcome.step)
+    assert np.hypot(*outcome.displacement[-turn:].T) == pytest.approx(exact.radius, rel=1e-4)
 
 
 def test_the_overlap_of_discs_is_that_of_many_points() -> None:
@@ -80,14 +80,14 @@ def test_a_grid_heats_as_a_constant_flux_does() -> None:
     factor = math.sqrt(heating.diffusivity / math.pi) / heating.conductivity
     places = np.zeros((40, 2))
     hottest, mean = on_a_grid(
-        Story(0.0, places, np.full(40, flux), places[:, 0], step), LI_2020, heating, 80.0
+        Outcome(0.0, places, np.full(40, flux), places[:, 0], step), LI_2020, heating, 80.0
     )
     assert hottest == pytest.approx(20.0 + 2.0 * flux * factor * math.sqrt(1.0), rel=1e-3)
     assert mean == pytest.approx(hottest, rel=1e-3)
     # the slider jumps away when it is half over: the other place begins cold
     places[20:, 0] = 2000.0
     hottest, mean = on_a_grid(
-        Story(0.0, places, np.full(40, flux), places[:, 0], step), LI_2020, heating, 200.0
+        Outcome(0.0, places, np.full(40, flux), places[:, 0], step), LI_2020, heating, 200.0
     )
     assert hottest == pytest.approx(20.0 + 2.0 * flux * factor * math.sqrt(0.5), rel=1e-3)
     assert mean == pytest.approx(hottest, rel=1e-3)

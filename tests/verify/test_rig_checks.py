@@ -21,11 +21,11 @@ def test_a_finer_sine_is_the_same_sine() -> None:
 
 
 def test_brute_force_is_a_coulomb_loop_under_constant_friction() -> None:
-    story = integrate(sine(200.0, 400.0, 2, 4000), LI_2020, CONSTANT, SimplifiedHeating())
+    outcome = integrate(sine(200.0, 400.0, 2, 4000), LI_2020, CONSTANT, SimplifiedHeating())
     slip = 0.043 * LI_2020.vertical_force
-    assert np.abs(story.force[[2000, 4000, 6000]]) == pytest.approx(slip, rel=1e-12)
+    assert np.abs(outcome.force[[2000, 4000, 6000]]) == pytest.approx(slip, rel=1e-12)
     area = 4.0 * slip * (200.0 - slip / LI_2020.elastic_stiffness)
-    assert story.work[8000] - story.work[4000] == pytest.approx(area, rel=1e-5)
+    assert outcome.work[8000] - outcome.work[4000] == pytest.approx(area, rel=1e-5)
 
 
 def steady_slide(distance: float, steps: int, time: float) -> Path:
@@ -37,17 +37,17 @@ def test_brute_force_heats_as_a_constant_flux_does() -> None:
     """2 q sqrt(D t / pi) / k, Carslaw and Jaeger (1959), section 2.9, where the slider stays over the point."""
     stiff = LI_2020.unchecked(elastic_stiffness=1e15)
     heating = SimplifiedHeating()
-    story = integrate(steady_slide(100.0, 1000, 1.0), stiff, CONSTANT, heating)
+    outcome = integrate(steady_slide(100.0, 1000, 1.0), stiff, CONSTANT, heating)
     flux = 0.5 * 0.043 * 60.0 * 100.0
     rise = 2.0 * flux * np.sqrt(heating.diffusivity * 1.0 / np.pi) / heating.conductivity
-    assert story.temperature[-1] - 20.0 == pytest.approx(rise, rel=1e-12)
+    assert outcome.temperature[-1] - 20.0 == pytest.approx(rise, rel=1e-12)
 
 
 def test_the_overlap_is_the_mean_of_many_points() -> None:
     """The precise model at once against points one by one."""
     heating = PreciseHeating()
     path = sine(400.0, 600.0, 1, 400)
-    story = integrate(path, LI_2020.unchecked(elastic_stiffness=1e15), CONSTANT, heating)
+    outcome = integrate(path, LI_2020.unchecked(elastic_stiffness=1e15), CONSTANT, heating)
     middle = 0.25 * (path.displacement[1:] + path.displacement[:-1])
     flux = 0.5 * 0.043 * 60.0 * np.abs(np.diff(path.displacement)) / path.step
     last = 250
@@ -56,13 +56,13 @@ def test_the_overlap_is_the_mean_of_many_points() -> None:
     covered = np.abs(points[:, np.newaxis] - middle[np.newaxis, :last]) <= half
     ago = np.sqrt(path.step * (last - np.arange(last + 1)))
     rises = heating.rise_factor * (covered @ (2.0 * (ago[:-1] - ago[1:]) * flux[:last]))
-    assert story.temperature[last] - 20.0 == pytest.approx(rises.mean(), rel=1e-4)
+    assert outcome.temperature[last] - 20.0 == pytest.approx(rises.mean(), rel=1e-4)
 
 
 def test_a_rest_is_left_out_only_where_nothing_is_asked() -> None:
     path = sine(50.0, 100.0, 1, 200)
     doubled = twice(path, 100)
-    story = integrate(doubled, LI_2020, CONSTANT, SimplifiedHeating())
+    outcome = integrate(doubled, LI_2020, CONSTANT, SimplifiedHeating())
     assert doubled.displacement.size == 2 * 200 + 100 + 1
-    assert story.temperature[300] < story.temperature[200]
-    assert story.work[300] == story.work[200]
+    assert outcome.temperature[300] < outcome.temperature[200]
+    assert outcome.work[300] == outcome.work[200]

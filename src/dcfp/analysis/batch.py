@@ -18,7 +18,7 @@ from dcfp.kernels.integrate import BATCH_RECORD, BATCH_RUN, BATCH_SYSTEM, TEMPER
 from dcfp.kernels.motion import AT_REST, DONE, OUT_OF_CELLS
 from dcfp.kernels.sum_of_exponentials import MODES
 from dcfp.motion.ground_motion import LONGEST_TAIL, GroundMotion, parts_in, refined
-from dcfp.motion.station import Station
+from dcfp.motion.station import Station, stations_of
 from dcfp.system import System
 from dcfp.system.plates import (
     cell_width,
@@ -52,10 +52,10 @@ class GroundSet:
         Raises
         ------
         InputError
-            If some are stations and others single components.
+            If some are stations and others single components, or a station lacks the vertical component where it is needed.
         """
-        if any(isinstance(one, Station) for one in motions):
-            return StationSet.of(motions, integration, vertical=vertical)
+        if stations := stations_of(motions):
+            return StationSet(stations, integration, vertical)
         tail, step = integration.tail, integration.step
         records = np.zeros(len(motions), BATCH_RECORD)
         accelerations: list[FloatArray] = []

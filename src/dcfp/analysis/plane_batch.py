@@ -11,8 +11,7 @@ from dcfp.analysis.integration import DEFAULT, Integration
 from dcfp.analysis.lanes import Lanes
 from dcfp.analysis.plane_history import analyse_plane
 from dcfp.analysis.response import FAILED, NUMBERS
-from dcfp.errors import AnalysisError, InputError
-from dcfp.motion.ground_motion import GroundMotion
+from dcfp.errors import AnalysisError
 from dcfp.motion.station import Station
 
 #: What is told of each lane, by the names of a `PlaneResponse`.
@@ -31,30 +30,10 @@ class StationSet:
     integration: Integration = DEFAULT
     vertical: bool = False
 
-    @classmethod
-    def of(
-        cls,
-        records: Sequence[Station | GroundMotion],
-        integration: Integration = DEFAULT,
-        *,
-        vertical: bool = False,
-    ) -> "StationSet":
-        """Return the set of some stations.
-
-        Raises
-        ------
-        InputError
-            If there is a single component among them, or a station lacks the vertical one where it is needed.
-        """
-        stations: list[Station] = []
-        for one in records:
-            if not isinstance(one, Station):
-                msg = f"{one.name} is a single component, and others are stations; give only stations, or only single components."
-                raise InputError(msg)
-            if vertical:
-                one.require_vertical()
-            stations.append(one)
-        return cls(stations, integration, vertical)
+    def __post_init__(self) -> None:
+        """Refuse a station that lacks the vertical component where it is needed."""
+        for one in self.stations if self.vertical else ():
+            one.require_vertical()
 
     @cached_property
     def steps(self) -> "np.ndarray[tuple[int], np.dtype[np.int64]]":

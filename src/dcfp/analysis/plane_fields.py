@@ -19,7 +19,7 @@ from dcfp.system.fields import PlaneHeat
 if TYPE_CHECKING:
     import xarray
 
-#: Most moments at which the plates are kept unless it is said after how many samples: each is a picture.
+#: Most moments at which the plates are kept, besides the hottest and the last, unless it is said after how many samples: each is a picture.
 _MOST = 60
 #: Dimensions of the temperature of the plates in a data set.
 _DIMENSIONS = ("profile_time", "plate", "plate_y", "plate_x")

@@ -80,7 +80,7 @@ class Station:
 
     @property
     def origin(self) -> Origin:
-        """Where the motion came from: what the two horizontal components have in common, and their names."""
+        """Where the motion came from: what is said of x, with the names of all components and the sources of the horizontal ones."""
         one, other = self.x.origin, self.y.origin
         component = " + ".join(motion.origin.component or motion.name for motion in self.components)
         source = one.source if one.source == other.source else f"{one.source} + {other.source}"

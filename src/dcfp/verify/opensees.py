@@ -192,7 +192,7 @@ def coulomb_in_plane(station: str) -> Found:
 
 
 @cache
-def _twin_in_plane(station: str) -> plane_explicit.Story:
+def _twin_in_plane(station: str) -> plane_explicit.Outcome:
     """Return an integration in the plane that heats as OpenSees does."""
     law = np.array(KUMAR.at_pressure(SINGLE_CONCAVE.pressure)[1:])  # without its form
     return plane_explicit.integrate(
@@ -222,7 +222,7 @@ def _through(test: str, steps_per_cycle: int) -> dict[str, Any]:
 
 
 @cache
-def _story(test: str) -> rig_explicit.Story:
+def _outcome(test: str) -> rig_explicit.Outcome:
     """Return the test by an integration that heats as OpenSees does."""
     _, amplitude, peak_velocity, cycles = SINES[test]
     law = np.array(KUMAR.at_pressure(SINGLE_CONCAVE.pressure)[1:])  # without its form
@@ -244,7 +244,7 @@ def _limit(coarse: FloatArray, fine: FloatArray) -> FloatArray:
 def rig_temperature(test: str) -> Found:
     """Return the peak temperature of an integration that heats as OpenSees does, and that of OpenSees [degC]."""
     coarse, fine = (np.array([max(_through(test, steps)["temperature"])]) for steps in _STEPS_IN_CYCLE)
-    theirs, twin = float(_limit(coarse, fine)[0]), float(_story(test).temperature.max())
+    theirs, twin = float(_limit(coarse, fine)[0]), float(_outcome(test).temperature.max())
     words = {
         "runs": f"{coarse[0]:.2f} and {fine[0]:.2f}",
         "theirs": theirs,
@@ -262,7 +262,7 @@ def rig_friction(test: str) -> Found:
         for steps in _STEPS_IN_CYCLE
     )
     theirs = _limit(coarse, fine)
-    twin = np.abs(_story(test).force[_FINE // 2 :: _FINE // 2]) / load
+    twin = np.abs(_outcome(test).force[_FINE // 2 :: _FINE // 2]) / load
     ours = _on_machine(test)
     half = (ours.time.size - 1) // (2 * cycles)
     machine = np.abs(ours.force[half::half]) / load

@@ -39,7 +39,7 @@ _LOOKED_AT, _FINER, _NEAR = 30, 5, 4
 
 
 @dataclass(frozen=True)
-class Story:
+class Outcome:
     """What a ground motion brings.
 
     Attributes
@@ -71,7 +71,7 @@ def integrate(
     *,
     speed_factor: float = 1.0,
     heats_while_sticking: bool = False,
-) -> Story:
+) -> Outcome:
     """Shake a bearing with one plate, or two equal ones, from rest under its own vertical force.
 
     The coefficient is m (1 - d exp(-r s |v|)) (A exp(-B T) + C), in which `law` holds m, d, r, A, B, C and `speed_factor` is s.
@@ -97,7 +97,7 @@ def integrate(
         math.inf if precise else bearing.contact_half_side / share,
         heats_while_sticking,
     )  # fmt: skip
-    return Story(peak, np.column_stack((x, y)), flux, temperature, step)
+    return Outcome(peak, np.column_stack((x, y)), flux, temperature, step)
 
 
 def overlaps() -> FloatArray:
@@ -203,27 +203,27 @@ _march: Any = numba.njit(_march_plainly)
 
 
 def on_a_grid(
-    story: Story, bearing: Bearing, heating: Heating, spacing: float = SPACING
+    outcome: Outcome, bearing: Bearing, heating: Heating, spacing: float = SPACING
 ) -> tuple[float, float]:
-    """Return the highest temperature of a point of a plate, and the highest mean of the covered points of the grid [degC], along a story.
+    """Return the highest temperature of a point of a plate, and the highest mean of the covered points of the grid [degC], along an `outcome`.
 
     Between the points of the grid it is looked for where they are hottest, by direct convolution.
     """
     share, radius = bearing.shares[0], 0.5 * bearing.slider_diameter
-    places = share * story.displacement
+    places = share * outcome.displacement
     furthest = radius + float(np.hypot(*places.T).max())
     axis = spacing * np.arange(-math.ceil(furthest / spacing), math.ceil(furthest / spacing) + 1)
     points = np.array([(x, y) for x in axis for y in axis if math.hypot(x, y) <= furthest])
     roots = np.exp(np.arange(_LOWEST, _HIGHEST, _BETWEEN))
     rates, factor = roots**2, _rise_per_flux(heating)
-    fade = np.exp(-rates * story.step)
+    fade = np.exp(-rates * outcome.step)
     gain = factor * 2.0 / math.sqrt(math.pi) * _BETWEEN * roots * (1.0 - fade) / rates
-    rises, when, mean = _heat_points(places, story.flux, points, radius, fade, gain)
+    rises, when, mean = _heat_points(places, outcome.flux, points, radius, fade, gain)
     hot = np.argsort(rises)[-_LOOKED_AT:]
     finer = spacing * np.linspace(-0.5, 0.5, _FINER)
-    root = np.sqrt(story.step * np.arange(story.flux.size + 1.0))
+    root = np.sqrt(outcome.step * np.arange(outcome.flux.size + 1.0))
     weights = 2.0 * factor * (root[1:] - root[:-1])
-    hottest = _hottest_near(places, story.flux, weights, points[hot], when[hot], radius, finer)
+    hottest = _hottest_near(places, outcome.flux, weights, points[hot], when[hot], radius, finer)
     return heating.ambient + max(float(rises.max()), hottest), heating.ambient + mean
 
 
@@ -293,30 +293,30 @@ _MODELS: dict[str, Heating] = {"simplified": SimplifiedHeating(), "precise": Pre
 
 
 @cache
-def _both(station: str, pgv: float, heating: str) -> tuple[PlaneResponse, Story]:
+def _both(station: str, pgv: float, heating: str) -> tuple[PlaneResponse, Outcome]:
     """Return a station at a PGV [m/s] by an analysis with the default settings, and by brute force."""
     motion, model = scaled_station(station, 1e3 * pgv), _MODELS[heating]
-    story = integrate(motion, LI_2020, li_2020_constants(LI_2020.pressure), model)
-    return respond(motion, LI_2020, Li2020(), model, tail=0.0), story
+    outcome = integrate(motion, LI_2020, li_2020_constants(LI_2020.pressure), model)
+    return respond(motion, LI_2020, Li2020(), model, tail=0.0), outcome
 
 
 def displacement(station: str, pgv: float, heating: str) -> Found:
     """Return the peak displacement of the analysis and by brute force [mm]."""
-    response, story = _both(station, pgv, heating)
-    words = {"step": 1e6 * STEP, "heat_step": 1e3 * story.step}
-    return Found(response.peak_displacement, story.peak, words=words)
+    response, outcome = _both(station, pgv, heating)
+    words = {"step": 1e6 * STEP, "heat_step": 1e3 * outcome.step}
+    return Found(response.peak_displacement, outcome.peak, words=words)
 
 
 def temperature(station: str, pgv: float, heating: str) -> Found:
     """Return the highest temperature of the contact by the analysis and by brute force [degC]."""
-    response, story = _both(station, pgv, heating)
-    words = {"step": 1e6 * STEP, "heat_step": 1e3 * story.step}
-    return Found(response.peak_temperature, float(story.temperature.max()), words=words)
+    response, outcome = _both(station, pgv, heating)
+    words = {"step": 1e6 * STEP, "heat_step": 1e3 * outcome.step}
+    return Found(response.peak_temperature, float(outcome.temperature.max()), words=words)
 
 
 def point_temperature(station: str, pgv: float) -> Found:
     """Return the highest temperature of a point of a plate by the analysis and by brute force [degC]."""
-    response, story = _both(station, pgv, "precise")
-    hottest, mean = on_a_grid(story, LI_2020, response.heating)
-    words = {"spacing": SPACING, "mean": mean, "lens": float(story.temperature.max())}
+    response, outcome = _both(station, pgv, "precise")
+    hottest, mean = on_a_grid(outcome, LI_2020, response.heating)
+    words = {"spacing": SPACING, "mean": mean, "lens": float(outcome.temperature.max())}
     return Found(response.peak_point_temperature, hottest, words=words)

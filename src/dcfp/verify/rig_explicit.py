@@ -35,7 +35,7 @@ class Path:
 
 
 @dataclass(frozen=True)
-class Story:
+class Outcome:
     """What a path brings at each of its points: temperature of the contact [degC] (during a rest only at its end), horizontal force [N], work of the machine [N mm]."""
 
     temperature: FloatArray
@@ -72,7 +72,7 @@ def integrate(
     *,
     speed_factor: float = 1.0,
     heats_while_sticking: bool = False,
-) -> Story:
+) -> Outcome:
     """Take a bearing with one plate, or two equal ones, along a path under its own vertical force.
 
     The coefficient is m (1 - d exp(-r s |v|)) (A exp(-B T) + C), in which `law` holds m, d, r, A, B, C and `speed_factor` is s.
@@ -92,7 +92,7 @@ def integrate(
         isinstance(heating, PreciseHeating),
         heats_while_sticking,
     )
-    return Story(temperature, force, work)
+    return Outcome(temperature, force, work)
 
 
 def _summed_plainly(
@@ -175,7 +175,7 @@ _MODELS: dict[str, SimplifiedHeating | PreciseHeating] = {
 
 
 @cache
-def _story(test: str, heating: str) -> tuple[Story, dict[str, float]]:
+def _outcome(test: str, heating: str) -> tuple[Outcome, dict[str, float]]:
     """Return a test by the brute-force integration, and the words for its step [ms]."""
     _, amplitude, peak_velocity, cycles = SINES[test]
     path = sine(amplitude, peak_velocity, cycles, _SAMPLES * _PARTS[test])
@@ -184,8 +184,8 @@ def _story(test: str, heating: str) -> tuple[Story, dict[str, float]]:
 
 def temperature(test: str, heating: str) -> Found:
     """Return the largest difference of the temperature [degC]."""
-    story, words = _story(test, heating)
-    direct = story.temperature[:: _PARTS[test]]
+    outcome, words = _outcome(test, heating)
+    direct = outcome.temperature[:: _PARTS[test]]
     loops = run_named(test, heating)
     peak = float(direct.max())
     words = words | {"samples": direct.size, "peak": peak, "peaks": float(loops.temperature.max()) - peak}
@@ -194,17 +194,17 @@ def temperature(test: str, heating: str) -> Found:
 
 def friction(test: str, heating: str) -> Found:
     """Return the largest relative difference of the force at zero displacement [-]."""
-    story, words = _story(test, heating)
+    outcome, words = _outcome(test, heating)
     half = _SAMPLES // 2
-    direct = np.abs(story.force[:: half * _PARTS[test]][1:])
+    direct = np.abs(outcome.force[:: half * _PARTS[test]][1:])
     computed = np.abs(run_named(test, heating).force[::half][1:])
     return Found(worst_of(computed / direct - 1.0), 0.0, words=words | {"samples": direct.size})
 
 
 def energy(test: str, heating: str) -> Found:
     """Return the largest relative difference of the energy of a cycle [-]."""
-    story, words = _story(test, heating)
-    direct = np.diff(story.work[:: _SAMPLES * _PARTS[test]])
+    outcome, words = _outcome(test, heating)
+    direct = np.diff(outcome.work[:: _SAMPLES * _PARTS[test]])
     computed = of_each_cycle(run_named(test, heating), "energy")
     return Found(worst_of(computed / direct - 1.0), 0.0, words=words | {"samples": direct.size})
 
@@ -224,10 +224,10 @@ def pause(heating: str) -> Found:
     path = sine(amplitude, peak_velocity, cycles, _SAMPLES * _PAUSED_PARTS)
     moving = path.displacement.size - 1
     rest = _PERIODS_OF_REST * _SAMPLES * _PAUSED_PARTS
-    story = integrate(twice(path, rest), LI_2020, li_2020_constants(60.0), _MODELS[heating])
+    outcome = integrate(twice(path, rest), LI_2020, li_2020_constants(60.0), _MODELS[heating])
     first, second = _in_turn(Sine(amplitude, peak_velocity, cycles), rest * path.step, heating)
-    before = first.temperature - story.temperature[: moving + 1 : _PAUSED_PARTS]
-    after = second.temperature - story.temperature[moving + rest :: _PAUSED_PARTS]
+    before = first.temperature - outcome.temperature[: moving + 1 : _PAUSED_PARTS]
+    after = second.temperature - outcome.temperature[moving + rest :: _PAUSED_PARTS]
     gap = worst_of(np.concatenate((before[_SUDDEN:], after[:1], after[_SUDDEN:])))
     words = {
         "rest": rest * path.step,

@@ -50,5 +50,5 @@ def test_a_lane_that_fails_leaves_the_others() -> None:
 
 
 def test_a_single_component_among_stations_is_refused() -> None:
-    with pytest.raises(InputError, match="NCC is a single component, and others are stations"):
+    with pytest.raises(InputError, match="only stations, or only single components"):
         GroundSet.of([dcfp.load_station("P695-FF-2"), dcfp.load_motion("NCC")])

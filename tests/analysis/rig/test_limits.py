@@ -269,7 +269,7 @@ def test_a_load_that_grows_at_rest_changes_nothing() -> None:
 # ----- sequences -----
 
 
-def story(pause: float, heating: Heating) -> tuple[Loops, ...]:
+def sequence(pause: float, heating: Heating) -> tuple[Loops, ...]:
     tests = (
         RigTest("a", Sine(200.0, 400.0, 2), LOAD),
         RigTest("b", Sine(200.0, 400.0, 2), LOAD, pause=pause),
@@ -279,7 +279,7 @@ def story(pause: float, heating: Heating) -> tuple[Loops, ...]:
 
 @pytest.mark.parametrize("heating", [SimplifiedHeating(), PreciseHeating()])
 def test_the_plates_cool_in_a_pause(heating: Heating) -> None:
-    starts = [float(story(pause, heating)[1].temperature[0]) for pause in (0.0, 10.0, 100.0, 1000.0)]
+    starts = [float(sequence(pause, heating)[1].temperature[0]) for pause in (0.0, 10.0, 100.0, 1000.0)]
     assert starts == sorted(starts, reverse=True)
     assert starts[0] > 80.0
     assert starts[-1] < 30.0
@@ -290,7 +290,7 @@ def test_the_plates_cool_in_a_pause(heating: Heating) -> None:
 @pytest.mark.parametrize("pause", [60.0, 600.0, 3600.0])
 @pytest.mark.parametrize("heating", [SimplifiedHeating(), PreciseHeating()])
 def test_a_pause_changes_nothing_before_it(heating: Heating, pause: float) -> None:
-    there, alone = story(pause, heating)[0], run_one(Sine(200.0, 400.0, 2), Li2020(), heating)
+    there, alone = sequence(pause, heating)[0], run_one(Sine(200.0, 400.0, 2), Li2020(), heating)
     for one, other in zip(there.cycles, alone.cycles, strict=True):
         assert one.energy == pytest.approx(other.energy, rel=1e-4)
         assert one.friction == pytest.approx(other.friction, rel=1e-4)
