@@ -15,10 +15,11 @@ def response():
 
 def test_the_hottest_moment_with_the_slider_and_its_hottest_point(response) -> None:
     axes, fields = plot_field(response), response.fields
-    (mesh,) = axes.collections
+    mesh, levels = axes.collections
     np.testing.assert_allclose(
         mesh.get_array().reshape(fields.y.size, -1), fields.temperature[fields.hottest, 0]
     )
+    assert 20.0 < min(levels.levels) < max(levels.levels) < fields.temperature.max()
     path, rim, dot = (np.column_stack(line.get_data()) for line in axes.lines)
     sample = int(np.abs(response.time - fields.time[fields.hottest]).argmin())
     np.testing.assert_allclose(path[-1], 0.5 * response.displacement_vectors[sample])
@@ -30,7 +31,7 @@ def test_the_hottest_moment_with_the_slider_and_its_hottest_point(response) -> N
     words = [one.get_text() for one in axes.texts]
     assert f"{fields.temperature.max():.0f} °C" in words
     assert axes.get_aspect() == 1.0
-    assert axes.get_xlabel() == "$x$ on the plate [mm]"
+    assert axes.get_xlabel() == "direction x, on the plate [mm]"
 
 
 def test_any_moment_that_was_kept(response) -> None:

@@ -154,6 +154,16 @@ def test_names_with_odd_characters_are_drawn(response: Response, tmp_path: Path)
     save_figure(plot_response(odd), tmp_path / "a.png")
     save_figure(plot_overview([odd, odd]), tmp_path / "b.png")
     assert drawable("abc \U0010fffd d") == "abc d"
+    assert drawable("a name too long", 9) == "a name t…"
+
+
+def test_of_a_joined_name_what_is_alike_stands_once_and_the_ends_stay() -> None:
+    name = "AOM0031801241951 E-W+AOM0031801241951 N-S"
+    assert drawable(name, 50) == drawable(name) == name
+    assert drawable(name, 30) == "AOM0031801241951 E-W+N-S"
+    assert drawable(name, 16) == "AOM00318…E-W+N-S"
+    assert drawable("KNA+P695-FF-7-b", 11) == "KNA+P…F-7-b"
+    assert drawable("east.AT2+eastern.AT2", 15) == "east.AT…ern.AT2"
 
 
 def test_an_overview_is_a_table_of_records_and_velocities() -> None:

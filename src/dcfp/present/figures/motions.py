@@ -132,7 +132,7 @@ def plot_spectra(spectra: "Sequence[EnergySpectrum]", velocities: "Sequence[floa
     axes: Any = figure.subplots(1, 3)
     every = [_values(one) for one in spectra]
     for place, (one, pgv) in enumerate(zip(spectra, velocities, strict=True)):
-        label = None if many else f"{style.drawable(one.name)}, {metres_per_second(pgv)}"
+        label = None if many else f"{style.drawable(one.name, 30)}, {metres_per_second(pgv)}"
         colour, width = (style.GREY, 0.3) if many else (_COLOURS[place], 0.9)
         for panel, values in zip(axes, every[place], strict=True):
             style.draw_line(panel, one.periods, values, colour, width, label=label)

@@ -4,12 +4,13 @@ import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection
 from matplotlib.colors import Normalize
 
 from dcfp.present.figures import style
 from dcfp.present.figures.drawing import between_equal_limits, draw_cross
-from dcfp.present.figures.plane_field import plot_field
+from dcfp.present.figures.plane_field import heat_scale, plot_field
 from dcfp.schema.formulas import metres_per_second, millimetres
 from dcfp.schema.quantities import Quantity, quantity
 
@@ -25,11 +26,14 @@ if TYPE_CHECKING:
 
 #: Points of a circle.
 _CIRCLE = np.linspace(0.0, 2.0 * math.pi, 181)
+#: Parts of the friction's work between which a force is in colour.
+_STRONG = (0.05, 0.95)
 
 
 @style.styled
 def plot_orbit(
-    response: "PlaneResponse | PlaneLoops", axes: "Axes | None" = None, *, of: str = "displacement", norm: Normalize | None = None, colour_bar: bool = True
+    response: "PlaneResponse | PlaneLoops", axes: "Axes | None" = None, *, of: str = "displacement", between: tuple[float, float] = (0.0, 1.0),
+    norm: Normalize | None = None, colour_bar: bool = True,
 ) -> "Axes":  # fmt: skip
     """Draw the path of the isolation layer in the plane, coloured by the temperature of the contact, or by the time where nothing heats up.
 
@@ -41,6 +45,8 @@ def plot_orbit(
         Where to draw; by default on a new figure.
     of
         ``"displacement"``, or ``"force"`` for the path of the horizontal force.
+    between
+        Parts of the friction's work [-] between which the path is in colour; it is pale before and after, where a force hardly slides and would fill its circle.
     norm
         Range of the colours, when several figures share one.
     colour_bar
@@ -52,16 +58,21 @@ def plot_orbit(
     path = np.column_stack([one.display(one.of(response)) for one in (x, y)])[:last]
     shows = "temperature" if np.ptp(response.temperature) > 0.0 else "time"
     values: FloatArray = getattr(response, shows)[:last]
+    work = response.histories["hysteretic_energy"].of(response)[:last]
+    shown = (work >= between[0] * work[-1]) & (work <= between[1] * work[-1])
     drawn = LineCollection(
-        list(np.stack((path[:-1], path[1:]), axis=1)),
-        array=0.5 * (values[:-1] + values[1:]),
+        list(np.stack((path[:-1], path[1:]), axis=1)[shown[:-1]]),
+        array=0.5 * (values[:-1] + values[1:])[shown[:-1]],
         cmap=style.colours_of(shows),
-        norm=norm or Normalize(float(values.min()), float(values.max())),
-        linewidths=0.8,
+        norm=(norm if shows == "temperature" else None)
+        or Normalize(float(values.min()), float(values.max())),
+        linewidths=min(0.8, max(0.3, 40.0 / math.sqrt(max(shown.sum(), 1)))),
         capstyle="round",
         rasterized=len(path) > 6000,
     )
     draw_cross(axes)
+    if not shown.all():
+        style.draw_line(axes, path[:, 0], path[:, 1], style.COLOURS["silver"], 0.25, zorder=1.0)
     axes.add_collection(drawn)
     reach = 1.08 * max(float(np.abs(path).max()), 1e-6)
     capacity = response.bearing.displacement_capacity
@@ -86,7 +97,7 @@ def plot_orbit(
     axes.set_xlim(-reach, reach)
     axes.set_ylim(-reach, reach)
     axes.set_aspect("equal")
-    style.label_axes(axes, x.label, y.label, 5, 5)
+    style.label_axes(axes, f"direction x,  {x.label}", f"direction y,  {y.label}", 5, 5)
     if colour_bar:
         style.colour_bar_beside(axes, drawn, quantity(shows).label)
     return axes
@@ -106,10 +117,12 @@ def plot_plane_response(response: "PlaneResponse") -> "Figure":
     sides: Any = figure.subfigures(1, 2, width_ratios=(1.0, 1.15), wspace=0.04)
     left, right = sides
     upper, lower, *third = left.subplots(3 if has_field else 2, 1)
-    plot_orbit(response, upper)
-    plot_orbit(response, lower, of="force", colour_bar=False)
+    norm = heat_scale([response])
+    plot_orbit(response, upper, norm=norm)
+    plot_orbit(response, lower, of="force", between=_STRONG, norm=norm, colour_bar=False)
+    lower.set_title("in colour: 5 to 95 % of the friction's work", fontsize="small", loc="left")
     if third:
-        plot_field(response, axes=third[0])
+        plot_field(response, axes=third[0], norm=norm)
     axes: Any = right.subplots(5, 1, sharex=True, height_ratios=(1.0, 1.4, 1.0, 1.0, 1.0))
     quantities, known = response.histories, response.time
     draw_directions(axes[0], response, "ground_velocity")
@@ -144,8 +157,11 @@ def draw_directions(axes: "Axes", response: "PlaneResponse | PlaneLoops", name: 
     """Draw both components of a history, with the same room to either side."""
     entries: list[Quantity] = [response.histories[f"{name}_{direction}"] for direction in ("x", "y")]
     drawn = [entry.display(entry.of(response)) for entry in entries]
-    for direction, values, colour in zip(("x", "y"), drawn, (style.BLUE, style.OCHRE), strict=True):
-        style.draw_line(axes, response.time, values, colour, 0.6, label=f"direction {direction}")
+    for direction, entry, values, colour in zip(
+        ("x", "y"), entries, drawn, (style.BLUE, style.OCHRE), strict=True
+    ):
+        label = f"direction {direction}, ${entry.symbol}$"
+        style.draw_line(axes, response.time, values, colour, 0.6, label=label)
     between_equal_limits(axes, *drawn)
     entry = quantity(name)
     axes.set_ylabel(entry.label)
@@ -159,20 +175,27 @@ def _head(response: "PlaneResponse") -> str:
 
 @style.styled
 def plot_orbits(responses: "Sequence[PlaneResponse]") -> "Figure":
-    """Draw the orbits of several analyses side by side, with one scale of colours."""
+    """Draw the orbits of several analyses side by side, with one scale of colours where anything heats up."""
     columns = min(4, len(responses))
     rows = math.ceil(len(responses) / columns)
     figure = style.new_figure(0.4 + 1.9 * rows)
     axes: Any = figure.subplots(rows, columns, squeeze=False)
-    hottest = max(float(one.temperature.max()) for one in responses)
-    coldest = min(float(one.temperature.min()) for one in responses)
+    coldest, hottest = (float(end([end(one.temperature) for one in responses])) for end in (np.min, np.max))
     norm = Normalize(coldest, hottest) if hottest > coldest else None
-    for one, response in zip(axes.flat, responses, strict=False):
+    for place, (one, response) in enumerate(zip(axes.flat, responses, strict=False)):
         plot_orbit(response, one, norm=norm, colour_bar=False)
         one.set_title(
             f"{style.drawable(response.motion.name, 24)}\n{metres_per_second(response.motion.peak_velocity)}, {millimetres(response.peak_displacement)}",
             fontsize="small",
         )
+        style.calm_ticks(one, 3, 3)
+        if place % columns:
+            one.set_ylabel("")
+        if place + columns < len(responses):
+            one.set_xlabel("")
     for one in axes.flat[len(responses) :]:
         one.set_visible(False)
+    if norm is not None:
+        drawn = ScalarMappable(norm, style.colours_of("temperature"))
+        style.finish_colour_bar(figure.colorbar(drawn, ax=axes, fraction=0.02, aspect=12 * rows), quantity("temperature").label)  # fmt: skip
     return figure

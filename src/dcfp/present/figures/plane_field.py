@@ -5,6 +5,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.colors import Normalize
+from matplotlib.patheffects import Normal, Stroke
+from matplotlib.ticker import MaxNLocator
 
 from dcfp.errors import InputError
 from dcfp.present.figures import style
@@ -12,15 +14,28 @@ from dcfp.schema.formulas import typeset
 from dcfp.schema.quantities import quantity
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from matplotlib.axes import Axes
 
     from dcfp.analysis.plane_response import PlaneResponse
     from dcfp.analysis.rig import PlaneLoops
+    from dcfp.arrays import FloatArray
 
 #: Points of a circle.
 _CIRCLE = np.linspace(0.0, 2.0 * math.pi, 181)
+#: Lines of equal temperature, at most.
+_LEVELS = 12
 #: Room around what was ever hot.
 _ROOM = 1.06
+
+
+def heat_scale(responses: "Sequence[PlaneResponse | PlaneLoops]") -> Normalize | None:
+    """Return one range of colours for the temperatures of contacts and of plates; None where nothing heats up."""
+    histories = [one.temperature for one in responses]
+    histories += [one.fields.temperature for one in responses if one.fields is not None]
+    coldest, hottest = min(float(one.min()) for one in histories), max(float(one.max()) for one in histories)
+    return Normalize(coldest, hottest) if hottest > coldest else None
 
 
 @style.styled
@@ -68,7 +83,8 @@ def plot_field(
     scale = norm or Normalize(ambient, max(float(values.max()), ambient + 1.0))
     colours = style.colours_of("temperature")
     drawn = axes.pcolormesh(x, y, entry.display(values), cmap=colours, norm=scale, shading="nearest", rasterized=True)  # fmt: skip
-    axes.set_facecolor(colours(0.0))
+    axes.set_facecolor(colours(float(scale(ambient))))
+    _draw_levels(axes, x, y, entry.display(values), scale)
     _draw_slider(axes, response, time, plate)
     row, column = np.unravel_index(int(values.argmax()), values.shape)
     _mark_hottest(axes, float(x[column]), float(y[row]), f"{typeset(float(values.max()))} {entry.shown.name}")
@@ -79,10 +95,23 @@ def plot_field(
     axes.text(
         0.03, 0.97, f"{time:.2f} s", transform=axes.transAxes, va="top", color="white", fontsize="small"
     )
-    style.label_axes(axes, f"$x$ on the plate [{place.shown.name}]", f"$y$ on the plate [{place.shown.name}]", 5, 5)  # fmt: skip
+    where = f"on the plate [{place.shown.name}]"
+    style.label_axes(axes, f"direction x, {where}", f"direction y, {where}", 5, 5)
     if colour_bar:
         style.colour_bar_beside(axes, drawn, entry.label)
     return axes
+
+
+def _draw_levels(
+    axes: "Axes", x: "FloatArray", y: "FloatArray", values: "FloatArray", scale: Normalize
+) -> None:
+    """Draw lines of equal temperature: the shades of a hot contact are close to each other."""
+    ends = float(scale.vmin or 0.0), float(scale.vmax or 1.0)
+    levels = MaxNLocator(_LEVELS).tick_values(*ends)
+    within = [one for one in levels if ends[0] < one < float(values.max())]
+    if not within:
+        return
+    axes.contour(x, y, values, within, colors=style.INK, linewidths=0.35, alpha=0.6)
 
 
 def _draw_slider(axes: "Axes", response: "PlaneResponse | PlaneLoops", time: float, plate: int) -> None:
@@ -91,7 +120,10 @@ def _draw_slider(axes: "Axes", response: "PlaneResponse | PlaneLoops", time: flo
     so_far = response.time <= time + 1e-9
     path = response.bearing.shares[plate] * response.displacement_vectors[so_far]
     x, y = place.display(path).T
-    style.draw_line(axes, x, y, "white", 0.5)
+    # dark on what is hot, with an edge for what is not
+    style.draw_line(
+        axes, x, y, style.INK, 0.6, path_effects=[Stroke(linewidth=1.4, foreground="white"), Normal()]
+    )
     rim = path[-1] + 0.5 * response.bearing.slider_diameter * np.column_stack((np.cos(_CIRCLE), np.sin(_CIRCLE)))  # fmt: skip
     x, y = place.display(rim).T
     style.draw_line(axes, x, y, "white", 0.8, linestyle=style.DASHED)

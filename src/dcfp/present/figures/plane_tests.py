@@ -2,12 +2,9 @@
 
 from typing import TYPE_CHECKING, Any
 
-from matplotlib.colors import Normalize
-
 from dcfp.present.figures import style
-from dcfp.present.figures.drawing import colour_shows
 from dcfp.present.figures.plane import draw_directions, plot_orbit
-from dcfp.present.figures.plane_field import plot_field
+from dcfp.present.figures.plane_field import heat_scale, plot_field
 from dcfp.schema.formulas import true_minus, typeset
 from dcfp.schema.quantities import quantity
 
@@ -26,10 +23,11 @@ def plot_plane_test(loops: "PlaneLoops") -> "Figure":
     rows = 3 if loops.fields is not None else 2
     sides: Any = figure.subfigures(1, 2, width_ratios=(1.0, 1.2))
     left: Any = sides[0].subplots(rows, 1)
-    plot_orbit(loops, left[0])
-    plot_orbit(loops, left[1], of="force", colour_bar=False)
+    norm = heat_scale([loops])
+    plot_orbit(loops, left[0], norm=norm)
+    plot_orbit(loops, left[1], of="force", norm=norm, colour_bar=False)
     if loops.fields is not None:
-        plot_field(loops, axes=left[2])
+        plot_field(loops, axes=left[2], norm=norm)
     right: Any = sides[1].subplots(4, 1, sharex=True, height_ratios=(1.0, 1.5, 1.0, 1.0))
     draw_directions(right[0], loops, "velocity")
     draw_directions(right[1], loops, "force")
@@ -75,18 +73,13 @@ def plot_plane_program(program: "Program", loops: "Sequence[PlaneLoops]") -> "Fi
     columns = 3 if any(one.fields is not None for one in loops) else 2
     figure = style.new_figure(0.5 + 2.25 * len(loops))
     axes: Any = figure.subplots(len(loops), columns, squeeze=False)
-    shows = colour_shows(loops)
-    histories = [getattr(one, shows) for one in loops]
-    norm = Normalize(min(float(one.min()) for one in histories), max(float(one.max()) for one in histories))
-    fields = [one.fields for one in loops if one.fields is not None]
-    hot = Normalize(min(float(one.temperature.min()) for one in fields), max(float(one.temperature.max()) for one in fields)) if fields else None  # fmt: skip
+    norm = heat_scale(loops)
     several = len({one.heating.name for one in loops}) > 1
     for row, one in zip(axes, loops, strict=True):
-        shared = norm if shows == colour_shows([one]) == "temperature" else None
-        plot_orbit(one, row[0], norm=shared, colour_bar=False)
-        plot_orbit(one, row[1], of="force", norm=shared)
+        plot_orbit(one, row[0], norm=norm, colour_bar=False)
+        plot_orbit(one, row[1], of="force", norm=norm, colour_bar=one.fields is None)
         if one.fields is not None:
-            plot_field(one, axes=row[2], norm=hot)
+            plot_field(one, axes=row[2], norm=norm)
         elif columns == 3:
             row[2].set_axis_off()
         model = f", {one.heating.name} heating" if several else ""

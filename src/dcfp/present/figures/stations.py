@@ -48,7 +48,7 @@ def plot_stations(stations: "Sequence[Station]") -> "Figure":
         _draw_histories(left.subplots(3, 1, sharex=True), station)
         _draw_path(right.subplots(), station)
         peaks = f"PGA {typeset(station.peak_acceleration / 1e3, 2)} m/s², PGV {metres_per_second(station.peak_velocity)}, PGD {millimetres(station.peak_displacement)}"
-        row.suptitle(f"{style.drawable(station.name, 50)}:  {peaks} (resultant)", x=0.01, ha="left")
+        row.suptitle(f"{style.drawable(station.name, 36)}:  {peaks} (resultant)", x=0.01, ha="left")
     return figure
 
 
@@ -125,7 +125,7 @@ def _draw_largest(panels: Any, spectra: "Sequence[StationSpectrum]", velocities:
     many = len(spectra) > len(_COLOURS)
     every = [_heights(one, one.rotated(100.0), one.rotated(50.0)) for one in spectra]
     for place, (one, pgv) in enumerate(zip(spectra, velocities, strict=True)):
-        label = None if many else f"{style.drawable(one.name)}, {metres_per_second(pgv)}"
+        label = None if many else f"{style.drawable(one.name, 30)}, {metres_per_second(pgv)}"
         colour, width = (style.GREY, 0.3) if many else (_COLOURS[place], 0.9)
         for panel, heights in zip(panels, every[place], strict=True):
             style.draw_line(panel, one.periods, heights, colour, width, label=label)

@@ -1,11 +1,12 @@
 """What every figure has in common: sizes, colours, fonts, numbers and names as they are written, and how it is saved."""
 
+import re
 from collections.abc import Callable, Generator
 from contextlib import contextmanager, nullcontext
 from dataclasses import replace
 from functools import cache, wraps
 from io import BytesIO
-from itertools import cycle
+from itertools import cycle, takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
@@ -16,6 +17,8 @@ from matplotlib.axes import Axes
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 from matplotlib.ticker import FormatStrFormatter, LogLocator, MaxNLocator, NullFormatter
+
+from dcfp.motion.load import STATION_MARK
 
 if TYPE_CHECKING:
     from matplotlib.cm import ScalarMappable
@@ -100,9 +103,21 @@ def _covers(character: str) -> bool:
 
 
 def drawable(text: str, longest: int | None = None) -> str:
-    """Return a text without the characters that no installed font can draw, cut where it is longer than allowed."""
+    """Return a text without the characters that no installed font can draw, cut where it is longer than allowed.
+
+    What the names of a station's components begin with alike then stands once, and the middle is cut, for their ends tell them apart.
+    """
     drawn = " ".join("".join(c for c in text if c.isspace() or _covers(c)).split())
-    return drawn if longest is None or len(drawn) <= longest else f"{drawn[: longest - 1].rstrip()}…"
+    if longest is None or len(drawn) <= longest:
+        return drawn
+    words = [re.split(r"(?<=[^A-Za-z0-9])", one) for one in drawn.split(STATION_MARK)]
+    alike = sum(1 for _ in takewhile(lambda same: len(set(same)) == 1, zip(*words, strict=False)))
+    first, *others = words
+    drawn = STATION_MARK.join("".join(one) for one in (first, *(one[alike:] for one in others)))
+    if len(drawn) <= longest:
+        return drawn
+    end = (longest - 1) // 2 if others else 0
+    return f"{drawn[: longest - 1 - end].rstrip()}…{drawn[len(drawn) - end :].lstrip()}"
 
 
 def new_figure(height: float, width: float = PAGE_WIDTH) -> Figure:
