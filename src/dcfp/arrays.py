@@ -11,6 +11,8 @@ IntArray: TypeAlias = NDArray[np.intp]
 
 #: Steps that differ by no more than that from the middle one are equal [-].
 _SAME_STEP = 1e-6
+#: Part of an array that is worth keeping all of it [-].
+_MOST = 0.8
 
 
 def equally_spaced(time: FloatArray) -> bool:
@@ -28,7 +30,20 @@ def freeze(array: NDArray[np.floating[Any]]) -> FloatArray:
 
 
 def integral(values: FloatArray, step: float) -> FloatArray:
-    """Return the integral from the first sample to each one by the trapezoidal rule, shape (n,)."""
+    """Return the integral from the first sample to each one by the trapezoidal rule; samples are rows."""
     found = np.zeros_like(values)
-    np.cumsum(0.5 * step * (values[1:] + values[:-1]), out=found[1:])
+    np.cumsum(0.5 * step * (values[1:] + values[:-1]), axis=0, out=found[1:])
     return found
+
+
+def whole_integral(values: FloatArray, step: float) -> FloatArray:
+    """Return the integral from the first sample to the last one by the trapezoidal rule; samples are rows."""
+    return step * (np.ones(len(values)) @ values - 0.5 * (values[0] + values[-1]))
+
+
+def first_rows(values: FloatArray, count: int) -> FloatArray:
+    """Return the first rows of an array that is not used otherwise, read-only: not copied where they are most of it."""
+    if count < _MOST * len(values):
+        return freeze(values[:count])
+    values.flags.writeable = False
+    return values[:count]

@@ -10,7 +10,7 @@ import numpy as np
 from dcfp.analysis.integration import DEFAULT, LONGEST_STEP, NOTHING, Integration, Keep, halvings
 from dcfp.analysis.plane_fields import fields_at, moments_of
 from dcfp.analysis.plane_response import PlaneResponse, PlaneState, plane_state_at_rest
-from dcfp.arrays import FloatArray, freeze, integral
+from dcfp.arrays import FloatArray, first_rows, freeze, whole_integral
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import AnalysisError, InputError
 from dcfp.kernels import plane_integrate as k
@@ -76,14 +76,15 @@ def analyse_plane(
         raise InputError(msg)
     parts = 1 if integration.step is None else parts_in(motion.time_step, integration.step)
     interval = motion.time_step / parts
-    x, y = (refined(with_tail(one, integration.tail), parts) for one in (motion.x, motion.y))
-    loads = np.empty((0, 2))
+
+    def sampled(acceleration: FloatArray) -> FloatArray:
+        return refined(with_tail(acceleration, motion.time_step, integration.tail), parts)
+
+    ground, loads = sampled(motion.acceleration), np.empty((0, 2))
     if vertical:
-        ratio = (
-            1.0 + refined(with_tail(motion.require_vertical(), integration.tail), parts) / STANDARD_GRAVITY
-        )
+        ratio = 1.0 + sampled(motion.require_vertical().acceleration) / STANDARD_GRAVITY
         loads = np.column_stack((ratio, references(system, np.maximum(ratio, 0.0))))
-    free_from = motion.x.acceleration.size * parts if integration.tail is None else x.size
+    free_from = len(motion.acceleration) * parts if integration.tail is None else len(ground)
     _load_kernels()
     bearing = system.bearing
     period = math.tau * math.sqrt(bearing.mass / bearing.elastic_stiffness)
@@ -96,7 +97,7 @@ def analyse_plane(
         except AnalysisError as error:
             msg = f"{motion.name}, PGV {motion.peak_velocity / 1e3:.3g} m/s: {error}"
             raise AnalysisError(msg) from None
-        run = _integrated(motion.name, state, x, y, loads, control, free_from)
+        run = _integrated(motion.name, state, ground, loads, control, free_from)
         if run is not None:
             break
         factor *= 2.0  # the slider left the grid
@@ -108,24 +109,22 @@ def analyse_plane(
 
         def go_on(first: int, last: int) -> tuple[PlaneHeat, float]:
             part = slice(first, last + 1)
-            _integrated(motion.name, again, x[part], y[part], loads[part], control, x.size)
+            _integrated(motion.name, again, ground[part], loads[part], control, len(ground))
             return again.heat, float(again.integration["time"][0])
 
         fields = fields_at(
             moments, known, lines, np.broadcast_to(ratios, len(lines)), system, state.heat, go_on
         )
-    ground = (
-        np.column_stack([integral(one[: len(lines)], interval) for one in (x, y)]) + state.ground_velocity
-    )
+    ground = first_rows(ground, len(lines))
     return PlaneResponse(
         motion=motion,
         system=system,
         integration=integration,
         time=known,
-        ground_acceleration=freeze(np.column_stack((x, y))[: len(lines)]),
-        ground_velocity=freeze(ground),
-        lines=freeze(lines),
-        final_state=replace(state, ground_velocity=ground[-1]),
+        ground_acceleration=ground,
+        starting_velocity=state.ground_velocity,
+        lines=lines,
+        final_state=replace(state, ground_velocity=state.ground_velocity + whole_integral(ground, interval)),
         loads=freeze(bearing.vertical_force * ratios),
         rests=bool(state.integration["at_rest"][0]),
         fields=fields,
@@ -156,17 +155,13 @@ def _tables(restoring: float, elastic: float, interval: float) -> FloatArray:
 @cache
 def _load_kernels() -> None:
     """Have the kernels compiled or loaded, so that the time of an analysis is its own."""
-    still = np.zeros(2)
-    _integrated(
-        "", plane_state_at_rest(System()), still, still, np.empty((0, 2)), PlaneControl(1e-3, 0, TOLERANCE), 2
-    )
+    _integrated("", plane_state_at_rest(System()), np.zeros((2, 2)), np.empty((0, 2)), PlaneControl(1e-3, 0, TOLERANCE), 2)  # fmt: skip
 
 
 def _integrated(
     name: str,
     state: PlaneState,
-    x: FloatArray,
-    y: FloatArray,
+    ground: FloatArray,
     loads: FloatArray,
     control: PlaneControl,
     free_from: int,
@@ -176,13 +171,14 @@ def _integrated(
     began = time.perf_counter()
     model, integration = state.heat.model(system), state.integration
     tables = _tables(model.system.restoring, model.system.elastic, control.interval)
-    lines = np.empty((x.size, k.TEMPERATURE + model.system.plates))
+    lines = np.empty((len(ground), k.TEMPERATURE + model.system.plates))
     done = k.integrate_plane(
-        model, state.heat.field, x, y, loads, control, tables, free_from, integration, 0, lines, True
+        model, state.heat.field, ground, loads, control, tables, free_from, integration, lines
     )
     status = int(integration["status"][0])
     if status == OUT_OF_CELLS:
         return None
     if status == NO_NUMBER:
         raise system.friction.no_number(name, done * control.interval)
-    return lines[: done + 1], time.perf_counter() - began
+    elapsed = time.perf_counter() - began
+    return first_rows(lines, done + 1), elapsed

@@ -76,7 +76,7 @@ def _integration_at_rest(temperature: float) -> Records:
     integration = np.zeros(1, PLANE_STATE)
     integration["extremes"]["temperature"] = temperature
     integration["extremes"]["friction"] = math.inf
-    integration["motion"]["rim"] = -1.0  # it has not begun
+    integration["motion"]["yield_radius"] = -1.0  # it has not begun
     return integration
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from dcfp.analysis.integration import DEFAULT, NOTHING, Integration, Keep, halvings
 from dcfp.analysis.response import Response, State, state_at_rest
-from dcfp.arrays import FloatArray, freeze, integral
+from dcfp.arrays import FloatArray, first_rows, freeze, whole_integral
 from dcfp.errors import InputError
 from dcfp.kernels import integrate as k
 from dcfp.kernels.motion import AT_REST, NO_NUMBER, NO_PROGRESS, OUT_OF_CELLS, StepControl
@@ -133,7 +133,7 @@ def analyse(
     """Analyse a system under a ground motion; arguments, result and errors as for `respond`."""
     parts = 1 if integration.step is None else parts_in(motion.time_step, integration.step)
     interval = motion.time_step / parts
-    acceleration = refined(with_tail(motion, integration.tail), parts)
+    acceleration = refined(with_tail(motion.acceleration, motion.time_step, integration.tail), parts)
     # from one sample of the record after its last, where the ground has stopped accelerating
     free_from = motion.acceleration.size * parts if integration.tail is None else acceleration.size
     every = keep.interval((motion.acceleration.size - 1) * parts, system.heating)
@@ -148,16 +148,18 @@ def analyse(
         room += state.plates.cells.shape[1]
         state = (state_at_rest(system) if start is None else start).with_room(room)
     lines, profiles, elapsed = run
-    ground = state.ground_velocity + integral(acceleration[: len(lines)], interval)
+    ground = first_rows(acceleration, len(lines))
     return Response(
         motion=motion,
         system=system,
         integration=integration,
         time=freeze(np.arange(len(lines)) * interval),
-        ground_acceleration=freeze(acceleration[: len(lines)]),
-        ground_velocity=freeze(ground),
-        lines=freeze(lines),
-        final_state=replace(state, ground_velocity=float(ground[-1])),
+        ground_acceleration=ground,
+        starting_velocity=state.ground_velocity,
+        lines=lines,
+        final_state=replace(
+            state, ground_velocity=state.ground_velocity + float(whole_integral(ground, interval))
+        ),
         rests=bool(state.integration["at_rest"][0]),
         profiles=Profiles.of(profiles, system) if profiles else None,
         elapsed=elapsed,
@@ -202,4 +204,5 @@ def _integrated(
             profiles.append((done * control.interval, profile_now(model.heat, model.system, now, flux)))
         if status == AT_REST:
             break
-    return lines[: done + 1], profiles, time.perf_counter() - began
+    elapsed = time.perf_counter() - began
+    return first_rows(lines, done + 1), profiles, elapsed

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 
 from dcfp.analysis.assumptions import OF_MODEL
-from dcfp.arrays import FloatArray
+from dcfp.arrays import FloatArray, freeze, integral
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.station import Station
@@ -314,17 +314,22 @@ class Result(ABC):
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class MotionResult(Result):
-    """A result of a ground motion, with the histories of the ground [mm/s2, mm/s], and whether it rests: no more sliding can come."""
+    """A result of a ground motion, with the acceleration of the ground [mm/s2], its velocity at the start [mm/s], and whether it rests: no more sliding can come."""
 
     motion: GroundMotion | Station
     ground_acceleration: FloatArray
-    ground_velocity: FloatArray
+    starting_velocity: FloatArray | float = 0.0
     rests: bool
 
     @property
     def name(self) -> str:
         """Name of the ground motion."""
         return self.motion.name
+
+    @cached_property
+    def ground_velocity(self) -> FloatArray:
+        """Velocity of the ground [mm/s]."""
+        return freeze(self.starting_velocity + integral(self.ground_acceleration, float(self.time[1])))
 
     @cached_property
     def energy(self) -> EnergyBalance:

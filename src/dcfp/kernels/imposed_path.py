@@ -33,7 +33,7 @@ from dcfp.kernels.motion import DONE, NO_NUMBER, OUT_OF_CELLS, share
 from dcfp.kernels.plane_heat import COVERED_POINTS, HOTTEST, PEAK_ROW, Field
 from dcfp.kernels.plane_integrate import PARTS
 from dcfp.kernels.plane_slide import Load, friction_between, under
-from dcfp.kernels.plane_step import dot, length_of, through, times, turn
+from dcfp.kernels.plane_step import dot, elongation_after, length_of, through, times
 from dcfp.kernels.sum_of_exponentials import total
 
 # columns of the histories of a test; temperatures of the plates follow
@@ -72,7 +72,7 @@ class PathState(NamedTuple):
     """What a test starts from and leaves behind."""
 
     elongation: complex  # of spring (b) [mm]
-    rim: float  # radius of the yield surface [mm]
+    yield_radius: float  # radius of the yield surface [mm]
     friction: float  # coefficient
     slides: bool
     time: float  # since the plates were cold [s]
@@ -86,7 +86,7 @@ class Slider(NamedTuple):
     displacement: complex  # [mm]
     velocity: complex  # [mm/s]
     elongation: complex  # [mm]
-    rim: float  # radius of the yield surface [mm]
+    yield_radius: float  # radius of the yield surface [mm]
     friction: float  # coefficient
     slides: bool
 
@@ -152,14 +152,19 @@ def follow(
     level: int = state["halvings"]
     clock, steps = state["time"], 0
     motion = Slider(
-        first.position, first.velocity, state["elongation"], state["rim"], state["friction"], state["slides"]
+        first.position,
+        first.velocity,
+        state["elongation"],
+        state["yield_radius"],
+        state["friction"],
+        state["slides"],
     )
     sums = Sums(0.0, 0.0, 0.0, 0.0)
-    if motion.rim < 0.0:  # it has not begun yet
+    if motion.yield_radius < 0.0:  # it has not begun yet
         here = under(model, first.load, first.reference)
         friction = mean_coefficient(here, length_of(first.velocity), PRESENT)
-        rim = friction * here.system.yield_per_mu
-        motion = Slider(first.position, first.velocity, motion.elongation, rim, friction, False)
+        radius = friction * here.system.yield_per_mu
+        motion = Slider(first.position, first.velocity, motion.elongation, radius, friction, False)
     _record(histories[0], model, field, motion, sums, first.load)
     status, done = DONE, 0
     for i in range(lengths.size):
@@ -190,7 +195,11 @@ def follow(
         clock += interval
         done = i + 1
         _record(histories[done], model, field, motion, sums, piece.load + interval * piece.load_rate)
-    state["elongation"], state["rim"], state["friction"] = motion.elongation, motion.rim, motion.friction
+    state["elongation"], state["yield_radius"], state["friction"] = (
+        motion.elongation,
+        motion.yield_radius,
+        motion.friction,
+    )
     state["slides"], state["time"], state["halvings"] = motion.slides, clock, level
     state["steps"] += steps
     return status, done
@@ -229,23 +238,23 @@ def _drag(
     v, v_m, v_1 = _velocity(piece, now), _velocity(piece, now + 0.5 * h), _velocity(piece, now + h)
     s0, s_m, s_1 = length_of(v), length_of(v_m), length_of(v_1)
     r0, r1 = length_of(u), length_of(u_1)
-    e, rim, mu, pressure = begin.elongation, begin.rim, begin.friction, system.pressure
+    e, radius, mu, pressure = begin.elongation, begin.yield_radius, begin.friction, system.pressure
     rubbing = pressure * load.middle * (h / 6.0) * (s0 * s0 + 4.0 * s_m * s_m + s_1 * s_1)
     opening = pressure * load.start * mu * s0 if begin.slides else 0.0
-    e_m, e_1, mu_m, mu_1, rim_m, rim_1 = e, e, mu, mu, rim, rim
+    e_m, e_1, mu_m, mu_1, radius_m, radius_1 = e, e, mu, mu, radius, radius
     slid, sliding = begin.slides, True
     for _ in range(2):
         closing = pressure * load.end * mu_1 * s_1 if sliding else 0.0
         mu_m, mu_1 = friction_between(
             model, field, load, level, h, r0, r1, s_m, s_1, opening, closing, rubbing
         )
-        rim_m, rim_1 = mu_m * system.yield_per_mu * load.middle, mu_1 * system.yield_per_mu * load.end
-        e_m, slid = turn(e, rim, rim_m, u_m - u, v, v_m)
-        e_1, sliding = turn(e_m, rim_m, rim_1, u_1 - u_m, v_m, v_1)
+        radius_m, radius_1 = mu_m * system.yield_per_mu * load.middle, mu_1 * system.yield_per_mu * load.end
+        e_m, slid = elongation_after(e, radius, radius_m, u_m - u, v, v_m)
+        e_1, sliding = elongation_after(e_m, radius_m, radius_1, u_1 - u_m, v_m, v_1)
     kf = system.elastic
     defect = kf * length_of(e_m - times(0.5, e + e_1))
     allowed = tolerance * mu_1 * system.gravity * load.end
-    motion = Slider(u_1, v_1, e_1, rim_1, mu_1, sliding)
+    motion = Slider(u_1, v_1, e_1, radius_1, mu_1, sliding)
     if level < MOST_HALVINGS and (
         defect > allowed
         or (level < _AT_THE_EDGE and plane_heat.crosses_edge(model.heat, system, r0, r1))
@@ -263,7 +272,7 @@ def _drag(
     if begin.slides and slid and sliding and along > 0.0:
         # the anchor goes at the part of the velocity along the elongation less the growth of the yield surface
         rubbed = (h / 6.0) * (force * along + 4.0 * force_m * along_m + force_1 * along_1)
-        slipped = max(rubbed - 0.5 * kf * (rim_1 * rim_1 - rim * rim), 0.0)
+        slipped = max(rubbed - 0.5 * kf * (radius_1 * radius_1 - radius * radius), 0.0)
     fits = True
     if slipped > 0.0:
         # the flux is taken as linear, and raised so that the heat is the work of friction

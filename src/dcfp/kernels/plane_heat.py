@@ -87,13 +87,11 @@ def _covered_part(heat: Heat, portion: float, start: float, end: float) -> float
     """Part of a step in which the flux reaches the modes of a plate: of the way between two distances from the centre [mm], what is within Eq. (12)."""
     if heat.kind != POINT:
         return 1.0
-    edge = heat.half_contact / portion
-    if start <= edge and end <= edge:
-        return 1.0
-    if start > edge and end > edge:
-        return 0.0
-    part = (edge - start) / (end - start)
-    return part if start <= edge else 1.0 - part
+    before, after = portion * start <= heat.half_contact, portion * end <= heat.half_contact
+    if before == after:
+        return 1.0 if after else 0.0
+    part = (heat.half_contact / portion - start) / (end - start)
+    return part if before else 1.0 - part
 
 
 @kernel
@@ -102,8 +100,8 @@ def crosses_edge(heat: Heat, system: SystemConstants, start: float, end: float) 
     if heat.kind != POINT:
         return False
     for i in range(system.plates):
-        edge = heat.half_contact / share(system, i)
-        if (start <= edge) != (end <= edge):
+        portion = share(system, i)
+        if (portion * start <= heat.half_contact) != (portion * end <= heat.half_contact):
             return True
     return False
 

@@ -65,60 +65,56 @@ PLANE_STATE = record_type(PlaneState)
 def integrate_plane(
     model: BearingModel,
     field: Field,
-    ground_x: NDArray[np.float64],
-    ground_y: NDArray[np.float64],
+    ground: NDArray[np.float64],
     loads: NDArray[np.float64],
     control: PlaneControl,
     tables: NDArray[np.float64],
     free_from: int,
     states: Records,
-    run: int,
     histories: NDArray[np.float64],
-    begins: bool,
 ) -> int:
-    """Respond to the samples of the ground's two accelerations [mm/s2]; return the samples done.
+    """Respond to the samples of the ground's acceleration [mm/s2], shape (samples, 2); return the samples done.
 
     A row of `loads`, with as many rows as samples or none for a constant load, is the vertical force over that at rest and the reference of the friction law.
-    `tables`, shape (2, lengths, COEFFICIENTS), are the coefficients of the oscillator on spring (a) and on both. Row `run` of `states`, the model's
+    `tables`, shape (2, lengths, COEFFICIENTS), are the coefficients of the oscillator on spring (a) and on both. The only one of `states`, the model's
     heat and the field are where it starts from, and are left where it ends. From sample `free_from` on, where the ground must have stopped
     accelerating, it stops as soon as it rests.
     """
     changes = loads.shape[0] > 0
     interval: float = control.interval
-    state = states[run]
+    state = states[0]
     motion = PlaneMotion(*fields_of(state["motion"]))
     extremes = PlaneExtremes(*fields_of(state["extremes"]))
     level: int = max(state["halvings"], control.fewest_halvings)
     began, done, status, steps = state["time"], 0, DONE, 0
-    if motion.rim < 0.0:  # it has not begun yet
-        first = under(model, max(loads[0, RATIO], 0.0), loads[0, REFERENCE]) if changes else model
-        friction = mean_coefficient(first, length_of(motion.velocity), PRESENT)
-        rim = friction * first.system.yield_per_mu
+    if motion.yield_radius < 0.0:  # it has not begun yet
+        loaded = under(model, max(loads[0, RATIO], 0.0), loads[0, REFERENCE]) if changes else model
+        friction = mean_coefficient(loaded, length_of(motion.velocity), PRESENT)
+        radius = friction * loaded.system.yield_per_mu
         motion = PlaneMotion(
-            motion.displacement, motion.velocity, motion.elongation, rim, friction, False, 0j, 0j
+            motion.displacement, motion.velocity, motion.elongation, radius, friction, False, 0j, 0j
         )
-    if begins:
-        _record(histories[0], model, field, motion, extremes)
-    for i in range(ground_x.size - 1):
-        start = complex(ground_x[i], ground_y[i])
-        rate = times(1.0 / interval, complex(ground_x[i + 1], ground_y[i + 1]) - start)
+    _record(histories[0], model, field, motion, extremes)
+    for i in range(ground.shape[0] - 1):
+        first = complex(ground[i, 0], ground[i, 1])
+        rate = times(1.0 / interval, complex(ground[i + 1, 0], ground[i + 1, 1]) - first)
         place = 0
         while place < PARTS:
             length = interval * _LENGTHS[level]
             elapsed = place * (interval * (1.0 / PARTS))
-            ground = start + times(elapsed, rate)
+            pushed = first + times(elapsed, rate)
             load = Load(False, 1.0, 1.0, 1.0, 0.0, 0.0)
             if changes:
                 load = _load_over(loads, i, elapsed / interval, 0.5 * length / interval)
             prepare(model.heat, level, length)
             e = motion.elongation
             step = PlaneStep(motion, motion.displacement, 0.0, 0.0, 0.0, 0.0, False, False, True)
-            if dot(e, e) < motion.rim * motion.rim * (1.0 - 1e-12):
-                step = stick(model, field, tables[1, level], load, motion, ground, rate, level, length)
+            if dot(e, e) < motion.yield_radius * motion.yield_radius * (1.0 - 1e-12):
+                step = stick(model, field, tables[1, level], load, motion, pushed, rate, level, length)
             stuck = step.accepted
             if not stuck:
                 now = began + i * interval + elapsed
-                step = slide(model, field, tables[0, level], control, load, motion, ground, rate, level, length, now)  # fmt: skip
+                step = slide(model, field, tables[0, level], control, load, motion, pushed, rate, level, length, now)  # fmt: skip
                 if not step.accepted:
                     level += 1
                     continue
@@ -137,8 +133,7 @@ def integrate_plane(
         if status != DONE:
             break
         done = i + 1
-        if done < histories.shape[0]:
-            _record(histories[done], model, field, motion, extremes)
+        _record(histories[done], model, field, motion, extremes)
         if done >= free_from and _is_at_rest(model, motion):
             break
     _store_motion(state["motion"], motion)
@@ -178,7 +173,7 @@ def _updated(
         dot(step.middle, step.middle),
         dot(u, u),
     )
-    largest = max(extremes.displacement * extremes.displacement, after)
+    largest = after
     if dot(begin.displacement, begin.velocity) > 0.0 and dot(u, v) < 0.0:
         bow, lean = 2.0 * (before - 2.0 * middle + after), 4.0 * middle - 3.0 * before - after
         if bow < 0.0:
@@ -194,25 +189,31 @@ def _updated(
         extremes.hysteretic + step.hysteretic,
         extremes.rubbed + step.rubbed,
         extremes.lifting + step.lifting,
-        math.sqrt(largest),
+        _larger(extremes.displacement, largest),
         max(extremes.displacement_x, abs(u.real)),
         max(extremes.displacement_y, abs(u.imag)),
-        max(extremes.velocity, length_of(v)),
-        max(extremes.force, length_of(pull)),
+        _larger(extremes.velocity, dot(v, v)),
+        _larger(extremes.force, dot(pull, pull)),
         temperature,
         friction,
     )
 
 
 @kernel
+def _larger(one: float, square: float) -> float:
+    """Return the larger one of a number and the root of a square, which seldom is."""
+    return math.sqrt(square) if square > one * one else one
+
+
+@kernel
 def _store_motion(record: Records, motion: PlaneMotion) -> None:
     record["displacement"], record["velocity"] = motion.displacement, motion.velocity
-    record["elongation"], record["rim"] = motion.elongation, motion.rim
+    record["elongation"], record["yield_radius"] = motion.elongation, motion.yield_radius
     record["friction"], record["slides"] = motion.friction, motion.slides
     record["rate"], record["curvature"] = motion.rate, motion.curvature
 
 
-@called_kernel
+@kernel
 def _record(
     line: NDArray[np.float64], model: BearingModel, field: Field, motion: PlaneMotion, extremes: PlaneExtremes
 ) -> None:
@@ -250,7 +251,7 @@ def _is_at_rest(model: BearingModel, motion: PlaneMotion) -> bool:
         before, middle = middle, after
     amplitude = math.sqrt(dot(cosine, cosine) + dot(sine, sine))
     for speed in (0.0, amplitude * math.sqrt(both)):
-        rim = mean_coefficient(model, speed, PRESENT) * system.yield_per_mu
-        if not math.sqrt(furthest) < rim * (1.0 + _SLIVER):
+        radius = mean_coefficient(model, speed, PRESENT) * system.yield_per_mu
+        if not math.sqrt(furthest) < radius * (1.0 + _SLIVER):
             return False
     return True

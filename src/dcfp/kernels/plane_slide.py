@@ -16,7 +16,18 @@ from dcfp.kernels.heating import interpolate
 from dcfp.kernels.law import CYCLING
 from dcfp.kernels.motion import SystemConstants
 from dcfp.kernels.plane_heat import Field
-from dcfp.kernels.plane_step import Course, Force, areas, dot, length_of, sail, through, times, turn, work_of
+from dcfp.kernels.plane_step import (
+    Course,
+    Force,
+    advance,
+    areas,
+    dot,
+    elongation_after,
+    length_of,
+    through,
+    times,
+    work_of,
+)
 
 #: Halvings beyond the fewest with which a point in the centre comes under the slider.
 _AT_THE_EDGE = 3
@@ -40,7 +51,7 @@ class PlaneMotion(NamedTuple):
     displacement: complex  # [mm]
     velocity: complex  # [mm/s]
     elongation: complex  # [mm]
-    rim: float  # radius of the yield surface [mm]
+    yield_radius: float  # radius of the yield surface [mm]
     friction: float  # coefficient
     slides: bool
     rate: complex  # how the force of spring (b) changes, per unit mass [mm/s3], if it goes on as it did
@@ -122,20 +133,20 @@ def stick(
     u, v, e = begin.displacement, begin.velocity, begin.elongation
     held = times(kf, u - e) - ground
     force = Force(held, -rate, 0j)
-    course = sail(row, wf2 + kf, u, v, force)
+    course = advance(row, wf2 + kf, u, v, force)
     lifted = Force(0j, 0j, 0j)
     if load.changes:
         for _ in range(2):
             lifted = _lifted(wf2, load, u, course, h)
             force = Force(held - lifted.constant, -rate - lifted.rate, -lifted.curvature)
-            course = sail(row, wf2 + kf, u, v, force)
+            course = advance(row, wf2 + kf, u, v, force)
     middle, end = e + (course.middle - u), e + (course.end - u)
     r0 = length_of(u)
     mu_m, mu_1 = friction_between(
         model, field, load, level, h, r0, r0, length_of(course.middle_velocity), length_of(course.end_velocity), 0.0, 0.0, 0.0
     )  # fmt: skip
-    rim_m, rim_1 = mu_m * system.yield_per_mu * load.middle, mu_1 * system.yield_per_mu * load.end
-    accepted = dot(middle, middle) <= rim_m * rim_m and dot(end, end) <= rim_1 * rim_1
+    radius_m, radius_1 = mu_m * system.yield_per_mu * load.middle, mu_1 * system.yield_per_mu * load.end
+    accepted = dot(middle, middle) <= radius_m * radius_m and dot(end, end) <= radius_1 * radius_1
     energy, lifting = 0.0, 0.0
     if accepted:
         area, moment = areas(row, wf2 + kf, u, v, force)
@@ -143,7 +154,7 @@ def stick(
         if load.changes:
             lifting = work_of(lifted, h, course.end - u, area, moment)
         plane_heat.cool_down(model.heat, field, system, level, h)
-    motion = PlaneMotion(course.end, course.end_velocity, end, rim_1, mu_1, False, 0j, 0j)
+    motion = PlaneMotion(course.end, course.end_velocity, end, radius_1, mu_1, False, 0j, 0j)
     return PlaneStep(motion, course.middle, energy, 0.0, 0.0, lifting, accepted, True, True)
 
 
@@ -178,14 +189,20 @@ def slide(
     """
     system = model.system
     wf2, kf, pressure, h = system.restoring, system.elastic, system.pressure, length
-    u, v, e, rim, mu = begin.displacement, begin.velocity, begin.elongation, begin.rim, begin.friction
+    u, v, e, radius, mu = (
+        begin.displacement,
+        begin.velocity,
+        begin.elongation,
+        begin.yield_radius,
+        begin.friction,
+    )
     f0, r0, s0 = times(kf, e), length_of(u), length_of(v)
-    f_m, f_1, e_m, e_1, mu_m, mu_1, rim_1 = f0, f0, e, e, mu, mu, rim
+    f_m, f_1, e_m, e_1, mu_m, mu_1, radius_1 = f0, f0, e, e, mu, mu, radius
     opening = pressure * load.start * mu * s0
     friction = Force(f0, begin.rate, begin.curvature)
     expected = f0 + times(h, begin.rate) + times(h * h, begin.curvature)
     lifted, force = Force(0j, 0j, 0j), Force(-ground - f0, -rate - friction.rate, -friction.curvature)
-    course = sail(row, wf2, u, v, force)
+    course = advance(row, wf2, u, v, force)
     rubbing, sliding = 0.0, True
     for _ in range(2):
         s_m, s_1 = length_of(course.middle_velocity), length_of(course.end_velocity)
@@ -194,16 +211,16 @@ def slide(
         mu_m, mu_1 = friction_between(
             model, field, load, level, h, r0, length_of(course.end), s_m, s_1, opening, closing, rubbing
         )
-        rim_m, rim_1 = mu_m * system.yield_per_mu * load.middle, mu_1 * system.yield_per_mu * load.end
-        e_m, sliding = turn(e, rim, rim_m, course.middle - u, v, course.middle_velocity)
-        e_1, sliding = turn(e_m, rim_m, rim_1, course.end - course.middle, course.middle_velocity, course.end_velocity)  # fmt: skip
+        radius_m, radius_1 = mu_m * system.yield_per_mu * load.middle, mu_1 * system.yield_per_mu * load.end
+        e_m, sliding = elongation_after(e, radius, radius_m, course.middle - u, v, course.middle_velocity)
+        e_1, sliding = elongation_after(e_m, radius_m, radius_1, course.end - course.middle, course.middle_velocity, course.end_velocity)  # fmt: skip
         f_m, f_1 = times(kf, e_m), times(kf, e_1)
         friction = through(f0, f_m, f_1, h)
         force = Force(-ground - f0, -rate - friction.rate, -friction.curvature)
         if load.changes:
             lifted = _lifted(wf2, load, u, course, h)
             force = Force(force.constant - lifted.constant, force.rate - lifted.rate, force.curvature - lifted.curvature)  # fmt: skip
-        course = sail(row, wf2, u, v, force)
+        course = advance(row, wf2, u, v, force)
         if length_of(f_1 - expected) <= _AS_EXPECTED * mu_1 * system.gravity:
             break
         expected = f_1
@@ -211,7 +228,7 @@ def slide(
     defect = length_of(f_m - times(0.5, f0 + f_1))
     later = friction.rate + times(2.0 * h, friction.curvature)
     motion = PlaneMotion(
-        course.end, course.end_velocity, e_1, rim_1, mu_1, sliding, later, friction.curvature
+        course.end, course.end_velocity, e_1, radius_1, mu_1, sliding, later, friction.curvature
     )
     if level < MOST_HALVINGS and (
         defect > allowed

@@ -5,7 +5,7 @@ A vector is a complex number, x + i y. Per unit mass the structure follows
 .. math:: \ddot u + \omega^2 u = -a_g - f, \qquad f = \frac{k_f}{m} e, \quad |e| \le \frac{\mu N}{k_f}
 
 with the elongation e of spring (b). Over a step f is the parabola through its values at the start, in the middle and at the end, under which the oscillator is
-advanced in closed form; e follows the path of u, half a step at a time, by `turn`. So the energy closes to rounding, whatever the friction is.
+advanced in closed form; e follows the path of u, half a step at a time, by `elongation_after`. So the energy closes to rounding, whatever the friction is.
 """
 
 import math
@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from dcfp.kernels._jit import called_kernel, kernel
+from dcfp.kernels._jit import kernel
 from dcfp.kernels.sum_of_exponentials import exp_neg
 
 #: Columns of the coefficients of an oscillator over a step: h^k phi_k for k = 0 to 6, in the middle of the step and at its end.
@@ -115,7 +115,7 @@ def _combined(
 
 
 @kernel
-def sail(
+def advance(
     row: NDArray[np.float64], stiffness: float, displacement: complex, velocity: complex, force: Force
 ) -> Course:
     """Advance the oscillator over a step under a force; `row` are its coefficients."""
@@ -145,8 +145,8 @@ def work_of(force: Force, length: float, travel: complex, area: complex, moment:
     return dot(force.constant, travel) + dot(force.rate, first) + dot(force.curvature, second)
 
 
-@called_kernel
-def turn(
+@kernel
+def elongation_after(
     elongation: complex, start: float, end: float, travel: complex, velocity: complex, later: complex
 ) -> tuple[complex, bool]:
     """Return the elongation [mm] after a `travel` [mm] from one `velocity` [mm/s] to the `later` one, and whether it slides then.
@@ -181,24 +181,28 @@ def turn(
     path = length_of(d)
     # half of the path over the mean radius
     beta = path / (ra + end)
-    bend = of_length(1.0, later * va.conjugate())
-    if bend.real >= _LEAST_COSINE:
+    speed, later_speed = length_of(va), length_of(later)
+    bend, both = later * va.conjugate(), speed * later_speed
+    if bend.real >= _LEAST_COSINE * both and both > 0.0 and ra > 0.0:
         # half of the angle, from its tangent
-        t = bend.imag / (1.0 + bend.real)
+        t = bend.imag / (both + bend.real)
         t2 = t * t
         half = t * (105.0 + 55.0 * t2) / (105.0 + t2 * (90.0 + 9.0 * t2))
         beta *= 1.0 + half * half * (1.0 / 6.0 + half * half * (7.0 / 360.0))  # the path is an arc
         q = beta * beta - half * half
+        # tanh(sqrt(q)) / sqrt(q), as a fraction
+        above, below = 1.0, 1.0
         if q < 0.16:
-            slope = 1.0 - q * (1.0 / 3.0 - q * (2.0 / 15.0 - q * (17.0 / 315.0 - q * (62.0 / 2835.0))))
+            above -= q * (1.0 / 3.0 - q * (2.0 / 15.0 - q * (17.0 / 315.0 - q * (62.0 / 2835.0))))
         else:
             root = math.sqrt(q)
             fading = exp_neg(2.0 * root)
-            slope = (1.0 - fading) / (root * (1.0 + fading))
-        z = of_length(1.0, e * va.conjugate())
-        above = z + times(slope, complex(half * z.imag + beta, -half * z.real))
-        below = complex(1.0, 0.0) + times(slope, complex(beta * z.real, beta * z.imag + half))
-        return of_length(end, later * (above * below.conjugate())), True
+            above, below = 1.0 - fading, root * (1.0 + fading)
+        # the direction relative to the velocity: its length stays one, so that the fraction is z times that of conjugate numbers
+        z = times(1.0 / (ra * speed), e * va.conjugate())
+        w = complex(below + above * (beta * z.real), -above * (beta * z.imag + half))
+        square = dot(w, w)
+        return times(end / (later_speed * square), later * (z * (w * w))), True
     # on the chord: the tangent of half the angle fades with the path
     z = of_length(1.0, e * d.conjugate())
     half = z.imag / max(1.0 + z.real, 1e-12) * exp_neg(2.0 * beta)

@@ -209,10 +209,13 @@ class GroundMotion:
 LONGEST_TAIL = 120.0
 
 
-def with_tail(motion: GroundMotion, tail: float | None) -> FloatArray:
-    """Return the acceleration [mm/s2] followed by none for `tail` [s], or for as long as may be waited."""
-    samples = round((LONGEST_TAIL if tail is None else tail) / motion.time_step)
-    return np.concatenate((motion.acceleration, np.zeros(samples)))
+def with_tail(acceleration: FloatArray, time_step: float, tail: float | None) -> FloatArray:
+    """Return an acceleration [mm/s2], rows `time_step` [s] apart, followed by none for `tail` [s], or for as long as may be waited."""
+    samples = round((LONGEST_TAIL if tail is None else tail) / time_step)
+    # zeros that nobody looks at take no time
+    whole = np.zeros((len(acceleration) + samples, *acceleration.shape[1:]))
+    whole[: len(acceleration)] = acceleration
+    return whole
 
 
 def parts_in(time_step: float, longest: float) -> int:
@@ -221,11 +224,11 @@ def parts_in(time_step: float, longest: float) -> int:
 
 
 def refined(acceleration: FloatArray, parts: int) -> FloatArray:
-    """Return the same piecewise linear motion with `parts` steps in place of one."""
+    """Return the same piecewise linear motion with `parts` steps in place of one; samples are rows."""
     if parts <= 1:
         return acceleration
-    change = np.diff(acceleration)
-    fine = np.empty(change.size * parts + 1)
+    change = np.diff(acceleration, axis=0)
+    fine = np.empty((len(change) * parts + 1, *acceleration.shape[1:]))
     for part in range(parts):
         fine[part:-1:parts] = acceleration[:-1] + change * (part / parts)
     fine[-1] = acceleration[-1]

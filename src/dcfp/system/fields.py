@@ -2,8 +2,10 @@
 
 import math
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import AnalysisError
@@ -124,17 +126,24 @@ def cold_heat(system: System, reach: float = FIRST_REACH, *, horizon: float = HO
             " across it; take fewer points, or the simplified heating model."
         )
         raise AnalysisError(msg)
+    spans = np.stack([_disc(middle, spacing, radius)] * count)
     field = k.Field(
-        spacing, radius, np.zeros((count, rows, rows, MODES + 1)), np.zeros((count, rows, 2), np.int64), np.zeros((count, k.TALLIES))
-    )  # fmt: skip
-    away = (np.arange(rows) - middle) * spacing
-    inside = np.abs(away) <= radius
-    half = np.floor(np.sqrt(np.maximum(radius**2 - away**2, 0.0)) / spacing).astype(np.int64)
-    field.spans[:, inside, 0] = middle - half[inside]
-    field.spans[:, inside, 1] = middle + half[inside] + 1
-    covered = float(np.diff(field.spans[0], axis=1).sum())
-    field.tallies[:, k.COVERED_POINTS] = field.tallies[:, k.ALWAYS] = covered
+        spacing, radius, np.zeros((count, rows, rows, MODES + 1)), spans, np.zeros((count, k.TALLIES))
+    )
+    covered = spans[0].sum(axis=0)
+    field.tallies[:, k.COVERED_POINTS] = field.tallies[:, k.ALWAYS] = float(covered[1] - covered[0])
     field.tallies[:, k.HOTTEST] = heating.ambient
     field.tallies[:, k.PEAK_ROW] = -1.0
     field.tallies[:, k.DISC_X : k.DISC_Y + 1] = middle
     return PlaneHeat(plates, field, reach)
+
+
+@lru_cache(maxsize=16)
+def _disc(middle: int, spacing: float, radius: float) -> NDArray[np.int64]:
+    """Return the first covered column of each row, and the first beyond, of a disc in the middle, shape (rows, 2)."""
+    away = (np.arange(2 * middle + 1) - middle) * spacing
+    inside = np.abs(away) <= radius
+    half = np.floor(np.sqrt(np.maximum(radius**2 - away**2, 0.0)) / spacing).astype(np.int64)
+    spans = np.where(inside[:, np.newaxis], np.column_stack((middle - half, middle + half + 1)), 0)
+    spans.flags.writeable = False
+    return spans

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from dcfp.kernels.plane_step import END, oscillator_rows, turn
+from dcfp.kernels.plane_step import END, elongation_after, oscillator_rows
 from dcfp.verify.plane import CIRCLES
 
 
@@ -36,7 +36,7 @@ def test_the_elongation_follows_a_velocity_that_turns_uniformly() -> None:
     for start in (-0.9, 0.0, 0.3, 1.2):
         exact = solve_ivp(slope, (0.0, 1.0), [start], rtol=1e-12, atol=1e-12).y[0, -1]
         chord = path * np.exp(0.5j * angle) * math.sin(0.5 * angle) / (0.5 * angle)
-        end, slides = turn(
+        end, slides = elongation_after(
             complex(radius * np.exp(1j * start)),
             radius,
             radius,
@@ -49,12 +49,12 @@ def test_the_elongation_follows_a_velocity_that_turns_uniformly() -> None:
 
 
 def test_what_turns_back_is_elastic_until_the_yield_surface_is_met_again() -> None:
-    assert turn(2.0 + 0j, 2.0, 2.0, -3.0 + 0j, -1.0 + 0j, -1.0 + 0j) == (-1.0 + 0j, False)
-    end, slides = turn(2.0 + 0j, 2.0, 2.0, -5.0 + 0j, -1.0 + 0j, -1.0 + 0j)
+    assert elongation_after(2.0 + 0j, 2.0, 2.0, -3.0 + 0j, -1.0 + 0j, -1.0 + 0j) == (-1.0 + 0j, False)
+    end, slides = elongation_after(2.0 + 0j, 2.0, 2.0, -5.0 + 0j, -1.0 + 0j, -1.0 + 0j)
     assert slides
     assert end == pytest.approx(-2.0)
     # a surface that grows faster than the elongation is left behind
-    assert turn(2.0 + 0j, 2.0, 2.5, 0.2 + 0j, 1.0 + 0j, 1.0 + 0j) == (2.2 + 0j, False)
+    assert elongation_after(2.0 + 0j, 2.0, 2.5, 0.2 + 0j, 1.0 + 0j, 1.0 + 0j) == (2.2 + 0j, False)
 
 
 @pytest.mark.parametrize("stiffness", [0.5, 2471.0, 1e5])

@@ -14,7 +14,7 @@ from dcfp.analysis.integration import Integration
 from dcfp.analysis.response import HISTORIES as OF_RESPONSE
 from dcfp.analysis.response import PEAKS, Response
 from dcfp.analysis.result import MotionResult
-from dcfp.arrays import FloatArray, freeze, integral
+from dcfp.arrays import FloatArray, first_rows, freeze
 from dcfp.kernels import building as k
 from dcfp.motion.ground_motion import parts_in, with_tail
 from dcfp.motion.load import Motion, motion_of
@@ -193,7 +193,7 @@ def respond_building(
     longest = _longest_step(building) if integration.step is None else integration.step
     parts = parts_in(motion.time_step, longest)
     fine = motion.time_step / parts
-    acceleration = with_tail(motion, tail)
+    acceleration = with_tail(motion.acceleration, motion.time_step, tail)
     # from one sample of the record after its last, where the ground has stopped accelerating
     free_from = motion.acceleration.size if tail is None else acceleration.size
     own = building_of(building, bearing, fine)
@@ -217,10 +217,9 @@ def respond_building(
         began = time.perf_counter()
         status, done, rests = march(acceleration)
     elapsed = time.perf_counter() - began
-    lines = lines[: done + 1]
     if status == k.NO_PROGRESS:
         raise friction.no_progress(motion.name, done * motion.time_step)
-    if not np.isfinite(lines).all():
+    if not np.isfinite(lines[: done + 1]).all():
         raise friction.no_number(motion.name)
     return BuildingResponse(
         motion=motion,
@@ -228,11 +227,10 @@ def respond_building(
         building=building.scaled_to(bearing.mass),
         step=fine,
         time=freeze(np.arange(done + 1) * motion.time_step),
-        ground_acceleration=freeze(acceleration[: done + 1]),
-        ground_velocity=freeze(integral(acceleration[: done + 1], motion.time_step)),
+        ground_acceleration=first_rows(acceleration, done + 1),
         rests=rests,
         elapsed=elapsed,
-        lines=freeze(lines),
+        lines=first_rows(lines, done + 1),
         _peaks=freeze(peaks),
         _state=freeze(state),
         _resistance=own.resistance,

@@ -124,7 +124,7 @@ class _PlaneMachine(Machine[PlaneLoops]):
     ) -> FloatArray:
         """Follow the first pieces of a path from a time [s] on, by default all; return the histories. The heat changes."""
         state = np.zeros(1, k.PATH_STATE)
-        state["rim"] = -1.0  # it has not begun
+        state["yield_radius"] = -1.0  # it has not begun
         state["time"] = begins
         lengths = travel.lengths[:count]
         lines = np.empty((lengths.size + 1, k.TEMPERATURE + self.constants.plates))

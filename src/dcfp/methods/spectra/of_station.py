@@ -151,7 +151,7 @@ def station_spectrum(
     peaks = np.zeros((periods.size, ANGLES.size))
     for part, parts in pieces(station.time_step, periods):
         step = station.time_step / max(parts, 1)
-        acceleration = np.column_stack([refined(one, parts) for one in station.acceleration.T])
+        acceleration = refined(station.acceleration, parts)
         own = periods[part]
         turn = 2.0 * np.pi * step / own
         # while it turns, an oscillator accelerates by no more than its spring and the ground do
