@@ -17,6 +17,7 @@ def rise_between_points(
     displacement: FloatArray,
     flux: FloatArray,
     mean: FloatArray,
+    ratios: FloatArray,
     interval: float,
 ) -> float:
     """Return by how much a point beside the hottest one of the grid becomes hotter than that [degC].
@@ -33,6 +34,8 @@ def rise_between_points(
         Path of the isolation layer [mm], shape (n, 2).
     flux, mean
         Heat flux mu p |v| at the ends of the intervals [N/(mm s)], shape (n,), and its mean over each of them, shape (n - 1,).
+    ratios
+        Coefficient of each plate that differs over that of the bearing [-], shape (n, plates).
     interval
         Between two places of the path [s].
     """
@@ -50,12 +53,12 @@ def rise_between_points(
     path = np.zeros((len(displacement), k.COLUMNS))
     path[:, k.PLACE_X : k.PLACE_Y + 1] = share * displacement
     # linear in the interval, and raised to the mean
-    ends = flux[:-1] + flux[1:]
-    raised = share * mean * np.divide(2.0, ends, out=np.zeros_like(ends), where=ends > 0.0)
+    ends, felt = flux[:-1] + flux[1:], share * ratios[:, plate]
+    raised = mean * np.divide(2.0, ends, out=np.zeros_like(ends), where=ends > 0.0)
     path[1:, k.OPENING], path[1:, k.CLOSING], path[:, k.NOW] = (
-        raised * flux[:-1],
-        raised * flux[1:],
-        share * flux,
+        felt[1:] * raised * flux[:-1],
+        felt[1:] * raised * flux[1:],
+        felt * flux,
     )
     middle = 0.5 * (plates.field.points.shape[1] - 1)
     row, column = tallies[plate, heat.PEAK_ROW : heat.PEAK_COLUMN + 1] - middle

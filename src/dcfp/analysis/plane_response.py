@@ -184,15 +184,30 @@ class PlaneResponse(PlaneResult, RigidResponse):
             np.diff(self.line("hysteretic")) * bearing.mass / bearing.vertical_force
         )  # mu times the slip [mm]
         interval = float(self.time[1])
-        flux = bearing.pressure * self.line("friction") * self.velocity * self.line("sliding")
+        # mu N |v| over the area; `work` is of the load already
+        flux = (
+            bearing.pressure * (self.load / bearing.vertical_force) * self.line("friction")
+            * self.velocity * self.line("sliding")
+        )  # fmt: skip
         return rise_between_points(
             self.system,
             state.heat,
             self.displacement_vectors,
             flux,
             bearing.pressure * work / interval,
+            self._coefficients_over_mean(),
             interval,
         )
+
+    def _coefficients_over_mean(self) -> FloatArray:
+        """Return the coefficient of each plate that differs over that of the bearing [-], shape (n, plates), as far as speed and temperature make them differ."""
+        bearing, law, temperatures = self.bearing, self.friction_law, self.plate_temperatures
+        if temperatures.shape[1] == 1:
+            return np.ones_like(temperatures)
+        shares = np.array(bearing.shares)
+        speeds = self.velocity[:, np.newaxis] * (shares if law.speed_is_of_surface else 1.0)
+        each = law.coefficient(bearing.pressure, speeds, temperatures)
+        return each / (each @ shares)[:, np.newaxis]
 
     @property
     def _anchor(self) -> float:
