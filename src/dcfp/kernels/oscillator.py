@@ -228,6 +228,18 @@ _BESIDE = 1e-6
 
 
 @kernel
+def passed(before: float, after: float, count: int) -> tuple[float, float]:
+    """Return from where to where among the directions of half a turn a displacement turns, while the velocity turns from one angle to another [rad].
+
+    It turns where the velocity is at a right angle to its direction. Places are those of so many directions at equal angles, over and over.
+    """
+    turn = after - before
+    turn -= math.tau * round(turn / math.tau)
+    low = (before + min(turn, 0.0) + 0.5 * math.pi) * count / math.pi - _BESIDE
+    return low, low + abs(turn) * count / math.pi + 2.0 * _BESIDE
+
+
+@kernel
 def _least_of(peaks: NDArray[np.float64], j: int) -> float:
     least = math.inf
     for k in range(peaks.shape[1]):
@@ -261,12 +273,7 @@ def respond_in_all_directions(
             next_w, next_z = _stepped(coefficients, j, w, z, b, acceleration[i + 1, 1] - b)
             now = next_u * next_u + next_w * next_w
             if max(before, now) > inside or i == last - 1:
-                # a displacement turns where the velocity is at a right angle to its direction
-                start = math.atan2(z, v)
-                turn = math.atan2(next_z, next_v) - start
-                turn -= 2.0 * math.pi * round(turn / (2.0 * math.pi))
-                low = (start + min(turn, 0.0) + 0.5 * math.pi) * count / math.pi - _BESIDE
-                high = low + abs(turn) * count / math.pi + 2.0 * _BESIDE
+                low, high = passed(math.atan2(z, v), math.atan2(next_z, next_v), count)
                 if i == last - 1:  # it may still be moving outwards
                     high = low + count
                 for place in range(math.ceil(low), math.floor(high) + 1):

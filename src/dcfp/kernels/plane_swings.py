@@ -6,10 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.kernels._jit import kernel
+from dcfp.kernels.oscillator import passed
 
 #: Of a row of what `largest_change` works in: the directions' cosine and sine, and the last peak in each [mm].
 COSINE, SINE, LAST_PEAK = range(3)
-_SLIVER = 1e-6
 
 
 @kernel
@@ -22,8 +22,7 @@ def largest_change(
     """Return the largest change of displacement between two successive peaks in any of the directions [mm].
 
     Rows of `displacement` [mm] and `velocity` [mm/s] are `interval` [s] apart; `directions`, shape (3, n), are evenly spaced over half a turn.
-    In a direction it turns where the velocity is at right angles to it, so that each interval concerns only those directions that the
-    velocity turns past.
+    Each interval concerns only those directions that the velocity turns past.
     """
     count = directions.shape[1]
     for k in range(count):
@@ -32,14 +31,8 @@ def largest_change(
     angle = math.atan2(velocity[0, 1], velocity[0, 0])
     for i in range(displacement.shape[0] - 1):
         before, angle = angle, math.atan2(velocity[i + 1, 1], velocity[i + 1, 0])
-        turned = angle - before
-        if abs(turned) > math.pi:  # the other way round
-            turned -= math.copysign(math.tau, turned)
-        # places among the directions, which are a quarter of a turn behind the velocity at right angles to them
-        first = (before / math.pi - 0.5) * count
-        last = first + turned / math.pi * count
-        # a little more on either side, for the rounding of an angle; the velocities decide
-        for place in range(math.ceil(min(first, last) - _SLIVER), math.floor(max(first, last) + _SLIVER) + 1):
+        low, high = passed(before, angle, count)
+        for place in range(math.ceil(low), math.floor(high) + 1):  # the velocities decide
             k = place % count
             v0, v1 = _along(directions, k, velocity[i]), _along(directions, k, velocity[i + 1])
             if v0 * v1 < 0.0:

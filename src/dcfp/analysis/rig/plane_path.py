@@ -12,9 +12,18 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import Akima1DInterpolator, CubicHermiteSpline
 
-from dcfp.analysis.rig.waveform import PIECES_PER_CYCLE, Travel, Wave, check_quarters, ramped, rows_of
-from dcfp.arrays import FloatArray, equally_spaced
-from dcfp.errors import InputError
+from dcfp.analysis.rig.waveform import (
+    PIECES_PER_CYCLE,
+    Travel,
+    Wave,
+    check_quarters,
+    check_samples,
+    largest_velocity,
+    lengths_between,
+    ramped,
+    rows_of,
+)
+from dcfp.arrays import FloatArray
 from dcfp.schema.declared import declared
 from dcfp.schema.parameters import Parameter
 from dcfp.schema.registry import Registry
@@ -224,23 +233,12 @@ class RecordedPath:
     kind: ClassVar[str] = "recorded path"
 
     def __post_init__(self) -> None:
-        if self.time.size < 4 or self.time.shape != self.position.shape:
-            msg = (
-                "A recorded path needs at least four samples, and as many times as positions, not"
-                f" {self.time.size} and {self.position.size}."
-            )
-            raise InputError(msg)
-        if not (np.isfinite(self.time).all() and np.isfinite(self.position).all()):
-            msg = "A recorded path must consist of finite numbers."
-            raise InputError(msg)
-        if not (np.diff(self.time) > 0.0).all():
-            msg = "The times of a recorded path must increase from sample to sample."
-            raise InputError(msg)
+        check_samples(self.time, self.position, "path", "positions")
 
     @property
     def peak_velocity(self) -> float:
         """Largest mean velocity between two samples [mm/s]."""
-        return float(np.abs(np.diff(self.position) / np.diff(self.time)).max())
+        return largest_velocity(self.time, self.position)
 
     @property
     def period(self) -> float:
@@ -251,14 +249,11 @@ class RecordedPath:
     def travel(self) -> Travel:
         """Return the path."""
         time = self.time - self.time[0]
-        lengths = np.diff(time)
-        if equally_spaced(time):
-            lengths = np.full(lengths.size, float(time[-1]) / lengths.size)
         x, y = (
             rows_of(Akima1DInterpolator(time, one, method="makima").c)
             for one in (self.position.real, self.position.imag)
         )
-        return Travel(lengths, x + 1j * y, lap_bounds(time, self.position))
+        return Travel(lengths_between(time), x + 1j * y, lap_bounds(time, self.position))
 
 
 def lap_bounds(time: FloatArray, position: ComplexArray) -> FloatArray:

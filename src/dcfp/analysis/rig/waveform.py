@@ -186,23 +186,12 @@ class Recorded:
     kind: ClassVar[str] = "recorded"
 
     def __post_init__(self) -> None:
-        if self.time.size < 4 or self.time.shape != self.displacement.shape:
-            msg = (
-                "A recorded displacement needs at least four samples, and as many times as displacements, not"
-                f" {self.time.size} and {self.displacement.size}."
-            )
-            raise InputError(msg)
-        if not (np.isfinite(self.time).all() and np.isfinite(self.displacement).all()):
-            msg = "A recorded displacement must consist of finite numbers."
-            raise InputError(msg)
-        if not (np.diff(self.time) > 0.0).all():
-            msg = "The times of a recorded displacement must increase from sample to sample."
-            raise InputError(msg)
+        check_samples(self.time, self.displacement, "displacement", "displacements")
 
     @property
     def peak_velocity(self) -> float:
         """Largest mean velocity between two samples [mm/s]."""
-        return float(np.abs(np.diff(self.displacement) / np.diff(self.time)).max())
+        return largest_velocity(self.time, self.displacement)
 
     @property
     def period(self) -> float:
@@ -213,14 +202,32 @@ class Recorded:
     def travel(self) -> Travel:
         """Return the displacement."""
         time = self.time - self.time[0]
-        lengths = np.diff(time)
-        if equally_spaced(time):
-            lengths = np.full(lengths.size, float(time[-1]) / lengths.size)
-        return Travel(
-            lengths,
-            rows_of(PchipInterpolator(time, self.displacement).c),
-            cycle_bounds(time, self.displacement),
-        )
+        pieces = rows_of(PchipInterpolator(time, self.displacement).c)
+        return Travel(lengths_between(time), pieces, cycle_bounds(time, self.displacement))
+
+
+def check_samples(time: FloatArray, values: NDArray[Any], noun: str, plural: str) -> None:
+    """Refuse what is no recorded motion: too few samples, what is not finite, times that do not increase."""
+    if time.size < 4 or time.shape != values.shape:
+        msg = f"A recorded {noun} needs at least four samples, and as many times as {plural}, not {time.size} and {values.size}."
+        raise InputError(msg)
+    if not (np.isfinite(time).all() and np.isfinite(values).all()):
+        msg = f"A recorded {noun} must consist of finite numbers."
+        raise InputError(msg)
+    if not (np.diff(time) > 0.0).all():
+        msg = f"The times of a recorded {noun} must increase from sample to sample."
+        raise InputError(msg)
+
+
+def largest_velocity(time: FloatArray, values: NDArray[Any]) -> float:
+    """Return the largest mean velocity between two samples [mm/s]."""
+    return float(np.abs(np.diff(values) / np.diff(time)).max())
+
+
+def lengths_between(time: FloatArray) -> FloatArray:
+    """Return the intervals between times from zero on [s], to the last digit the same where they are equal."""
+    lengths = np.diff(time)
+    return np.full(lengths.size, float(time[-1]) / lengths.size) if equally_spaced(time) else lengths
 
 
 Waveform: TypeAlias = Sine | Triangle | Recorded
