@@ -20,7 +20,7 @@ from dcfp.kernels.plane_slide import PlaneControl
 from dcfp.kernels.plane_step import oscillator_rows
 from dcfp.motion.ground_motion import parts_in, refined, with_tail
 from dcfp.motion.station import Station
-from dcfp.system import FrictionLaw, Heating, PreciseHeating, System, SystemLike
+from dcfp.system import System
 from dcfp.system.fields import PlaneHeat
 
 #: Distance of the friction from its chord in the middle of a step that is allowed by default, over mu g [-]; it goes with the tolerance of an analysis.
@@ -29,13 +29,6 @@ TOLERANCE = 5e-3
 PART_OF_PERIOD = 0.125
 #: Part of the pressure at rest below which a friction law is not asked for less [-].
 LEAST_RATIO = 0.01
-
-
-def plane_system(
-    bearing: SystemLike, friction: FrictionLaw | str | None, heating: Heating | str | None
-) -> System:
-    """Return the system of parts or of their names as `System.of`; the precise heating model where nothing says which."""
-    return System.of(bearing, friction, heating, usual=PreciseHeating.name)
 
 
 def analyse_plane(

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
-from dcfp.analysis.integration import DEFAULT, NOTHING, Integration, Keep, halvings
+from dcfp.analysis.integration import DEFAULT, NOTHING, Integration, Keep, halvings, usual_heating
 from dcfp.analysis.response import Response, State, state_at_rest
 from dcfp.arrays import FloatArray, first_rows, freeze, whole_integral
 from dcfp.errors import InputError
@@ -106,20 +106,33 @@ def respond(
     """
     refuse_other(keep, Keep, "keep", "a Keep")
     record, integration = record_of(motion, pgv), Integration(step=step, tail=tail, tolerance=tolerance)
+    system = System.of(bearing, friction, heating, usual=usual_heating([record]))
+    return analyse_record(record, system, integration, vertical=vertical, start=start, keep=keep)
+
+
+def analyse_record(
+    record: GroundMotion | Station,
+    system: System,
+    integration: Integration,
+    *,
+    vertical: bool = False,
+    start: "State | PlaneState | None" = None,
+    keep: Keep = NOTHING,
+) -> "Response | PlaneResponse":
+    """Analyse a system under a ground motion, or in the plane under a station; arguments, result and errors as for `respond`."""
     if isinstance(record, Station):
         # late: most motions are of one direction
-        from dcfp.analysis.plane_history import PlaneState, analyse_plane, plane_system
+        from dcfp.analysis.plane_history import PlaneState, analyse_plane
 
         if start is not None and not isinstance(start, PlaneState):
             raise InputError(other(start, "start", "the final state of a PlaneResponse"))
-        system = plane_system(bearing, friction, heating)
         return analyse_plane(record, system, integration, vertical=vertical, start=start, keep=keep)
     if vertical:
         msg = f"{record.name}: a single component has no vertical one; give a station, as in east.AT2+north.AT2+up.AT2."
         raise InputError(msg)
     if start is not None and not isinstance(start, State):
         raise InputError(other(start, "start", "the final state of a Response"))
-    return analyse(record, System.of(bearing, friction, heating), integration, start=start, keep=keep)
+    return analyse(record, system, integration, start=start, keep=keep)
 
 
 def analyse(

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import tomli_w
 
-from dcfp.analysis.integration import PLATES
-from dcfp.analysis.response_history import analyse
+from dcfp.analysis import Response
+from dcfp.analysis.integration import NOTHING, PLATES
+from dcfp.analysis.response_history import analyse_record
 from dcfp.errors import InputError
 from dcfp.inference import Case, compare
 from dcfp.methods.code import CodeResult
@@ -27,7 +28,6 @@ from dcfp.study.results import peaks_of
 from dcfp.system import System
 
 if TYPE_CHECKING:
-    from dcfp.analysis import Response
     from dcfp.analysis.plane_response import PlaneResponse
 
 #: What is said where there are stations.
@@ -224,7 +224,7 @@ def calculate(
     scenario: Scenario,
     report: Callable[[], None] | None = None,
     *,
-    in_plane: "Sequence[PlaneResponse] | None" = None,
+    responses: "Sequence[Response | PlaneResponse] | None" = None,
 ) -> Calculation:
     """Analyse and predict every ground motion of a scenario.
 
@@ -234,8 +234,8 @@ def calculate(
         What is calculated.
     report
         Called after each ground motion.
-    in_plane
-        The analyses of the stations of the scenario, where they are at hand.
+    responses
+        The analyses of the scenario, where they are at hand.
 
     Raises
     ------
@@ -247,19 +247,15 @@ def calculate(
     results: list[ScenarioResult] = []
     model, settings = scenario.model, scenario.study.settings
     for place, motion in enumerate(scenario.motions):
-        if isinstance(motion, Station):
-            from dcfp.analysis.plane_history import analyse_plane  # late: most scenarios are of one direction
-
-            of_station = (
-                analyse_plane(motion, model, settings, vertical=scenario.study.vertical)
-                if in_plane is None
-                else in_plane[place]
-            )
-            results.append(ScenarioResult(motion, of_station, None))
-        else:
-            response = analyse(motion, model, settings, keep=PLATES)
-            case = compare(motion, methods, codes=True, response=response)
-            results.append(ScenarioResult(motion, response, case))
+        keep = NOTHING if isinstance(motion, Station) else PLATES
+        response = (
+            analyse_record(motion, model, settings, vertical=scenario.study.vertical, keep=keep)
+            if responses is None
+            else responses[place]
+        )
+        of_line = isinstance(response, Response)
+        case = compare(response.motion, methods, codes=True, response=response) if of_line else None
+        results.append(ScenarioResult(motion, response, case))
         if report is not None:
             report()
     return Calculation(scenario, methods, nominal, tuple(results))

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from dcfp.analysis.batch import Lanes, respond_in_batch
 from dcfp.analysis.response import FAILED, NUMBERS, Status
-from dcfp.analysis.response_history import analyse
+from dcfp.analysis.response_history import analyse_record
 from dcfp.arrays import IntArray
 from dcfp.errors import AnalysisError
 from dcfp.inference.case import code_inputs
@@ -21,7 +21,6 @@ from dcfp.methods.code import CodeMethod
 from dcfp.methods.code_comparison import code_results
 from dcfp.methods.prediction import Ground, Methods, PredictionMethod
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.station import Station
 from dcfp.study.factors import ANALYSIS
 from dcfp.study.results import STATUS, added_peaks, kept_peaks, peaks_of
 from dcfp.study.study import Block, Cases, Plan
@@ -95,12 +94,8 @@ def _histories(plan: Plan, block: Block, cases: Cases) -> Results:
 
 def response_of(plan: Plan, lanes: Lanes, lane: int) -> "Response | PlaneResponse":
     """Return the response history analysis of one lane, with its histories."""
-    motion, system = plan.motion(lanes, lane), lanes.models[int(lanes.model[lane])]
-    if isinstance(motion, Station):
-        from dcfp.analysis.plane_history import analyse_plane  # late: most studies are of one direction
-
-        return analyse_plane(motion, system, plan.study.settings, vertical=plan.study.vertical)
-    return analyse(motion, system, plan.study.settings)
+    system = lanes.models[int(lanes.model[lane])]
+    return analyse_record(plan.motion(lanes, lane), system, plan.study.settings, vertical=plan.study.vertical)
 
 
 def predict(motion: GroundMotion, methods: Methods, key: str) -> Prediction:

@@ -9,7 +9,7 @@ import numpy as np
 
 from dcfp.analysis.integration import DEFAULT, Integration
 from dcfp.analysis.plane_fields import Fields, fields_at
-from dcfp.analysis.plane_history import TOLERANCE, plane_system
+from dcfp.analysis.plane_history import TOLERANCE
 from dcfp.analysis.rig.machine import Machine, checked_program, run_all
 from dcfp.analysis.rig.plane_loops import PlaneLoops
 from dcfp.analysis.rig.program import Program, RigTest
@@ -60,7 +60,8 @@ def run_in_the_plane(
     AnalysisError
         If a test cannot be finished.
     """
-    system, integration = plane_system(bearing, friction, heating), Integration(tolerance=tolerance)
+    system = System.of(bearing, friction, heating, usual=PreciseHeating.name)
+    integration = Integration(tolerance=tolerance)
     program = checked_program(program, system)
     _load_kernels()
     return run_all(program, lambda tests: _PlaneMachine(tests, system, integration.tolerance), report)

@@ -15,7 +15,7 @@ from dcfp.motion.treatment import record_treated, treated
 from dcfp.schema.declared import Declared, parameters
 from dcfp.system import SimplifiedHeating, System, system_parameters
 
-Moved = TypeVar("Moved", GroundMotion, Station)
+Moved = TypeVar("Moved", GroundMotion, Station, GroundMotion | Station)
 
 
 def given(chosen: argparse.Namespace, kind: type[Declared]) -> dict[str, Any]:

@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from dcfp.analysis import Response
-from dcfp.analysis.integration import NOTHING, PLATES, Integration, Keep, usual_heating
-from dcfp.analysis.response_history import analyse
+from dcfp.analysis.integration import NOTHING, PLATES, Integration, usual_heating
+from dcfp.analysis.response_history import analyse_record
 from dcfp.doors.cli import inputs
 from dcfp.doors.cli.console import Page, each_that_can, grid, grouped
 from dcfp.doors.cli.outputs import Answer, drawn
@@ -29,57 +29,36 @@ SCRIPT, WORKBOOK = ".py", ".xlsx"
 
 def run(chosen: argparse.Namespace) -> Answer:
     """Analyse every record at every PGV."""
-    records = inputs.load_records(chosen)
+    records: Sequence[GroundMotion | Station] = inputs.load_records(chosen)
     stations = stations_of(records)
     system = inputs.system(chosen, usual_heating(records))
     kind = Path(chosen.out or "").suffix.lower()
-    if stations:
-        return _in_the_plane(chosen, stations, system, kind)
-    singles = [one for one in records if isinstance(one, GroundMotion)]
-    return _in_one_direction(chosen, singles, system, kind)
-
-
-def _in_the_plane(
-    chosen: argparse.Namespace, stations: Sequence[Station], system: System, kind: str
-) -> Answer:
-    from dcfp.analysis.plane_history import analyse_plane  # late: most records are of one direction
-
-    if chosen.rotate is not None:
-        stations = [one.rotated(chosen.rotate) for one in stations]
+    if chosen.rotate is not None and stations:
+        records = [one.rotated(chosen.rotate) for one in stations]
+    for option in () if stations else ("rotate", "vertical"):
+        if getattr(chosen, option) not in (None, False):
+            msg = f"--{option} is for stations; a single component has no other direction."
+            raise InputError(msg)
+    motions = inputs.scaled(records, chosen.pgv, allow_drift=True)
+    if kind == SCRIPT and len(motions) != 1:
+        msg = f"{chosen.out}: a script is of one record at one PGV, not of {len(motions)} analyses; give one, or write .xlsx, .nc or .csv."
+        raise InputError(msg)
     integration = Integration(**inputs.given(chosen, Integration))
-    motions = inputs.scaled(stations, chosen.pgv, allow_drift=True)
-    _check_one_script(chosen, kind, len(motions))
-    keep = _keep(chosen, kind)
+    # the temperature of the plates where it is drawn or written
+    keep = PLATES if kind == ".nc" or chosen.plot is not None else NOTHING
     responses, failures = each_that_can(
         "analyses",
         motions,
-        lambda motion: analyse_plane(motion, system, integration, vertical=chosen.vertical, keep=keep),
+        lambda motion: analyse_record(motion, system, integration, vertical=chosen.vertical, keep=keep),
     )
 
     def workbook() -> "Calculation":
         if failures:
             msg = f"{failures[0]} A workbook holds every analysis, so none is written; leave this one out, or write .nc or .csv."
             raise AnalysisError(msg)
-        return calculated(chosen, stations, system, integration, responses)
+        return calculated(chosen, records, system, integration, responses)
 
     return answer_of(responses, workbook, vertical=chosen.vertical, failures=failures)
-
-
-def _in_one_direction(
-    chosen: argparse.Namespace, records: Sequence[GroundMotion], system: System, kind: str
-) -> Answer:
-    for option in ("rotate", "vertical"):
-        if getattr(chosen, option) not in (None, False):
-            msg = f"--{option} is for stations; a single component has no other direction."
-            raise InputError(msg)
-    motions = inputs.scaled(records, chosen.pgv, allow_drift=True)
-    _check_one_script(chosen, kind, len(motions))
-    integration = Integration(**inputs.given(chosen, Integration))
-    keep = _keep(chosen, kind)
-    responses, failures = each_that_can(
-        "analyses", motions, lambda motion: analyse(motion, system, integration, keep=keep)
-    )
-    return answer_of(responses, lambda: calculated(chosen, records, system, integration), failures=failures)
 
 
 def calculated(
@@ -87,34 +66,18 @@ def calculated(
     records: Sequence[GroundMotion | Station],
     system: System,
     integration: Integration,
-    in_plane: "Sequence[PlaneResponse] | None" = None,
+    responses: "Sequence[Response | PlaneResponse]",
 ) -> "Calculation":
-    """Return all that is calculated of records as they are read; `in_plane` are the analyses of stations."""
+    """Return all that is calculated of records as they are read, whose analyses are at hand."""
     from dcfp.study import Study  # late: workbooks are rare
     from dcfp.study.scenario import Scenario, calculate
 
     intensities = {"pgv": chosen.pgv} if chosen.pgv else {}
     title = ", ".join(motion.name for motion in records)
     study = Study(
-        records,
-        intensities,
-        model=system,
-        title=title,
-        settings=integration,
-        vertical=in_plane is not None and chosen.vertical,
+        records, intensities, model=system, title=title, settings=integration, vertical=chosen.vertical
     )
-    return calculate(Scenario(study), in_plane=in_plane)
-
-
-def _keep(chosen: argparse.Namespace, kind: str) -> Keep:
-    """Return what is kept: the temperature of the plates where it is drawn or written."""
-    return PLATES if kind == ".nc" or chosen.plot is not None else NOTHING
-
-
-def _check_one_script(chosen: argparse.Namespace, kind: str, count: int) -> None:
-    if kind == SCRIPT and count != 1:
-        msg = f"{chosen.out}: a script is of one record at one PGV, not of {count} analyses; give one, or write .xlsx, .nc or .csv."
-        raise InputError(msg)
+    return calculate(Scenario(study), responses=responses)
 
 
 def write_analyses(
