@@ -9,7 +9,6 @@ from dcfp.inference import Methods, compare
 from dcfp.inference.forecast import calibration_set
 from dcfp.methods import find_pulses, march_through_pulses
 from dcfp.methods.li_2020 import predict_from_pulses, predict_simplified
-from dcfp.methods.pulses import MARCH_THRESHOLD
 from dcfp.motion.named import VELOCITIES
 
 ROUNDS = 5
@@ -26,7 +25,7 @@ def figures() -> list[Figure]:
     tasks = (
         lambda: [predict_from_pulses(find_pulses(fresh(motion))).largest for motion in motions],
         lambda: [predict_simplified(find_pulses(fresh(motion))).largest for motion in motions],
-        lambda: [march_through_pulses(find_pulses(fresh(motion), MARCH_THRESHOLD)) for motion in motions],
+        lambda: [march_through_pulses(fresh(motion)) for motion in motions],
         lambda: [dcfp.respond(motion) for motion in motions],
     )
     pulse, simplified, march, analysis = in_turn(

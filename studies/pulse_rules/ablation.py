@@ -1,4 +1,4 @@
-"""What each part of the march through the pulses contributes, and what its peaks, steps and time do."""
+"""What each part of the march contributes, and what its nodes, steps and time do."""
 
 import timeit
 from collections.abc import Callable, Sequence
@@ -13,43 +13,46 @@ from dcfp import ConstantFriction, Li2020, NoHeating, SimplifiedHeating, respond
 from dcfp import system as model
 from dcfp.analysis import Response
 from dcfp.inference.statistics import Scatter, scatter
-from dcfp.methods import Prediction, Pulses, find_pulses, march_through_pulses
+from dcfp.methods import Nodes, Prediction, Pulses, find_nodes, march_through_pulses
 from dcfp.methods.li_2020 import LI_2020, predict_from_pulses
-from dcfp.methods.pulses import MARCH_THRESHOLD
 from dcfp.system import LI_2020 as BEARING
 from dcfp.system.plates import system_constants
 
-THRESHOLDS = (0.005, 0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.3)
-PARTS = (6, 12, 24, 48)
+TOLERANCES = (0.02, 0.03, 0.05, 0.075, 0.1, 0.12, 0.15, 0.2)
+PARTS = (1, 2, 4, 8, 24)
 CONSTANT = ConstantFriction(LI_2020.nominal_friction)
-#: No pull: plates of ten kilometres.
-FLAT = replace(BEARING, radii=(1e7, 1e7))
+#: No pull: plates of a kilometre.
+FLAT = replace(BEARING, radii=(1e6, 1e6))
 
 System = Callable[[Pulses], Prediction]
 
 
-def own(cosine: bool, spring: bool) -> System:
+def own(cosine: bool, spring: bool) -> Callable[[Pulses | Nodes], Prediction]:
     """Return the study's own march with constant friction."""
     structure = system_constants(model.System(BEARING, CONSTANT))
     friction = LI_2020.nominal_friction * structure.gravity
     choice = own_march.Choice(cosine, friction, structure.restoring if spring else 0.0)
-    return lambda pulses: own_march.march(pulses, choice)
+    return lambda ground: own_march.march(ground, choice)
 
 
-#: From the pulse method to the march, a step at a time, and the march without one of its parts.
+#: From the pulse method to the march, a step at a time, between the peaks of pulses.
 LADDER: dict[str, System] = {
     "pulse method, each pulse by itself": lambda pulses: predict_from_pulses(pulses).largest,
     "straight legs, one after the other, mu_n, no spring": own(cosine=False, spring=False),
-    "half cosines": own(cosine=True, spring=False),
-    "half cosines, spring (a)": own(cosine=True, spring=True),
-    "half cosines, spring (a), speed": lambda pulses: (
+    "spring (a)": own(cosine=False, spring=True),
+    "speed, at 20 °C": lambda pulses: (
         march_through_pulses(pulses, friction=Li2020(), heating=NoHeating()).prediction
     ),
-    "half cosines, spring (a), speed and heat: the march": lambda pulses: (
-        march_through_pulses(pulses).prediction
+    "and heat": lambda pulses: march_through_pulses(pulses).prediction,
+    "half cosines in place of straight legs, spring (a), mu_n": own(cosine=True, spring=True),
+}
+#: The same between nodes, and the march without one of its parts.
+BETWEEN_NODES: dict[str, Callable[[Response], Prediction]] = {
+    "nodes of 0.1 PGV in place of peaks": lambda one: (
+        march_through_pulses(find_nodes(one.motion, fitted=False)).prediction
     ),
-    "straight legs, spring (a)": own(cosine=False, spring=True),
-    "the march without spring (a)": lambda pulses: march_through_pulses(pulses, FLAT).prediction,
+    "fitted by least squares: the march": lambda one: march_through_pulses(one.motion).prediction,
+    "the march without spring (a)": lambda one: march_through_pulses(one.motion, FLAT).prediction,
 }
 LAWS = {
     "the record itself, mu_n": (CONSTANT, NoHeating()),
@@ -103,8 +106,9 @@ def row(
 def ladder(
     pulses: Sequence[Pulses], responses: Sequence[Response], inputs: Sequence[float]
 ) -> dict[str, Row]:
-    """Return the table of contributions for pulses of one threshold, of the cases that every row moves."""
+    """Return the table of contributions for pulses of one threshold, and between nodes, of the cases that every row moves."""
     said = {name: [model(one) for one in pulses] for name, model in LADDER.items()}
+    said |= {name: [model(one) for one in responses] for name, model in BETWEEN_NODES.items()}
     changes = np.array([[one.displacement_change for one in some] for some in said.values()])
     counted = (changes > 0.0).all(axis=0)
     return {name: row(some, responses, inputs, counted) for name, some in said.items()}
@@ -120,16 +124,16 @@ def records_themselves(responses: Sequence[Response], inputs: Sequence[float]) -
     return found
 
 
-def own_against_package(pulses: Sequence[Pulses], parts: int) -> tuple[float, float]:
+def own_against_package(nodes: Sequence[Nodes], parts: int) -> tuple[float, float]:
     """Return mean and largest |ln| of the study's march over the package's, dy, constant friction."""
-    model = own(cosine=True, spring=True)
+    model = own(cosine=False, spring=True)
     found = np.log(
         [
             model(one).displacement_change
             / march_through_pulses(
                 one, friction=CONSTANT, heating=NoHeating(), parts=parts
             ).prediction.displacement_change
-            for one in pulses
+            for one in nodes
         ]
     )
     return float(found.mean()), float(np.abs(found).max())
@@ -137,38 +141,43 @@ def own_against_package(pulses: Sequence[Pulses], parts: int) -> tuple[float, fl
 
 @dataclass(frozen=True)
 class Fineness:
-    """The march with one threshold and number of steps in a leg; mean number of pulses, median time [us]."""
+    """The march with one tolerance and number of steps in a leg; median number of nodes, mean time of the march alone [us]; dispersion of V_E."""
 
     row: Row
-    pulses: float
+    nodes: float
     microseconds: float
+    total: Scatter
 
 
 def fineness(
-    threshold: float, parts: int, responses: Sequence[Response], inputs: Sequence[float]
+    tolerance: float, parts: int, responses: Sequence[Response], inputs: Sequence[float]
 ) -> Fineness:
-    """March with a threshold and a number of steps in a leg, the best of three times."""
-    pulses = [find_pulses(one.motion, threshold) for one in responses]
-    runs = [
-        [march_through_pulses(one, heating=SimplifiedHeating(), parts=parts) for one in pulses]
-        for _ in range(3)
-    ]
-    times = np.min([[one.elapsed for one in run] for run in runs], axis=0)
-    said = [one.prediction for one in runs[0]]
+    """March with a tolerance and a number of steps in a leg, the best of three times."""
+    nodes = [find_nodes(one.motion, tolerance) for one in responses]
+    said: list[Prediction] = []
+
+    def run() -> None:
+        said[:] = [
+            march_through_pulses(one, heating=SimplifiedHeating(), parts=parts).prediction for one in nodes
+        ]
+
+    seconds = min(timeit.repeat(run, number=1, repeat=3)) / len(nodes)
+    totals = np.array([one.total_velocity for one in said]) / [one.input_velocity for one in responses]
     return Fineness(
         row(said, responses, inputs),
-        float(np.mean([one.count for one in pulses])),
-        1e6 * float(times.mean()),
+        float(np.median([one.count for one in nodes])),
+        1e6 * seconds,
+        scatter(totals),
     )
 
 
 def call_times(responses: Sequence[Response]) -> dict[str, float]:
-    """Return mean times [s] of whole calls from Python: analysis, pulses, march; the best of three rounds."""
+    """Return mean times [s] of whole calls from Python: analysis, nodes, march; the best of three rounds."""
     motions = [one.motion for one in responses]
-    pulses = [find_pulses(motion, MARCH_THRESHOLD) for motion in motions]
+    nodes = [find_nodes(motion) for motion in motions]
     calls = {
         "analysis": lambda: [respond(motion) for motion in motions],
-        "pulses": lambda: [find_pulses(motion, MARCH_THRESHOLD) for motion in motions],
-        "march": lambda: [march_through_pulses(one) for one in pulses],
+        "nodes": lambda: [find_nodes(motion) for motion in motions],
+        "march": lambda: [march_through_pulses(one) for one in nodes],
     }
     return {name: min(timeit.repeat(call, number=1, repeat=3)) / len(motions) for name, call in calls.items()}

@@ -32,7 +32,10 @@ def draw(
     right.semilogx(
         list(pulse), [one.change.dispersion for one in pulse.values()], "^-", label="pulse method, dy"
     )
-    right.set_xlabel("threshold [PGV]")
+    ticks = [0.02, 0.05, 0.1, 0.2, 0.5]
+    right.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+    right.minorticks_off()
+    right.set_xlabel("threshold or tolerance [PGV]")
     right.set_ylabel("dispersion [-]")
     right.set_ylim(0.0)
     right.legend(frameon=False)

@@ -1,4 +1,4 @@
-"""A march through the pulses that shares nothing with the package: constant friction, legs and spring at choice.
+"""A march from peak to peak, or from node to node, that shares nothing with the package: constant friction, legs and spring at choice.
 
 The ground velocity between two peaks is a straight line or half a cosine. The structure is rigid, sticks or slides with a constant coefficient of
 friction, and the pendulum pulls or does not. Steps are so short that the pull may be held at its value in their middle.
@@ -11,7 +11,7 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 
-from dcfp.methods import Prediction, Pulses
+from dcfp.methods import Nodes, Prediction, Pulses
 
 #: Longest step [s], and longest wait for the structure to rest after the last peak [s].
 STEP, REST = 0.002, 120.0
@@ -35,7 +35,7 @@ class Choice(NamedTuple):
     restoring: float
 
 
-def march(pulses: Pulses, choice: Choice) -> Prediction:
+def march(pulses: Pulses | Nodes, choice: Choice) -> Prediction:
     """Return largest change of displacement, displacement and energies of a march."""
     change, displacement, most_input, hysteretic = _march(
         pulses.times, pulses.velocities, choice.cosine, choice.friction, choice.restoring

@@ -23,8 +23,9 @@ from dcfp.analysis import Response
 from dcfp.inference.case import Case
 from dcfp.inference.refit import average_slope, change_ratio, fall_ratio, refit_as_paper, refit_by_squares
 from dcfp.inference.statistics import displacement_over_change
-from dcfp.methods import find_pulses
+from dcfp.methods import find_nodes, find_pulses
 from dcfp.methods.li_2020.constants import DESIGN
+from dcfp.methods.nodes import TOLERANCE
 from dcfp.methods.pulse_march import PARTS
 from dcfp.methods.pulses import THRESHOLD
 
@@ -33,24 +34,23 @@ def march(report: Report, many: Sequence[Response], group: Sequence[Case]) -> di
     """Report what is in the march and how fine it must be; return what the figure shows."""
     inputs = [case.analysed.whole.input_velocity for case in group]
     shown = {}
-    for threshold in (THRESHOLD, 0.05, 0.01):
+    for threshold in (THRESHOLD, 0.05):
         pulses = [find_pulses(one.motion, threshold) for one in many]
         shown[threshold] = ablation.ladder(pulses, many, inputs)
         report(f"Parts of the march, peaks of {threshold:g} PGV", tables.ladder(shown[threshold]))
     rows = []
+    nodes = [find_nodes(one.motion) for one in many]
     for parts in (*ablation.PARTS, 96):
-        mean, most = ablation.own_against_package([find_pulses(one.motion, 0.05) for one in many], parts)
+        mean, most = ablation.own_against_package(nodes, parts)
         rows.append([str(parts), f"{100 * mean:+.2f} %", f"{100 * most:.2f} %"])
     report("The study's march over the package's, dy", tables.table(["steps", "mean", "largest"], rows))
     themselves = ablation.records_themselves(many, inputs)
     report("The record itself with simpler friction", tables.ladder(themselves))
-    fine = {(t, PARTS): ablation.fineness(t, PARTS, many, inputs) for t in ablation.THRESHOLDS}
-    steps = {(t, p): ablation.fineness(t, p, many, inputs) for t in (0.01, 0.02, 0.05) for p in (2, 4, 6, 24)}
-    report("Threshold and steps of the march", tables.fineness(fine), tables.fineness(steps))
-    elapsed = 1e6 * np.array([one.elapsed for one in many])
-    words = f"Compiled code of the analysis: mean {elapsed.mean():.0f} us, median {np.median(elapsed):.0f} us"
+    fine = {(t, PARTS): ablation.fineness(t, PARTS, many, inputs) for t in ablation.TOLERANCES}
+    steps = {(TOLERANCE, p): ablation.fineness(TOLERANCE, p, many, inputs) for p in ablation.PARTS}
+    report("Tolerance and steps of the march", tables.fineness(fine), tables.fineness(steps))
     calls = {name: f"{1e6 * one:.0f} us" for name, one in ablation.call_times(many).items()}
-    report("Times", words, f"Whole calls: {calls}")
+    report("Times", f"Whole calls: {calls}")
     return {"ladder": shown[0.05] | themselves, "march": {t: one for (t, _), one in fine.items()}}
 
 

@@ -73,21 +73,23 @@ def ladder(found: dict[str, Row]) -> str:
 
 
 def fineness(found: dict[tuple[float, int], Fineness]) -> str:
-    """Return the table of thresholds and steps of the march."""
-    head = ["threshold", "steps", "pulses", "us", "bias dy", "disp. dy", "bias y", "disp. y", "disp. V_dE"]
+    """Return the table of tolerances and steps of the march."""
+    head = ["tolerance", "steps", "nodes", "us", "bias dy", "disp. dy", "bias y", "disp. y"]
+    head += ["bias V_E", "disp. V_E", "disp. V_dE"]
     head += ["disp. dy at 0.25", "0.5", "0.75", "1.0 m/s"]
     rows = [
         [
-            f"{threshold:g}",
+            f"{tolerance:g}",
             str(parts),
-            f"{one.pulses:.0f}",
+            f"{one.nodes:.0f}",
             f"{one.microseconds:.0f}",
             *_scatter(one.row.change),
             *_scatter(one.row.displacement),
+            *_scatter(one.total),
             f"{one.row.energy.dispersion:.3f}",
             *[f"{value:.2f}" for value in one.row.by_pgv],
         ]
-        for (threshold, parts), one in found.items()
+        for (tolerance, parts), one in found.items()
     ]
     return table(head, rows)
 

@@ -60,7 +60,7 @@ def test_the_swing_of_the_largest_pulse_is_ascribed_to_it(phase: float) -> None:
     assert largest is not None
     assert abs(largest.change) > 50.0
     march = march_through_pulses(pulses, LI_2020, Li2020(), SimplifiedHeating())
-    assert governing_pulse(largest, pulses) == march.pulse is not None
+    assert governing_pulse(largest, pulses) == march.leg is not None
 
 
 @pytest.mark.parametrize("name", ["KNA", "NCC", "LPG", "IVD"])

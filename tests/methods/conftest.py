@@ -33,9 +33,9 @@ def six_legs() -> Pulses:
 
 
 @pytest.fixture(scope="session")
-def half_cosines() -> Callable[..., GroundMotion]:
-    """Sample the motion whose velocity between the peaks of pulses is half a cosine."""
-    return verification.half_cosines
+def straight_legs() -> Callable[..., GroundMotion]:
+    """Sample the motion whose velocity is straight between nodes."""
+    return verification.straight_legs
 
 
 @pytest.fixture(scope="session")

@@ -1,4 +1,4 @@
-"""Laws of the march through the pulses, for every pulse, bearing, friction law and heating model."""
+"""Laws of the march along straight legs, for every pulse, bearing, friction law and heating model."""
 
 import math
 from dataclasses import replace
@@ -10,9 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dcfp.constants import STANDARD_GRAVITY
-from dcfp.kernels import pulses as k
+from dcfp.kernels import march as k
 from dcfp.methods import Pulses, march_through_pulses
-from dcfp.methods.pulse_march import LONGEST_STEP
+from dcfp.methods.pulse_march import LONGEST_STEP, PARTS
 from dcfp.system import (
     LI_2020,
     Bearing,
@@ -62,16 +62,16 @@ models = st.sampled_from(MODELS)
 # ----- laws -----
 
 
-def final_state(pulses: Pulses, bearing: Bearing, law: FrictionLaw, heating: Heating) -> k.PulseState:
+def final_state(pulses: Pulses, bearing: Bearing, law: FrictionLaw, heating: Heating) -> k.MarchState:
     """State of the kernel at the end."""
-    state = np.zeros(1, k.PULSE_STATE)
+    state = np.zeros(1, k.MARCH_STATE)
     system = System(bearing, law, heating)
     plates = cold_plates(system).with_room(2000)
     model = kernel_model(system, plates)
     path = np.empty((0, k.PATH_SIZE))
-    _, fits = k.integrate_pulses(model, pulses.times, pulses.velocities, 12, LONGEST_STEP, state, path)
+    _, fits = k.march_along_legs(model, pulses.times, pulses.velocities, PARTS, LONGEST_STEP, state, path)
     assert fits
-    return k.PulseState(*state[0].item())
+    return k.MarchState(*state[0].item())
 
 
 @SEARCH
@@ -105,7 +105,7 @@ def test_mirrored_pulses_do_the_same_to_the_other_side(
     assert there.prediction.displacement == pytest.approx(back.prediction.displacement, rel=rel)
     assert there.prediction.total_velocity == pytest.approx(back.prediction.total_velocity, rel=rel)
     assert there.residual_displacement == pytest.approx(-back.residual_displacement, rel=rel, abs=1e-9)
-    assert there.pulse == back.pulse
+    assert there.leg == back.leg
 
 
 @SEARCH
@@ -133,12 +133,12 @@ def test_a_ground_that_never_exceeds_friction_moves_nothing(
     law, heating = model
     held = float(law.coefficient(LI_2020.pressure, 0.0, heating.ambient)) * STANDARD_GRAVITY
     legs = np.abs(np.diff(pulses.velocities)) / np.diff(pulses.times)
-    quiet = pulses.scaled(0.999 * held / (0.5 * math.pi * legs.max()))
+    quiet = pulses.scaled(0.999 * held / legs.max())
     march = march_through_pulses(quiet, LI_2020, law, heating)
     found = march.prediction
     assert (found.displacement_change, found.displacement, found.input_velocity) == (0.0, 0.0, 0.0)
     assert (found.hysteretic_velocity, found.total_velocity, march.residual_displacement) == (0.0, 0.0, 0.0)
-    assert march.pulse is None
+    assert march.leg is None
     assert march.peak_temperature == heating.ambient
 
 
@@ -147,7 +147,7 @@ def test_no_pulses_move_nothing() -> None:
         pulses = Pulses(np.array(times), 100.0 * np.arange(len(times)))
         march = march_through_pulses(pulses, with_path=True)
         assert march.prediction.displacement_change == march.prediction.total_velocity == 0.0
-        assert march.pulse is None
+        assert march.leg is None
 
 
 # ----- other bearings and laws -----

@@ -1,8 +1,8 @@
 """
-The march through the pulses
-============================
+The march along straight legs
+=============================
 
-A prediction that carries velocity, position and heat over from one pulse to the next, beside the analysis. Its derivation is in :doc:`/prediction`.
+A prediction that carries velocity, position and heat over from one straight leg of the ground velocity to the next, beside the analysis. Its derivation is in :doc:`/prediction`.
 """
 
 import dcfp

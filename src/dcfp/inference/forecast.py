@@ -41,6 +41,8 @@ class Forecast:
         known.
     governing
         Place in `pulses` of the one that governs by a method, from zero; a method without one is not there.
+    nodes
+        Number of nodes of the ground velocity that a method knows, where it takes it as straight legs.
     intervals
         Of every blind method, where they were asked for; under None those from the PGV alone.
     """
@@ -50,6 +52,7 @@ class Forecast:
     motion: GroundMotion | None = None
     pulses: Pulses | None = None
     governing: dict[Variant, int] = field(default_factory=dict[Variant, int])
+    nodes: dict[Variant, int] = field(default_factory=dict[Variant, int])
     intervals: dict[Variant | None, Intervals] = field(default_factory=dict[Variant | None, Intervals])
     remarks: tuple[str, ...] = ()
 
@@ -116,6 +119,7 @@ def forecast(
             for variant, one in said.items()
             if one.by_pulse is not None and one.by_pulse.governing is not None
         },
+        nodes={variant: one.nodes for variant, one in said.items() if one.nodes is not None},
         intervals=intervals,
         remarks=tuple(remarks),
     )

@@ -66,6 +66,11 @@ class Told(NamedTuple):
         return None if found is None else f"{found['start_s']:.2f}–{found['peak_s']:.2f}"
 
     @property
+    def nodes(self) -> int | None:
+        """Number of nodes that the method of a forecast knows."""
+        return None if self.variant is None else self.of.nodes.get(self.variant)
+
+    @property
     def information(self) -> Information:
         """What a forecast knows."""
         return Information.PGV if self.variant is None else self.variant.information
@@ -145,6 +150,7 @@ def forecast_lines(forecasts: Sequence[Forecast], methods: Methods, *, with_othe
         Quantity("knows", "what it knows", head="Knows", get="information.words", stored=False),
         *map(_of_said, PREDICTION_QUANTITIES.values()),
         Quantity("pulse", "governing pulse", SECOND, head="Pulse", get="pulse", stored=False, printed=of_records),
+        Quantity("nodes", "number of nodes of the ground velocity", NONE, decimals=0, head="Nodes", get="nodes", printed=of_records),
         *map(_of_pulse, PULSES[:3]),
         *(_of_interval(quantity, end) for quantity in PREDICTION_QUANTITIES.values() for end in _ENDS),
     )  # fmt: skip
@@ -192,7 +198,11 @@ FORECASTS = [
 
 def _forecast_of(one: Forecast, variant: Variant) -> dict[str, Any]:
     pulse = _pulse(one.pulses, one.governing.get(variant))
-    return _prediction(one, variant) | {"pulse": pulse, "interval": _interval(one, variant)}
+    return _prediction(one, variant) | {
+        "pulse": pulse,
+        "nodes": one.nodes.get(variant),
+        "interval": _interval(one, variant),
+    }
 
 
 def forecast_objects(forecasts: Sequence[Forecast], methods: Methods) -> list[dict[str, Any]]:

@@ -9,6 +9,8 @@ from dcfp.methods.pulses import Prediction as Prediction
 from dcfp.methods.pulses import PulsePrediction as PulsePrediction
 from dcfp.methods.pulses import Pulses as Pulses
 from dcfp.methods.pulses import find_pulses as find_pulses
+from dcfp.methods.nodes import Nodes as Nodes
+from dcfp.methods.nodes import find_nodes as find_nodes
 from dcfp.methods.li_2020 import DESIGN_METHOD as DESIGN_METHOD
 from dcfp.methods.li_2020 import PULSE_METHOD as PULSE_METHOD
 from dcfp.methods.li_2020 import SIMPLIFIED_METHOD as SIMPLIFIED_METHOD

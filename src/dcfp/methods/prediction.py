@@ -9,8 +9,8 @@ from dcfp.analysis.rig import Program, RigTest, Sine, run_program
 from dcfp.errors import InputError
 from dcfp.methods.li_2020.constants import LI_2020, Constants
 from dcfp.methods.method import METHODS, Information, Method
+from dcfp.methods.nodes import LEAVE, TOLERANCE, Nodes, find_nodes
 from dcfp.methods.pulses import (
-    MARCH_THRESHOLD,
     THRESHOLD,
     TURN,
     Prediction,
@@ -31,14 +31,12 @@ _ROUNDING = 1e-6
 
 @declared
 class Methods(Declared):
-    """What stands on the ground, and how the methods of prediction are set; for the thresholds see `find_pulses`."""
+    """What stands on the ground, and how the methods of prediction are set: see `find_pulses` for the threshold, `find_nodes` for the tolerance of the march."""
 
     system: System = field(default_factory=System)
     constants: Constants = LI_2020
     threshold: Annotated[float, TURN] = THRESHOLD
-    march_threshold: Annotated[
-        float, replace(TURN, words="the same for the march through the pulses", option=False)
-    ] = MARCH_THRESHOLD
+    march_tolerance: Annotated[float, replace(LEAVE, option=False)] = TOLERANCE
 
     @classmethod
     def of(cls, system: System, nominal: "Nominal | None" = None) -> "Methods":
@@ -62,11 +60,12 @@ class Methods(Declared):
 
 @dataclass(frozen=True, eq=False)
 class Ground:
-    """An earthquake as the methods of prediction know it, with its pulses by the threshold as far as they have been looked for."""
+    """An earthquake as the methods of prediction know it, with its pulses by the threshold and its nodes by the tolerance as far as they have been looked for."""
 
     pgv: float  #: [mm/s]
     motion: GroundMotion | None = None  #: the record; None where only the PGV is known
     found: dict[float, Pulses] = field(default_factory=dict[float, Pulses], repr=False)
+    legs: dict[float, Nodes] = field(default_factory=dict[float, Nodes], repr=False)
 
     @classmethod
     def of(cls, motion: GroundMotion) -> "Ground":
@@ -81,12 +80,28 @@ class Ground:
         InputError
             If only the PGV is known.
         """
+        if threshold not in self.found:
+            self.found[threshold] = find_pulses(self._record, threshold)
+        return self.found[threshold]
+
+    def nodes(self, tolerance: float) -> Nodes:
+        """Return the nodes of the ground velocity by a tolerance [-], found once.
+
+        Raises
+        ------
+        InputError
+            If only the PGV is known.
+        """
+        if tolerance not in self.legs:
+            self.legs[tolerance] = find_nodes(self._record, tolerance)
+        return self.legs[tolerance]
+
+    @property
+    def _record(self) -> GroundMotion:
         if self.motion is None:
             msg = "Pulses are of a record; of this earthquake only the PGV is known."
             raise InputError(msg)
-        if threshold not in self.found:
-            self.found[threshold] = find_pulses(self.motion, threshold)
-        return self.found[threshold]
+        return self.motion
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,6 +111,7 @@ class Predicted:
     prediction: Prediction  #: without the analysis
     by_pulse: PulsePrediction | None = None  #: of every pulse, where the method takes one after the other
     remarks: tuple[str, ...] = ()  #: sentences that a reader must know
+    nodes: int | None = None  #: number of nodes of straight legs that it takes the ground velocity for
 
     def knowing(self, information: Information, pulse: int | None) -> Prediction:
         """Return the prediction with that information; `pulse` is the number of the one that the analysis found to govern, or None."""

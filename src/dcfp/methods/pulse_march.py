@@ -1,8 +1,7 @@
-"""A prediction of our own: the structure is marched through the pulses, with friction that heats.
+"""A prediction of our own: the structure is marched along a ground velocity of straight legs, with friction that heats.
 
-It knows the times and velocities of the peaks, as the pulse method does. But the ground velocity between two peaks is half a cosine, the structure keeps the
-velocity and the place in which one pulse leaves it, spring (a) pulls it back, and the coefficient of friction follows the law of the bearing.
-``docs/prediction.md`` has the derivation and the evidence.
+Of the ground it knows the nodes of `dcfp.methods.nodes` only, some 70 in the median of FEMA P-695. The structure keeps the velocity and the place in which one leg leaves it, spring (a) pulls
+it back, and the coefficient of friction follows the law of the bearing. ``docs/prediction.md`` has the derivation and the evidence.
 """
 
 import math
@@ -11,10 +10,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
-from dcfp.kernels import pulses as k
+from dcfp.kernels import march as k
 from dcfp.methods.method import Information, Look
+from dcfp.methods.nodes import Nodes, find_nodes
 from dcfp.methods.prediction import Ground, Methods, Predicted, PredictionMethod
-from dcfp.methods.pulses import MARCH_THRESHOLD, Prediction, Pulses, find_pulses
+from dcfp.methods.pulses import Prediction, Pulses
 from dcfp.motion.load import Motion
 from dcfp.schema.notebook import fields_card
 from dcfp.system import FrictionLaw, Heating, System, SystemLike
@@ -22,19 +22,20 @@ from dcfp.system.plates import cold_plates, kernel_model
 
 NAME = "pulse march"
 #: Steps in a leg, at least, and the longest step [s].
-PARTS, LONGEST_STEP = 12, 0.05
+PARTS, LONGEST_STEP = 4, 0.05
 
 
 @dataclass(frozen=True, eq=False)
 class PulseMarch:
-    """How the structure moves through the pulses, with its path over time [s, mm], shape (n,).
+    """How the structure moves along the legs, with its path over time [s, mm], shape (n,).
 
-    The largest change of displacement began on the rise of the pulse of a number counted from zero; None where nothing slides, or where it began after the
-    last peak that has a pulse. Where it has not come to rest within two minutes after the last peak, that slide is not in the changes of displacement.
+    The largest change of displacement began on the leg of a number counted from zero; None where nothing slides, or where it began after the last node. Where
+    it has not come to rest within two minutes after that, that slide is not in the changes of displacement.
     """
 
     prediction: Prediction  #: peaks and energies
-    pulse: int | None
+    leg: int | None
+    nodes: int  #: number of what is known of the ground velocity
     rests: bool
     peak_temperature: float  #: highest temperature of the contact [degC]
     residual_displacement: float  #: displacement in which it rests at the end [mm]
@@ -42,12 +43,16 @@ class PulseMarch:
     displacement: FloatArray
 
     def _repr_html_(self) -> str:
-        facts = {"comes to rest": self.rests, "peak_temperature [degC]": self.peak_temperature}
-        return fields_card(self.prediction, "March through the pulses", facts)
+        facts = {
+            "nodes": self.nodes,
+            "comes to rest": self.rests,
+            "peak_temperature [degC]": self.peak_temperature,
+        }
+        return fields_card(self.prediction, "March along the legs", facts)
 
 
 def march_through_pulses(
-    ground: Pulses | Motion,
+    ground: Nodes | Pulses | Motion,
     bearing: SystemLike = None,
     friction: FrictionLaw | str | None = None,
     heating: Heating | str | None = None,
@@ -55,16 +60,16 @@ def march_through_pulses(
     parts: int = PARTS,
     with_path: bool = False,
 ) -> PulseMarch:
-    """March a rigid structure on a bearing through the pulses of a ground motion.
+    """March a rigid structure on a bearing along the straight legs of a ground velocity.
 
     Parameters
     ----------
     ground
-        Pulses of a ground velocity, or a ground motion whose pulses are to be found with the threshold of the march.
+        Nodes of a ground velocity; pulses, between whose peaks it is then straight; or a ground motion whose nodes are to be found.
     bearing, friction, heating
         As for `dcfp.respond`; spring (b) is taken as rigid.
     parts
-        Steps from one peak to the next, at least.
+        Steps in a leg, at least.
     with_path
         Whether to keep the displacement at the end of every step.
 
@@ -73,11 +78,11 @@ def march_through_pulses(
     AnalysisError
         If a displacement is not a finite number.
     """
-    pulses = ground if isinstance(ground, Pulses) else find_pulses(ground, MARCH_THRESHOLD)
+    nodes = ground if isinstance(ground, (Nodes, Pulses)) else find_nodes(ground)
     system = System.of(bearing, friction, heating)
-    state, path = _marched(pulses, system, parts, with_path=with_path)
+    state, path = _marched(nodes, system, parts, with_path=with_path)
     if not np.isfinite(state[:-1]).all():
-        what = "the march through the pulses"
+        what = "the march along the legs"
         raise system.friction.no_number(what)
     return PulseMarch(
         prediction=Prediction(
@@ -87,8 +92,9 @@ def march_through_pulses(
             displacement=state.peak_displacement,
             total_velocity=math.sqrt(2.0 * max(state.input, 0.0)),
         ),
-        # the last leg has no pulse of its own; not a number is below nothing
-        pulse=int(state.peak_leg) if state.peak_leg < pulses.count else None,
+        # not a number is below nothing
+        leg=int(state.peak_leg) if state.peak_leg < nodes.times.size - 1 else None,
+        nodes=nodes.times.size,
         rests=state.slip_sign == 0.0,
         peak_temperature=state.peak_temperature,
         residual_displacement=state.displacement,
@@ -98,32 +104,32 @@ def march_through_pulses(
 
 
 def _marched(
-    pulses: Pulses, system: System, parts: int, *, with_path: bool
-) -> tuple[k.PulseState, FloatArray]:
+    nodes: Nodes | Pulses, system: System, parts: int, *, with_path: bool
+) -> tuple[k.MarchState, FloatArray]:
     """Return state and path at the end; again with more cells where they did not suffice."""
-    legs = np.maximum(parts, np.ceil(np.diff(pulses.times) / LONGEST_STEP))
+    legs = np.maximum(parts, np.ceil(np.diff(nodes.times) / LONGEST_STEP))
     rows = int(legs.sum()) + k.FREE_STEPS if with_path else 0
     plates = cold_plates(system)
     while True:
-        state = np.zeros(1, k.PULSE_STATE)
+        state = np.zeros(1, k.MARCH_STATE)
         state["peak_temperature"], state["peak_leg"] = system.heating.ambient, math.nan
         path = np.empty((rows, k.PATH_SIZE))
         model = kernel_model(system, plates)
-        written, fits = k.integrate_pulses(
-            model, pulses.times, pulses.velocities, parts, LONGEST_STEP, state, path
+        written, fits = k.march_along_legs(
+            model, nodes.times, nodes.velocities, parts, LONGEST_STEP, state, path
         )
         if fits:
-            return k.PulseState(*state[0].item()), path[:written]
+            return k.MarchState(*state[0].item()), path[:written]
         plates = cold_plates(system).with_room(plates.cells.shape[1])
 
 
 def _predict(ground: Ground, methods: Methods) -> Predicted:
-    marched = march_through_pulses(ground.pulses(methods.march_threshold), methods.system)
+    marched = march_through_pulses(ground.nodes(methods.march_tolerance), methods.system)
     name = "" if ground.motion is None else ground.motion.name
     still = (
-        f"{name}: the march still slides two minutes after the last peak; its dy does not count that slide."
+        f"{name}: the march still slides two minutes after the last node; its dy does not count that slide."
     )
-    return Predicted(marched.prediction, remarks=() if marched.rests else (still,))
+    return Predicted(marched.prediction, nodes=marched.nodes, remarks=() if marched.rests else (still,))
 
 
 PULSE_MARCH = PredictionMethod(

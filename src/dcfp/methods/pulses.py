@@ -24,8 +24,6 @@ TURN = Parameter(
     above=True,
 )
 THRESHOLD = 0.2
-#: The same for the march, finer, for a ripple does not cut a pulse in two there.
-MARCH_THRESHOLD = 0.05
 
 
 @dataclass(frozen=True, eq=False)

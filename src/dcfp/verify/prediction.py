@@ -12,13 +12,13 @@ from dcfp.inference import Case, Methods
 from dcfp.inference.forecast import cases_at
 from dcfp.inference.refit import governing
 from dcfp.inference.statistics import COVERED, coverage, ratios, scatter
-from dcfp.methods import Pulses, find_pulses, march_through_pulses
+from dcfp.methods import Nodes, Pulses, find_nodes, find_pulses, march_through_pulses
 from dcfp.methods.li_2020 import LI_2020 as PAPER
 from dcfp.methods.li_2020 import predict_from_pgv, predict_from_pulses
 from dcfp.methods.li_2020.constants import PRINTED_DESIGN, PULSE
 from dcfp.methods.method import Information, Variant
 from dcfp.methods.pulse_march import NAME as MARCH
-from dcfp.methods.pulses import CHANGE, DISPLACEMENT, HYSTERETIC, INPUT, MARCH_THRESHOLD, value_of
+from dcfp.methods.pulses import CHANGE, DISPLACEMENT, HYSTERETIC, INPUT, value_of
 from dcfp.motion import treatment
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.named import VELOCITIES
@@ -75,24 +75,23 @@ def invariance(change: str) -> dict[str, float]:
     return {name: abs(_largest(other(one)) / _largest(one) - 1.0) for name, one in motions.items()}
 
 
-def half_cosines(pulses: Pulses, step: float) -> GroundMotion:
-    """Return the motion whose velocity goes from peak to peak in half cosines."""
-    start, end = float(pulses.times[0]), float(pulses.times[-1])
-    time = np.arange(0.0, end - start + step, step) + start
-    leg = np.clip(np.searchsorted(pulses.times, time, side="right") - 1, 0, pulses.times.size - 2)
-    length = np.diff(pulses.times)[leg]
-    phase = np.clip((time - pulses.times[leg]) / length, 0.0, 1.0)
-    amplitude = 0.5 * math.pi * np.diff(pulses.velocities)[leg] / length
-    return GroundMotion(amplitude * np.sin(math.pi * phase), step, "half cosines")
+def straight_legs(nodes: Nodes | Pulses, step: float) -> GroundMotion:
+    """Return the motion whose velocity goes from node to node in straight lines, each corner rounded within a step [s]."""
+    start, end = float(nodes.times[0]), float(nodes.times[-1])
+    time = np.arange(start - step, end + 2.0 * step, step)
+    ahead, behind = (
+        np.interp(time + shift, nodes.times, nodes.velocities) for shift in (0.5 * step, -0.5 * step)
+    )
+    return GroundMotion((ahead - behind) / step, step, "straight legs")
 
 
 def march(friction: str) -> tuple[float, float]:
-    """Return y_max of the march and of the analysis under the same half cosines [mm]."""
+    """Return y_max of the march and of the analysis under the same straight legs [mm]."""
     law, heating = _MODELS[friction]
-    pulses = find_pulses(scaled_record("KNA", 500.0), MARCH_THRESHOLD)
+    nodes = find_nodes(scaled_record("KNA", 500.0))
     stiff = LI_2020.unchecked(elastic_stiffness=1e4 * LI_2020.elastic_stiffness)
-    said = march_through_pulses(pulses, stiff, law, heating, parts=200).prediction
-    return said.bound, respond(half_cosines(pulses, 0.001), stiff, law, heating).peak_displacement
+    said = march_through_pulses(nodes, stiff, law, heating, parts=200).prediction
+    return said.bound, respond(straight_legs(nodes, 0.001), stiff, law, heating).peak_displacement
 
 
 @cache

@@ -60,7 +60,7 @@ def figures(cases: list[Case]) -> list[PaperFigure]:
 
 def march_of(case: Case) -> PulseMarch:
     motion = case.response.motion
-    return march_through_pulses(find_pulses(motion, 0.05), with_path=True)
+    return march_through_pulses(motion, with_path=True)
 
 
 def assert_all_is_inside(figure: Figure) -> None:

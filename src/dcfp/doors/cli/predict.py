@@ -12,9 +12,9 @@ from dcfp.inference import Case, Methods, compare
 from dcfp.inference.design_space import COEFFICIENTS, RADII, held_table, survey
 from dcfp.inference.forecast import SET, Forecast, calibration_set, cases_at, forecast
 from dcfp.inference.told import forecast_lines, forecast_objects, interval_lines
+from dcfp.methods.nodes import find_nodes
 from dcfp.methods.prediction import Constants, Ground, Nominal, nominal_coefficient
 from dcfp.methods.pulse_march import march_through_pulses
-from dcfp.methods.pulses import find_pulses
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import motion_remarks
 from dcfp.system import System
@@ -81,8 +81,8 @@ def labels(methods: Methods, friction: Nominal) -> list[tuple[str, str]]:
         (
             "Constants",
             f"eps {constants.fall_ratio:g}, zeta {constants.change_ratio:g}, kg_ave {constants.average_slope:g} mm/s²;"
-            f" pulses where the ground velocity turns back by {methods.threshold:g} PGV,"
-            f" for the march by {methods.march_threshold:g} PGV",
+            f" pulses where the ground velocity turns back by {methods.threshold:g} PGV;"
+            f" for the march straight legs that it leaves by {methods.march_tolerance:g} PGV, then fitted",
         ),
     ]
 
@@ -155,12 +155,12 @@ def _pgv_figure(forecasts: Sequence[Forecast]) -> "Figure":
 
 
 def pulse_figure(case: Case, methods: Methods) -> "Figure":
-    """Draw a case that kept its analysis, with the march through the pulses."""
+    """Draw a case that kept its analysis, with the march."""
     from dcfp.present.figures import plot_pulses  # late: Matplotlib takes long to import
     from dcfp.present.figures.pulses import response_of
 
-    pulses = find_pulses(response_of(case).motion, methods.march_threshold)
-    marched = march_through_pulses(pulses, methods.system, with_path=True)
+    nodes = find_nodes(response_of(case).motion, methods.march_tolerance)
+    marched = march_through_pulses(nodes, methods.system, with_path=True)
     return plot_pulses(case, marched, constants=methods.constants)
 
 

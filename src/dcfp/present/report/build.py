@@ -248,8 +248,8 @@ def _settings(calculation: Calculation) -> doc.Table:
 def _prediction(calculation: Calculation) -> tuple[str, doc.Parts]:
     constants = calculation.methods.constants
     parts = (
-        f"pulses where the ground velocity turns back by {doc.short(calculation.methods.threshold)} PGV, for the march by"
-        f" {doc.short(calculation.methods.march_threshold)} PGV; ",
+        f"pulses where the ground velocity turns back by {doc.short(calculation.methods.threshold)} PGV, for the march straight"
+        f" legs that it leaves by {doc.short(calculation.methods.march_tolerance)} PGV; ",
         doc.Maths("epsilon"),
         f" {doc.short(constants.fall_ratio)}, ",
         doc.Maths("zeta"),

@@ -1,0 +1,214 @@
+"""Nodes of a ground velocity: a line of straight legs that follows it, after Douglas and Peucker (1973), fitted to it by least squares.
+
+The ground's acceleration is linear between samples, so that its velocity is a parabola there. Nodes lie anywhere on it, not at samples only, and the fit is of the curve itself:
+neither depends on where the motion was sampled.
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from dcfp.kernels._jit import kernel
+
+#: Columns of what the search works in: ends of a leg that is still to be looked at.
+START, END, WAITING_SIZE = range(3)
+#: Columns of what the fit works in: main diagonal and the one beside it; or the velocities at both ends of a leg's own straight line.
+_DIAGONAL, _BESIDE, FIT_SIZE = range(3)
+_FROM, _TO = _DIAGONAL, _BESIDE
+#: How far a node is moved at once, over the leg that becomes shorter [-].
+_FURTHEST_MOVE = 0.25
+
+
+@kernel
+def peak_of(acceleration: NDArray[np.float64], velocity: NDArray[np.float64]) -> float:
+    """Return the largest amount of the velocity, between samples too [mm/s]; accelerations are in mm/s per sample."""
+    peak = 0.0
+    for sign in (1.0, -1.0):
+        highest = 0
+        for i in range(velocity.size):
+            if sign * velocity[i] > sign * velocity[highest]:
+                highest = i
+        place = _extreme_beside(acceleration, highest, 0.0, sign)
+        peak = max(peak, sign * velocity_at(acceleration, velocity, place))
+    return peak
+
+
+@kernel
+def choose_nodes(
+    acceleration: NDArray[np.float64],
+    velocity: NDArray[np.float64],
+    first: int,
+    last: int,
+    tolerance: float,
+    waiting: NDArray[np.float64],
+    places: NDArray[np.float64],
+) -> int:
+    """Write the places of the nodes between two samples, ends included, counted in samples; return their number.
+
+    A leg is cut where the velocity is furthest from it, until nowhere is by more than `tolerance` [mm/s]. Accelerations are in mm/s per sample.
+    `waiting` and `places` need as many rows as there can be nodes; nothing is cut any more where they are full.
+    """
+    places[0] = first
+    count, open_legs = 1, 1
+    waiting[0, START], waiting[0, END] = first, last
+    while open_legs > 0:
+        start, end = waiting[open_legs - 1, START], waiting[open_legs - 1, END]
+        place = _furthest(acceleration, velocity, start, end, tolerance)
+        if math.isnan(place) or count + open_legs >= places.size:
+            places[count] = end
+            count += 1
+            open_legs -= 1
+        else:
+            waiting[open_legs - 1, START] = place
+            waiting[open_legs, START], waiting[open_legs, END] = start, place
+            open_legs += 1
+    return count
+
+
+@kernel
+def _furthest(
+    acceleration: NDArray[np.float64],
+    velocity: NDArray[np.float64],
+    start: float,
+    end: float,
+    tolerance: float,
+) -> float:
+    """Return where the velocity is furthest from the straight leg between two places; not a number where it is nowhere by more than the tolerance."""
+    from_velocity = velocity_at(acceleration, velocity, start)
+    slope = (velocity_at(acceleration, velocity, end) - from_velocity) / (end - start)
+    found, furthest = math.nan, tolerance
+    for i in range(int(start), min(math.ceil(end), velocity.size - 1)):
+        # it is extreme where the acceleration is the slope of the leg
+        here, there = acceleration[i] - slope, acceleration[i + 1] - slope
+        distance = velocity[i] - from_velocity - slope * (i - start)
+        if abs(distance) + 0.5 * abs(here) <= furthest or here * there > 0.0:
+            continue
+        share = here / (here - there) if here != there else 0.0
+        distance = abs(distance + 0.5 * here * share)
+        if start < i + share < end and distance > furthest:
+            found, furthest = i + share, distance
+    return found
+
+
+@kernel
+def _extreme_beside(acceleration: NDArray[np.float64], sample: int, slope: float, sign: float) -> float:
+    """Return where the distance from a leg is extreme in the interval before or after the sample at which it is largest."""
+    rate = acceleration[sample] - slope
+    beside = sample + 1 if sign * rate > 0.0 else sample - 1
+    if rate == 0.0 or beside < 0 or beside >= acceleration.size:
+        return sample
+    other = acceleration[beside] - slope
+    if rate * other >= 0.0:
+        return sample
+    return sample + (beside - sample) * rate / (rate - other)
+
+
+@kernel
+def velocity_at(acceleration: NDArray[np.float64], velocity: NDArray[np.float64], place: float) -> float:
+    """Return the velocity at a place, counted in samples, between which it is a parabola [mm/s]; accelerations in mm/s per sample."""
+    i = min(int(place), velocity.size - 2)
+    share = place - i
+    return velocity[i] + share * (acceleration[i] + 0.5 * share * (acceleration[i + 1] - acceleration[i]))
+
+
+@kernel
+def move_nodes(
+    acceleration: NDArray[np.float64],
+    velocity: NDArray[np.float64],
+    places: NDArray[np.float64],
+    work: NDArray[np.float64],
+) -> None:
+    """Move the nodes between the ends to where the straight lines meet that are closest to the velocity along each leg by itself."""
+    for k in range(places.size - 1):
+        length = places[k + 1] - places[k]
+        left, right = _moments(acceleration, velocity, places[k], places[k + 1])
+        work[k, _FROM] = (4.0 * left - 2.0 * right) / length
+        work[k, _TO] = (4.0 * right - 2.0 * left) / length
+    start = places[0]  # of the leg before, as its line was fitted
+    for k in range(1, places.size - 1):
+        here = places[k]
+        before, after = here - start, places[k + 1] - here
+        change = (work[k - 1, _TO] - work[k - 1, _FROM]) / before - (work[k, _TO] - work[k, _FROM]) / after
+        if change != 0.0:
+            move = (work[k, _FROM] - work[k - 1, _TO]) / change
+            places[k] += max(-_FURTHEST_MOVE * before, min(move, _FURTHEST_MOVE * after))
+        start = here
+
+
+@kernel
+def fit_nodes(
+    acceleration: NDArray[np.float64],
+    velocity: NDArray[np.float64],
+    places: NDArray[np.float64],
+    work: NDArray[np.float64],
+    fitted: bool,
+    ordinates: NDArray[np.float64],
+) -> None:
+    """Write the velocities at the nodes [mm/s]: of the ground there, or with which the straight legs are closest to it by least squares of the integral.
+
+    The nodes' hat functions overlap with their neighbours' only, so that the normal equations are tridiagonal.
+    """
+    count = places.size
+    if not fitted:
+        for k in range(count):
+            ordinates[k] = velocity_at(acceleration, velocity, places[k])
+        return
+    for k in range(count):
+        ordinates[k] = work[k, _DIAGONAL] = work[k, _BESIDE] = 0.0
+    for k in range(count - 1):
+        length = places[k + 1] - places[k]
+        left, right = _moments(acceleration, velocity, places[k], places[k + 1])
+        ordinates[k] += left
+        ordinates[k + 1] += right
+        work[k, _DIAGONAL] += length / 3.0
+        work[k + 1, _DIAGONAL] += length / 3.0
+        work[k, _BESIDE] = length / 6.0
+    for k in range(1, count):
+        factor = work[k - 1, _BESIDE] / work[k - 1, _DIAGONAL]
+        work[k, _DIAGONAL] -= factor * work[k - 1, _BESIDE]
+        ordinates[k] -= factor * ordinates[k - 1]
+    for k in range(count - 1, -1, -1):
+        if k < count - 1:
+            ordinates[k] -= work[k, _BESIDE] * ordinates[k + 1]
+        ordinates[k] /= work[k, _DIAGONAL]
+
+
+@kernel
+def _moments(
+    acceleration: NDArray[np.float64], velocity: NDArray[np.float64], start: float, end: float
+) -> tuple[float, float]:
+    """Return the integrals of the velocity along a leg, weighted by what falls and what rises along it from 0 to 1 [mm/s times samples]."""
+    low, high = math.ceil(start), int(end)
+    if low > high:
+        whole, rising = _part(acceleration, velocity, start, end, start)
+    else:
+        whole, rising = _part(acceleration, velocity, start, low, start)
+        for i in range(low, high):
+            # of a parabola from sample to sample, and of it times the place from the first on
+            part = velocity[i] + acceleration[i] / 3.0 + acceleration[i + 1] / 6.0
+            whole += part
+            rising += (
+                (i - start) * part
+                + 0.5 * velocity[i]
+                + (5.0 * acceleration[i] + 3.0 * acceleration[i + 1]) / 24.0
+            )
+        part, moment = _part(acceleration, velocity, high, end, start)
+        whole += part
+        rising += moment
+    rising /= end - start
+    return whole - rising, rising
+
+
+@kernel
+def _part(
+    acceleration: NDArray[np.float64], velocity: NDArray[np.float64], begin: float, end: float, origin: float
+) -> tuple[float, float]:
+    """Return the integrals over a part of an interval of the velocity, and of it times the place from the origin on: by Simpson's rule, exact for a cubic."""
+    middle = 0.5 * (begin + end)
+    first = velocity_at(acceleration, velocity, begin)
+    second = 4.0 * velocity_at(acceleration, velocity, middle)
+    third = velocity_at(acceleration, velocity, end)
+    whole = first + second + third
+    moment = (begin - origin) * first + (middle - origin) * second + (end - origin) * third
+    return (end - begin) / 6.0 * whole, (end - begin) / 6.0 * moment

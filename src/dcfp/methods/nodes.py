@@ -1,0 +1,114 @@
+"""The ground velocity as a line of straight legs: nodes after Douglas and Peucker (1973), moved and fitted by least squares."""
+
+import math
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from dcfp.arrays import FloatArray, freeze
+from dcfp.errors import InputError
+from dcfp.kernels.nodes import FIT_SIZE, WAITING_SIZE, choose_nodes, fit_nodes, move_nodes, peak_of
+from dcfp.motion.load import Motion, motion_of
+from dcfp.schema.notebook import card
+from dcfp.schema.parameters import Parameter
+from dcfp.schema.units import FRACTION, MM_PER_S, SECOND
+
+#: How far the ground velocity may be from a leg before it is cut, and what is usual; see ``docs/prediction.md`` for the evidence.
+LEAVE = Parameter(
+    "part of PGV by which the ground velocity may leave a straight leg",
+    FRACTION,
+    0.0,
+    1.0,
+    above=True,
+)
+TOLERANCE = 0.1
+#: How often the nodes are moved before their velocities are fitted.
+MOVES = 2
+
+
+@dataclass(frozen=True, eq=False)
+class Nodes:
+    """Where the legs of a ground velocity meet that is straight in between."""
+
+    times: FloatArray = field(metadata={"unit": SECOND})  #: [s], shape (n,), increasing
+    velocities: FloatArray = field(metadata={"unit": MM_PER_S})  #: of the ground there [mm/s], shape (n,)
+    tolerance: float = (
+        TOLERANCE  #: part of PGV by which the ground velocity leaves the legs before the fit [-]
+    )
+
+    def __post_init__(self) -> None:
+        times = np.asarray(self.times, dtype=np.float64)
+        velocities = np.asarray(self.velocities, dtype=np.float64)
+        if times.ndim != 1 or times.shape != velocities.shape:
+            msg = f"The nodes need as many times as velocities, not {times.size} and {velocities.size}."
+            raise InputError(msg)
+        if not (np.isfinite(times).all() and np.isfinite(velocities).all() and (np.diff(times) > 0.0).all()):
+            msg = "The times of the nodes must be finite and increase, and their velocities be finite."
+            raise InputError(msg)
+        object.__setattr__(self, "times", freeze(times))
+        object.__setattr__(self, "velocities", freeze(velocities))
+
+    @property
+    def count(self) -> int:
+        """Number of nodes."""
+        return self.times.size
+
+    def scaled(self, factor: float) -> "Nodes":
+        """Return the nodes of the same motion multiplied by `factor` [-].
+
+        Raises
+        ------
+        InputError
+            If the factor is zero or not a finite number.
+        """
+        if not math.isfinite(factor) or factor == 0.0:
+            msg = f"Nodes can be scaled by a finite number other than zero, not by {factor!r}."
+            raise InputError(msg)
+        return replace(self, velocities=self.velocities * factor)
+
+    def _repr_html_(self) -> str:
+        rows = [
+            {"node [s]": time, "velocity [mm/s]": velocity}
+            for time, velocity in zip(self.times.tolist(), self.velocities.tolist(), strict=True)
+        ]
+        return card(f"{self.count} nodes of a ground velocity", {"tolerance": self.tolerance}, rows=rows)
+
+
+def find_nodes(motion: Motion, tolerance: float = TOLERANCE, *, fitted: bool = True) -> Nodes:
+    """Return the nodes of a ground velocity, from where it begins to accelerate to where it ceases.
+
+    They do not depend on where the motion was sampled, nor on its sign, scale or quiet before and after.
+
+    Parameters
+    ----------
+    motion
+        The ground motion; or the name of a record, or a file.
+    tolerance
+        Part of the PGV [-], above 0 and at most 1.
+    fitted
+        Whether the legs are moved and fitted to the ground velocity by least squares; else the nodes lie on it.
+
+    Raises
+    ------
+    InputError
+        If the tolerance is out of range.
+    """
+    tolerance = LEAVE.checked(tolerance, "The tolerance of the legs")
+    motion = motion_of(motion)
+    step, velocity = motion.time_step, motion.velocity
+    per_sample = motion.acceleration * step
+    limit = tolerance * peak_of(per_sample, velocity)
+    if limit == 0.0:
+        return Nodes(np.empty(0), np.empty(0), tolerance)
+    moving = np.flatnonzero(per_sample)
+    first, last = max(int(moving[0]) - 1, 0), min(int(moving[-1]) + 1, velocity.size - 1)
+    most = 2 * velocity.size
+    places = np.empty(most)
+    places = places[
+        : choose_nodes(per_sample, velocity, first, last, limit, np.empty((most, WAITING_SIZE)), places)
+    ]
+    velocities, work = np.empty(places.size), np.empty((places.size, FIT_SIZE))
+    for _ in range(MOVES if fitted else 0):
+        move_nodes(per_sample, velocity, places, work)
+    fit_nodes(per_sample, velocity, places, work, fitted, velocities)
+    return Nodes(places * step, velocities, tolerance)
