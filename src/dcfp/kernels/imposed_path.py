@@ -13,11 +13,10 @@ from numpy.typing import NDArray
 
 from dcfp.kernels import plane_heat
 from dcfp.kernels._jit import Records, called_kernel, fields_of, kernel, record_type
-from dcfp.kernels.friction import BearingModel, mean_coefficient, store_ratios
+from dcfp.kernels.friction import BearingModel
 from dcfp.kernels.heat_state import (
     COMMON,
     DISC,
-    EXPECTED,
     INSIDE,
     MOST_HALVINGS,
     NO_HEATING,
@@ -25,25 +24,21 @@ from dcfp.kernels.heat_state import (
     PLATE_ROW,
     PLATE_ROWS,
     PRESENT,
-    RATIO,
 )
 from dcfp.kernels.heating import prepare, prepare_cooling
 from dcfp.kernels.imposed_motion import GAUSS_PARTS, GAUSS_POINTS
 from dcfp.kernels.motion import DONE, NO_NUMBER, OUT_OF_CELLS, share
 from dcfp.kernels.plane_heat import COVERED_POINTS, HOTTEST, PEAK_ROW, Field
-from dcfp.kernels.plane_integrate import PARTS
-from dcfp.kernels.plane_slide import Load, friction_between, under
+from dcfp.kernels.plane_integrate import LENGTHS, PARTS, SLIDES, record_motion
+from dcfp.kernels.plane_slide import AT_THE_EDGE, EASY, Load, PlaneMotion, begun, friction_between, rub, under
 from dcfp.kernels.plane_step import dot, elongation_after, length_of, through, times
 from dcfp.kernels.sum_of_exponentials import total
 
-# columns of the histories of a test; temperatures of the plates follow
-X, Y, VELOCITY_X, VELOCITY_Y, ELONGATION_X, ELONGATION_Y, FRICTION, SLIDES, LOAD, WORK, PENDULUM, HYSTERETIC, LENGTH, POINT, TEMPERATURE = range(15)  # fmt: skip
+# columns of the histories of a test after those of the motion; temperatures of the plates follow
+LOAD, WORK, PENDULUM, HYSTERETIC, LENGTH, POINT, TEMPERATURE = range(SLIDES + 1, SLIDES + 8)
 
-#: Part of the tolerance below which the next step may be twice as long, and halvings with which a point in the centre comes under the slider.
-_EASY, _AT_THE_EDGE = 0.2, 3
 #: Travel on a plate in a step over the distance of its points, at most [-].
 _PART_OF_CELL = 0.25
-_LENGTHS: tuple[float, ...] = tuple(0.5**n for n in range(MOST_HALVINGS + 1))
 
 
 class PathPiece(NamedTuple):
@@ -68,33 +63,10 @@ class Sums(NamedTuple):
     length: float  # of the path [mm]
 
 
-class PathState(NamedTuple):
-    """What a test starts from and leaves behind."""
-
-    elongation: complex  # of spring (b) [mm]
-    yield_radius: float  # radius of the yield surface [mm]
-    friction: float  # coefficient
-    slides: bool
-    time: float  # since the plates were cold [s]
-    halvings: int
-    steps: int
-
-
-class Slider(NamedTuple):
-    """Where the slider is, and spring (b)."""
-
-    displacement: complex  # [mm]
-    velocity: complex  # [mm/s]
-    elongation: complex  # [mm]
-    yield_radius: float  # radius of the yield surface [mm]
-    friction: float  # coefficient
-    slides: bool
-
-
 class Dragged(NamedTuple):
     """What a step along the path brings."""
 
-    motion: Slider
+    motion: PlaneMotion
     sums: Sums
     accepted: bool
     easy: bool  # the next one may be longer
@@ -102,7 +74,6 @@ class Dragged(NamedTuple):
 
 
 PATH_PIECE = record_type(PathPiece)
-PATH_STATE = record_type(PathState)
 
 
 @kernel
@@ -138,33 +109,19 @@ def follow(
     lengths: NDArray[np.float64],
     pieces: Records,
     tolerance: float,
-    states: Records,
+    begins: float,
     histories: NDArray[np.float64],
 ) -> tuple[int, int]:
     """Follow a path; return how it ended and the pieces done.
 
     A row of `pieces` is a `PathPiece`, `lengths` how long each lasts [s]; `tolerance` is how far the friction may be from its chord in the middle of a step, over mu N [-].
-    The first of `states`, the model's heat and the field are where it starts from, and are left where it ends. Row i + 1 of `histories` is written at the end of piece i, row 0
-    at the start.
+    It `begins` at a time since the plates were cold [s], spring (b) without force; the model's heat and the field are where it starts from, and are left where it ends. Row i + 1 of
+    `histories` is written at the end of piece i, row 0 at the start.
     """
-    state = states[0]
     first = PathPiece(*fields_of(pieces[0]))
-    level: int = state["halvings"]
-    clock, steps = state["time"], 0
-    motion = Slider(
-        first.position,
-        first.velocity,
-        state["elongation"],
-        state["yield_radius"],
-        state["friction"],
-        state["slides"],
-    )
-    sums = Sums(0.0, 0.0, 0.0, 0.0)
-    if motion.yield_radius < 0.0:  # it has not begun yet
-        here = under(model, first.load, first.reference)
-        friction = mean_coefficient(here, length_of(first.velocity), PRESENT)
-        radius = friction * here.system.yield_per_mu
-        motion = Slider(first.position, first.velocity, motion.elongation, radius, friction, False)
+    still = PlaneMotion(first.position, first.velocity, 0j, 0.0, 0.0, False, 0j, 0j)
+    motion, sums = begun(under(model, first.load, first.reference), still), Sums(0.0, 0.0, 0.0, 0.0)
+    level, clock = 0, begins
     _record(histories[0], model, field, motion, sums, first.load)
     status, done = DONE, 0
     for i in range(lengths.size):
@@ -173,14 +130,13 @@ def follow(
         fewest, place = _fewest_halvings(model, field, piece, interval), 0
         level = max(level, fewest)
         while place < PARTS:
-            length, now = interval * _LENGTHS[level], place * (interval * (1.0 / PARTS))
+            length, now = interval * LENGTHS[level], place * (interval * (1.0 / PARTS))
             prepare(model.heat, level, length)
             step = _drag(model, field, piece, tolerance, motion, sums, level, now, length, clock + now)
             if not step.accepted:
                 level += 1
                 continue
             motion, sums = step.motion, step.sums
-            steps += 1
             place += PARTS >> level
             if step.easy and level > fewest and place % (PARTS >> (level - 1)) == 0:
                 level -= 1
@@ -195,13 +151,6 @@ def follow(
         clock += interval
         done = i + 1
         _record(histories[done], model, field, motion, sums, piece.load + interval * piece.load_rate)
-    state["elongation"], state["yield_radius"], state["friction"] = (
-        motion.elongation,
-        motion.yield_radius,
-        motion.friction,
-    )
-    state["slides"], state["time"], state["halvings"] = motion.slides, clock, level
-    state["steps"] += steps
     return status, done
 
 
@@ -224,7 +173,7 @@ def _drag(
     field: Field,
     piece: PathPiece,
     tolerance: float,
-    begin: Slider,
+    begin: PlaneMotion,
     sums: Sums,
     level: int,
     now: float,
@@ -254,10 +203,10 @@ def _drag(
     kf = system.elastic
     defect = kf * length_of(e_m - times(0.5, e + e_1))
     allowed = tolerance * mu_1 * system.gravity * load.end
-    motion = Slider(u_1, v_1, e_1, radius_1, mu_1, sliding)
+    motion = PlaneMotion(u_1, v_1, e_1, radius_1, mu_1, sliding, 0j, 0j)
     if level < MOST_HALVINGS and (
         defect > allowed
-        or (level < _AT_THE_EDGE and plane_heat.crosses_edge(model.heat, system, r0, r1))
+        or (level < AT_THE_EDGE and plane_heat.crosses_edge(model.heat, system, r0, r1))
     ):  # fmt: skip
         return Dragged(motion, sums, False, False, True)
 
@@ -275,17 +224,9 @@ def _drag(
         slipped = max(rubbed - 0.5 * kf * (radius_1 * radius_1 - radius * radius), 0.0)
     fits = True
     if slipped > 0.0:
-        # the flux is taken as linear, and raised so that the heat is the work of friction
-        flux = pressure / system.gravity * slipped / h
         closing = pressure * load.end * mu_1 * s_1 if sliding else 0.0
-        ends = opening + closing
-        opening, last = (
-            (2.0 * flux * opening / ends, 2.0 * flux * closing / ends) if ends > 0.0 else (flux, flux)
-        )
-        store_ratios(model, s_1, EXPECTED, RATIO)
-        fits = plane_heat.heat_up(
-            model.heat, field, system, level, time, h, u, u_m, u_1, opening, last, closing, rubbing
-        )
+        flux = pressure / system.gravity * slipped / h
+        fits = rub(model, field, level, time, h, u, u_m, u_1, flux, opening, closing, s_1, rubbing)
     else:
         plane_heat.cool_down(model.heat, field, system, level, h)
     work, pendulum = _works(model, piece, load, now, h, e, e_m, e_1)
@@ -295,7 +236,7 @@ def _drag(
         sums.hysteretic + slipped,
         sums.length + (h / 6.0) * (s0 + 4.0 * s_m + s_1),
     )
-    return Dragged(motion, sums, True, defect < _EASY * allowed, fits)
+    return Dragged(motion, sums, True, defect < EASY * allowed, fits)
 
 
 @kernel
@@ -327,23 +268,13 @@ def _record(
     line: NDArray[np.float64],
     model: BearingModel,
     field: Field,
-    motion: Slider,
+    motion: PlaneMotion,
     sums: Sums,
     load: float,
 ) -> None:
-    line[X], line[Y] = motion.displacement.real, motion.displacement.imag
-    line[VELOCITY_X], line[VELOCITY_Y] = motion.velocity.real, motion.velocity.imag
-    line[ELONGATION_X], line[ELONGATION_Y] = motion.elongation.real, motion.elongation.imag
-    line[FRICTION], line[SLIDES], line[LOAD] = motion.friction, 1.0 if motion.slides else 0.0, load
-    line[WORK], line[PENDULUM] = sums.work, sums.pendulum
+    record_motion(line, model, field, motion, POINT)
+    line[LOAD], line[WORK], line[PENDULUM] = load, sums.work, sums.pendulum
     line[HYSTERETIC], line[LENGTH] = sums.hysteretic, sums.length
-    highest = -math.inf
-    for i in range(model.system.plates):
-        line[TEMPERATURE + i] = model.heat.workspace[PRESENT + i]
-        highest = max(highest, model.heat.workspace[PRESENT + i])
-        if model.heat.kind == DISC:
-            highest = max(highest, field.tallies[i, HOTTEST])
-    line[POINT] = highest
 
 
 @called_kernel

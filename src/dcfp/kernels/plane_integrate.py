@@ -15,17 +15,17 @@ from dcfp.kernels.heat_state import DISC, MOST_HALVINGS, PRESENT
 from dcfp.kernels.heating import prepare
 from dcfp.kernels.motion import DONE, NO_NUMBER, OUT_OF_CELLS
 from dcfp.kernels.plane_heat import HOTTEST, Field
-from dcfp.kernels.plane_slide import Load, PlaneControl, PlaneMotion, PlaneStep, slide, stick, under
-from dcfp.kernels.plane_step import dot, length_of, times
+from dcfp.kernels.plane_slide import Load, PlaneControl, PlaneMotion, PlaneStep, begun, slide, stick, under
+from dcfp.kernels.plane_step import dot, times
 
 # columns of the histories; temperatures of the plates follow
 X, Y, VELOCITY_X, VELOCITY_Y, ELONGATION_X, ELONGATION_Y, FRICTION, SLIDES, INPUT, HYSTERETIC, LIFTING, POINT, TEMPERATURE = range(13)  # fmt: skip
 # columns of the vertical load
 RATIO, REFERENCE = range(2)
 
-#: Parts of a sample interval that the shortest step is one of.
+#: Parts of a sample interval that the shortest step is one of, and how long a step of so many halvings is.
 PARTS = 1 << MOST_HALVINGS
-_LENGTHS: tuple[float, ...] = tuple(0.5**n for n in range(MOST_HALVINGS + 1))
+LENGTHS: tuple[float, ...] = tuple(0.5**n for n in range(MOST_HALVINGS + 1))
 # how many places of an elastic oscillation are looked at, and by how much of the yield elongation what is left may slide
 _ANGLES, _TURN, _SLIVER = 64, math.tau / 64, 1e-5
 
@@ -89,18 +89,14 @@ def integrate_plane(
     began, done, status, steps = state["time"], 0, DONE, 0
     if motion.yield_radius < 0.0:  # it has not begun yet
         loaded = under(model, max(loads[0, RATIO], 0.0), loads[0, REFERENCE]) if changes else model
-        friction = mean_coefficient(loaded, length_of(motion.velocity), PRESENT)
-        radius = friction * loaded.system.yield_per_mu
-        motion = PlaneMotion(
-            motion.displacement, motion.velocity, motion.elongation, radius, friction, False, 0j, 0j
-        )
+        motion = begun(loaded, motion)
     _record(histories[0], model, field, motion, extremes)
     for i in range(ground.shape[0] - 1):
         first = complex(ground[i, 0], ground[i, 1])
         rate = times(1.0 / interval, complex(ground[i + 1, 0], ground[i + 1, 1]) - first)
         place = 0
         while place < PARTS:
-            length = interval * _LENGTHS[level]
+            length = interval * LENGTHS[level]
             elapsed = place * (interval * (1.0 / PARTS))
             pushed = first + times(elapsed, rate)
             load = Load(False, 1.0, 1.0, 1.0, 0.0, 0.0)
@@ -136,7 +132,7 @@ def integrate_plane(
         _record(histories[done], model, field, motion, extremes)
         if done >= free_from and _is_at_rest(model, motion):
             break
-    _store_motion(state["motion"], motion)
+    store_motion(state["motion"], motion)
     store(state["extremes"], extremes)
     state["time"] = began + done * interval
     state["halvings"], state["status"] = level, status
@@ -206,7 +202,8 @@ def _larger(one: float, square: float) -> float:
 
 
 @kernel
-def _store_motion(record: Records, motion: PlaneMotion) -> None:
+def store_motion(record: Records, motion: PlaneMotion) -> None:
+    """Write a motion into its record."""
     record["displacement"], record["velocity"] = motion.displacement, motion.velocity
     record["elongation"], record["yield_radius"] = motion.elongation, motion.yield_radius
     record["friction"], record["slides"] = motion.friction, motion.slides
@@ -217,18 +214,26 @@ def _store_motion(record: Records, motion: PlaneMotion) -> None:
 def _record(
     line: NDArray[np.float64], model: BearingModel, field: Field, motion: PlaneMotion, extremes: PlaneExtremes
 ) -> None:
+    record_motion(line, model, field, motion, POINT)
+    line[INPUT], line[HYSTERETIC], line[LIFTING] = extremes.input, extremes.hysteretic, extremes.lifting
+
+
+@kernel
+def record_motion(
+    line: NDArray[np.float64], model: BearingModel, field: Field, motion: PlaneMotion, point: int
+) -> None:
+    """Write the columns up to `SLIDES`, and from number `point` on the highest temperature of a point and those of the plates."""
     line[X], line[Y] = motion.displacement.real, motion.displacement.imag
     line[VELOCITY_X], line[VELOCITY_Y] = motion.velocity.real, motion.velocity.imag
     line[ELONGATION_X], line[ELONGATION_Y] = motion.elongation.real, motion.elongation.imag
     line[FRICTION], line[SLIDES] = motion.friction, 1.0 if motion.slides else 0.0
-    line[INPUT], line[HYSTERETIC], line[LIFTING] = extremes.input, extremes.hysteretic, extremes.lifting
     highest = -math.inf
     for i in range(model.system.plates):
-        line[TEMPERATURE + i] = model.heat.workspace[PRESENT + i]
+        line[point + 1 + i] = model.heat.workspace[PRESENT + i]
         highest = max(highest, model.heat.workspace[PRESENT + i])
         if model.heat.kind == DISC:
             highest = max(highest, field.tallies[i, HOTTEST])
-    line[POINT] = highest
+    line[point] = highest
 
 
 @called_kernel

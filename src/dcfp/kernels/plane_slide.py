@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from dcfp.kernels import plane_heat
 from dcfp.kernels._jit import kernel
 from dcfp.kernels.friction import BearingModel, mean_coefficient, store_ratios, with_reference
-from dcfp.kernels.heat_state import BETWEEN, EXPECTED, MOST_HALVINGS, RATIO
+from dcfp.kernels.heat_state import BETWEEN, EXPECTED, MOST_HALVINGS, PRESENT, RATIO
 from dcfp.kernels.heating import interpolate
 from dcfp.kernels.law import CYCLING
 from dcfp.kernels.motion import SystemConstants
@@ -30,11 +30,11 @@ from dcfp.kernels.plane_step import (
 )
 
 #: Halvings beyond the fewest with which a point in the centre comes under the slider.
-_AT_THE_EDGE = 3
+AT_THE_EDGE = 3
 #: Distance of spring (b)'s force from what was expected, over mu g, up to which a step need not be repeated [-].
 _AS_EXPECTED = 0.01
 #: Part of the tolerance below which the next step may be twice as long.
-_EASY = 0.2
+EASY = 0.2
 
 
 class PlaneControl(NamedTuple):
@@ -97,6 +97,16 @@ def under(model: BearingModel, ratio: float, reference: float) -> BearingModel:
 
 
 @kernel
+def begun(model: BearingModel, motion: PlaneMotion) -> PlaneMotion:
+    """Return a motion with the coefficient and the yield surface with which it begins."""
+    friction = mean_coefficient(model, length_of(motion.velocity), PRESENT)
+    radius = friction * model.system.yield_per_mu
+    return PlaneMotion(
+        motion.displacement, motion.velocity, motion.elongation, radius, friction, False, 0j, 0j
+    )
+
+
+@kernel
 def friction_between(
     model: BearingModel, field: Field, load: Load, place: int, length: float, start: float, end: float,
     middle_speed: float, end_speed: float, opening: float, closing: float, rubbing: float,
@@ -109,6 +119,36 @@ def friction_between(
     return (
         mean_coefficient(under(model, load.middle, load.middle_reference), middle_speed, BETWEEN),
         mean_coefficient(under(model, load.end, load.end_reference), end_speed, EXPECTED),
+    )
+
+
+@kernel
+def rub(
+    model: BearingModel, field: Field, level: int, time: float, length: float, start: complex, middle: complex, end: complex,
+    flux: float, opening: float, closing: float, end_speed: float, rubbing: float,
+) -> bool:  # fmt: skip
+    """Heat the plates by a mean `flux` [N/(mm s)]; return False where the grid ends.
+
+    It is taken as linear, from `opening` to `closing` but raised so that the heat is the work of friction; other arguments as of `plane_heat.heat_up`.
+    """
+    first, last, ends = flux, flux, opening + closing
+    if ends > 0.0:
+        first, last = 2.0 * flux * opening / ends, 2.0 * flux * closing / ends
+    store_ratios(model, end_speed, EXPECTED, RATIO)
+    return plane_heat.heat_up(
+        model.heat,
+        field,
+        model.system,
+        level,
+        time,
+        length,
+        start,
+        middle,
+        end,
+        first,
+        last,
+        closing,
+        rubbing,
     )
 
 
@@ -233,7 +273,7 @@ def slide(
     if level < MOST_HALVINGS and (
         defect > allowed
         or (
-            level < control.fewest_halvings + _AT_THE_EDGE
+            level < control.fewest_halvings + AT_THE_EDGE
             and plane_heat.crosses_edge(model.heat, system, r0, length_of(course.end))
         )
     ):
@@ -249,21 +289,14 @@ def slide(
     slipped = 0.5 * (
         (mu * load.start + mu_m * load.middle) * first + (mu_m * load.middle + mu_1 * load.end) * second
     )
-    # the flux is taken as linear, and raised so that the heat is the work of friction
-    flux = pressure * slipped / h
     s_1 = length_of(course.end_velocity)
     closing = pressure * load.end * mu_1 * s_1 if sliding else 0.0
     opening = opening if begin.slides or first > 0.0 else 0.0
-    ends = opening + closing
-    if ends > 0.0:
-        opening, last = 2.0 * flux * opening / ends, 2.0 * flux * closing / ends
-    else:
-        opening, last = flux, flux
-    store_ratios(model, s_1, EXPECTED, RATIO)
-    fits = plane_heat.heat_up(
-        model.heat, field, system, level, time, h, u, course.middle, course.end, opening, last, closing, rubbing
-    )  # fmt: skip
+    flux = pressure * slipped / h
+    fits = rub(
+        model, field, level, time, h, u, course.middle, course.end, flux, opening, closing, s_1, rubbing
+    )
     hysteretic = absorbed - 0.5 * kf * (dot(e_1, e_1) - dot(e, e))
     return PlaneStep(
-        motion, course.middle, energy, hysteretic, system.gravity * slipped, lifting, True, defect < _EASY * allowed, fits
+        motion, course.middle, energy, hysteretic, system.gravity * slipped, lifting, True, defect < EASY * allowed, fits
     )  # fmt: skip

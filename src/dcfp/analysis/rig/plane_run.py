@@ -19,6 +19,7 @@ from dcfp.errors import AnalysisError
 from dcfp.kernels import imposed_path as k
 from dcfp.kernels._jit import Records
 from dcfp.kernels.motion import DONE, NO_NUMBER
+from dcfp.kernels.plane_integrate import X, Y
 from dcfp.system import FrictionLaw, Heating, PreciseHeating, System, SystemLike
 from dcfp.system.fields import PlaneHeat, cold_heat
 
@@ -90,7 +91,7 @@ class _PlaneMachine(Machine[PlaneLoops]):
         lines = self._followed(test, self.heat, travel, pieces, begins)
         elapsed = time.perf_counter() - began
         self.clock = begins + float(travel.lengths.sum())
-        self.place = complex(lines[-1, k.X], lines[-1, k.Y])
+        self.place = complex(*lines[-1, [X, Y]])
         return PlaneLoops(
             test=test,
             system=self.system,
@@ -124,14 +125,11 @@ class _PlaneMachine(Machine[PlaneLoops]):
         count: int | None = None,
     ) -> FloatArray:
         """Follow the first pieces of a path from a time [s] on, by default all; return the histories. The heat changes."""
-        state = np.zeros(1, k.PATH_STATE)
-        state["yield_radius"] = -1.0  # it has not begun
-        state["time"] = begins
         lengths = travel.lengths[:count]
         lines = np.empty((lengths.size + 1, k.TEMPERATURE + self.constants.plates))
         model = heat.model(self.system)
         status, done = k.follow(
-            model, heat.field, lengths, pieces[: lengths.size], self.tolerance, state, lines
+            model, heat.field, lengths, pieces[: lengths.size], self.tolerance, begins, lines
         )
         if status == NO_NUMBER:
             raise self.friction.no_number(test.name, float(travel.time[done]))
