@@ -17,10 +17,6 @@ Many damped oscillators under the same ground motion are exact for acceleration 
 
 From sample to sample displacement and velocity are a linear function of themselves and of the two accelerations, with the same
 eight coefficients throughout. The inner loop is over the oscillators, which a processor takes several at a time.
-
-Under two components, the largest displacement of an oscillator is wanted in every direction of half a turn. Its displacement in a direction is
-the projection of that in the plane, and turns where the velocity is at a right angle to the direction: in each step only those directions are
-looked at that the velocity turns past, and none while the orbit is inside of what every direction has reached.
 """
 
 import math
@@ -159,7 +155,7 @@ def _stepped(
 
 
 @kernel
-def _furthest(u: float, v: float, next_u: float, next_v: float, step: float) -> float:
+def furthest(u: float, v: float, next_u: float, next_v: float, step: float) -> float:
     """Return the largest displacement of a step: at its end, or where the parabola of the two velocities turns."""
     turning = u + (0.5 * step * v * v / (v - next_v) if v * next_v < 0.0 else 0.0)
     return max(abs(next_u), abs(turning))
@@ -182,8 +178,8 @@ def respond_all(
         for j in range(state.shape[1]):
             u, v = state[U, j], state[V, j]
             next_u, next_v = _stepped(coefficients, j, u, v, a, c)
-            furthest = abs(next_u) if step is None else _furthest(u, v, next_u, next_v, step)
-            state[PEAK_U, j] = max(state[PEAK_U, j], furthest)
+            reached = abs(next_u) if step is None else furthest(u, v, next_u, next_v, step)
+            state[PEAK_U, j] = max(state[PEAK_U, j], reached)
             state[U, j], state[V, j] = next_u, next_v
 
 
@@ -214,7 +210,7 @@ def respond_with_energy(
             energy = state[INPUT, j] - (next_a * next_u - a * u) + c / step * area
             absolute = energy + g * (0.5 * g + next_v)
             total = damping * next_v + square * next_u
-            state[PEAK_U, j] = max(state[PEAK_U, j], _furthest(u, v, next_u, next_v, step))
+            state[PEAK_U, j] = max(state[PEAK_U, j], furthest(u, v, next_u, next_v, step))
             state[PEAK_V, j] = max(state[PEAK_V, j], abs(next_v))
             state[PEAK_A, j] = max(state[PEAK_A, j], abs(total))
             state[PEAK_INPUT, j] = max(state[PEAK_INPUT, j], energy)
@@ -237,57 +233,3 @@ def passed(before: float, after: float, count: int) -> tuple[float, float]:
     turn -= math.tau * round(turn / math.tau)
     low = (before + min(turn, 0.0) + 0.5 * math.pi) * count / math.pi - _BESIDE
     return low, low + abs(turn) * count / math.pi + 2.0 * _BESIDE
-
-
-@kernel
-def _least_of(peaks: NDArray[np.float64], j: int) -> float:
-    least = math.inf
-    for k in range(peaks.shape[1]):
-        least = min(least, peaks[j, k])
-    return least
-
-
-@kernel
-def respond_in_all_directions(
-    coefficients: NDArray[np.float64],
-    step: float | None,
-    acceleration: NDArray[np.float64],
-    directions: NDArray[np.float64],
-    slack: NDArray[np.float64],
-    peaks: NDArray[np.float64],
-) -> None:
-    """Take every oscillator through the samples of two components, shape (n, 2) [mm/s2]; note its largest displacement in every direction.
-
-    `directions` are unit vectors over half a turn, at equal angles, shape (directions, 2). `slack` is by how much a displacement between two
-    samples may be larger than at both, shape (2, oscillators): its ratio [-] and then a length [mm]. `peaks`, shape (oscillators, directions),
-    begin with zeros. Without a `step` only the samples are looked at, as in `respond_all`.
-    """
-    count = directions.shape[0]
-    last = acceleration.shape[0] - 1
-    for j in range(peaks.shape[0]):
-        u, v, w, z = 0.0, 0.0, 0.0, 0.0
-        before, inside, news = 0.0, 0.0, 0
-        for i in range(last):
-            a, b = acceleration[i, 0], acceleration[i, 1]
-            next_u, next_v = _stepped(coefficients, j, u, v, a, acceleration[i + 1, 0] - a)
-            next_w, next_z = _stepped(coefficients, j, w, z, b, acceleration[i + 1, 1] - b)
-            now = next_u * next_u + next_w * next_w
-            if max(before, now) > inside or i == last - 1:
-                low, high = passed(math.atan2(z, v), math.atan2(next_z, next_v), count)
-                if i == last - 1:  # it may still be moving outwards
-                    high = low + count
-                for place in range(math.ceil(low), math.floor(high) + 1):
-                    k = place % count
-                    x, y = directions[k, 0], directions[k, 1]
-                    start_u, end_u = x * u + y * w, x * next_u + y * next_w
-                    most = max(abs(start_u), abs(end_u))
-                    if step is not None:
-                        most = max(most, _furthest(start_u, x * v + y * z, end_u, x * next_v + y * next_z, step))  # fmt: skip
-                    if most > peaks[j, k]:
-                        peaks[j, k] = most
-                        news += 1
-                if news > count // 4:
-                    # the square of what must be passed before any direction can have a larger one
-                    bound = max(_least_of(peaks, j) - slack[1, j], 0.0) / (1.0 + slack[0, j])
-                    inside, news = bound * bound, 0
-            u, v, w, z, before = next_u, next_v, next_w, next_z, now

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from dcfp import GroundMotion, InputError, Station, load_station
+from dcfp.kernels import all_directions as kernels
 from dcfp.methods.spectra import input_energy_spectrum, response_spectrum
 from dcfp.methods.spectra.of_station import (
     ANGLES,
@@ -29,7 +30,7 @@ def noise(size: int, seed: int, step: float = 0.01) -> GroundMotion:
     return GroundMotion(np.random.default_rng(seed).normal(0.0, 500.0, size), step)
 
 
-@pytest.mark.parametrize("pair", ["record", "noise", "one direction", "short"])
+@pytest.mark.parametrize("pair", ["record", "noise", "one direction", "short", "there and back"])
 def test_every_direction_is_that_of_the_turned_record(station, pair) -> None:
     """What is skipped as inside of what every direction has reached is skipped rightly, for any orbit."""
     if pair == "noise":
@@ -38,6 +39,9 @@ def test_every_direction_is_that_of_the_turned_record(station, pair) -> None:
         station = Station(noise(700, 1), noise(700, 1).scaled(0.0))
     elif pair == "short":  # ends while it moves outwards
         station = Station(noise(12, 3), noise(12, 4))
+    elif pair == "there and back":  # in less than a tenth of the longest periods
+        wave = 900.0 * np.cos(np.linspace(0.0, 2.0 * np.pi, 30))
+        station = Station(GroundMotion(wave, 0.01), noise(30, 1).scaled(0.1))
     found = station_spectrum(station, PERIODS)
     for place in (0, 1, 37, 45, 89, 90, 133, 179):
         angle = float(ANGLES[place])
@@ -47,6 +51,33 @@ def test_every_direction_is_that_of_the_turned_record(station, pair) -> None:
     np.testing.assert_allclose(
         found.y, response_spectrum(station.y, PERIODS).displacement, rtol=1e-12, atol=1e-9
     )
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["P695-FF-2", "P695-FF-11", "P695-FF-12", "noise", "line", "narrow", "spiral", "short"],
+)
+def test_what_is_left_out_changes_no_digit(name, monkeypatch) -> None:
+    """Against every step of every oscillator, which a slack that leaves nothing of the polygon makes it look at."""
+    time = 0.01 * np.arange(1500)
+    stations = {
+        "noise": lambda: Station(noise(900, 7), noise(900, 8)),
+        "line": lambda: Station(noise(900, 7), noise(900, 7).scaled(0.3)),
+        "narrow": lambda: Station(noise(900, 7), noise(900, 8).scaled(1e-3)),
+        "short": lambda: Station(noise(60, 0), noise(60, 1)),
+        "spiral": lambda: Station(*(GroundMotion(900.0 * wave(2.1 * time), 0.01) for wave in (np.sin, np.cos))),
+    }  # fmt: skip
+    station = stations.get(name, lambda: load_station(name))()
+    assert station is not None
+    found = station_spectrum(station)
+    every = kernels.respond_in_all_directions
+    nothing = np.array([[0.0], [1e30]])
+    monkeypatch.setattr(
+        kernels,
+        "respond_in_all_directions",
+        lambda *given: every(*given[:4], nothing + 0.0 * given[4], *given[5:]),
+    )
+    np.testing.assert_array_equal(found.directions, station_spectrum(station).directions)
 
 
 def test_rotd_is_that_of_boore(station) -> None:

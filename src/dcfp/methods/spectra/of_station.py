@@ -8,7 +8,7 @@ import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
-from dcfp.kernels import oscillator as k
+from dcfp.kernels import all_directions as k
 from dcfp.methods.spectra.of_record import (
     DAMPING,
     PERIODS,
@@ -26,6 +26,8 @@ from dcfp.schema.units import DEGREE, M_PER_S, M_PER_S2, MM, MM_PER_S2, SECOND
 
 #: Directions of half a turn, from x towards y [degrees]; in the other half are the same displacements.
 ANGLES = freeze(np.arange(180.0))
+#: Samples in a period that are looked at first, to find what most of the others cannot exceed.
+_IN_PERIOD = 10
 _DIRECTIONS = freeze(np.column_stack((np.sin(np.radians(90.0 - ANGLES)), np.sin(np.radians(ANGLES)))))
 
 
@@ -149,15 +151,19 @@ def station_spectrum(
     refuse_other(station, Station, "station", "a Station, as of load_station")
     periods = checked(periods, damping)
     peaks = np.zeros((periods.size, ANGLES.size))
+    work = np.empty((k.WORKED, k.SECTORS))
     for part, parts in pieces(station.time_step, periods):
         step = station.time_step / max(parts, 1)
-        acceleration = refined(station.acceleration, parts)
+        acceleration = np.column_stack([refined(one, parts) for one in station.acceleration.T])
         own = periods[part]
         turn = 2.0 * np.pi * step / own
         # while it turns, an oscillator accelerates by no more than its spring and the ground do
-        slack = np.array([turn**2 / 8.0, np.full(own.size, step**2 / 8.0 * station.peak_acceleration)])
+        slack = np.array(
+            [turn**2 / 8.0, np.full(own.size, step**2 / 8.0 * station.peak_acceleration)]
+        ) * bool(parts)
         rows = coefficients(own.tobytes(), damping, step)
-        k.respond_in_all_directions(rows, step if parts else None, acceleration, _DIRECTIONS, slack * bool(parts), peaks[part])  # fmt: skip
+        every = np.maximum(1, own / step / _IN_PERIOD).astype(np.int64)
+        k.respond_in_all_directions(rows, step if parts else None, acceleration, _DIRECTIONS, slack, every, work, peaks[part])  # fmt: skip
     return StationSpectrum(freeze(periods), damping, freeze(peaks), station.name)
 
 
