@@ -142,6 +142,7 @@ def scenario_toml(
     pgvs: list[float] | None = None,
     heading: Heading | None = None,
     motion: dict[str, Any] | None = None,
+    vertical: bool = False,
 ) -> str:
     """Return the text of a file that reads back as the same scenario.
 
@@ -153,12 +154,16 @@ def scenario_toml(
         PGVs that each record is scaled to [mm/s]; None leaves the records as they are.
     motion
         The table ``[motion]``: how files are read and treated.
+    vertical
+        Whether the vertical force follows the vertical components of stations.
     """
     content: dict[str, Any] = {"title": title, "factors": {"record": records}}
     if pgvs is not None:
         content["factors"]["pgv"] = {"values": [PGV.written(pgv) for pgv in pgvs], "unit": PGV.unit.text}
     if motion:
         content["motion"] = motion
+    if vertical:
+        content["analysis"] = {"vertical": True}
     content["bearing"] = model.to_table()
     if heading is not None and heading.to_table():
         content["report"] = heading.to_table()

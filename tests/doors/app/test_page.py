@@ -3,6 +3,7 @@
 import re
 import tomllib
 
+import openpyxl
 import pytest
 
 import dcfp
@@ -235,6 +236,26 @@ def test_what_can_be_taken_away(shared_page, tmp_path):
     assert take("Report (PDF)")[:5] == b"%PDF-"
     assert take("Workbook (Excel)")[:2] == b"PK"
     slide(page, "PGV of every record", "ArrowLeft", 5)
+
+
+@pytest.mark.slow
+def test_the_report_and_the_workbook_of_a_station(shared_page, tmp_path):
+    page = shared_page
+    choose_alone(page, "P695-FF-2")
+    response = dcfp.respond("P695-FF-2", pgv=500.0)
+    wait_for_tile(page, DISPLACEMENT, displacement(response))
+    for label, begins in (("Report (PDF)", b"%PDF-"), ("Workbook (Excel)", b"PK")):
+        with page.expect_download() as waited:
+            page.get_by_role("button", name=label).first.click()
+        path = tmp_path / waited.value.suggested_filename
+        waited.value.save_as(path)
+        assert path.read_bytes().startswith(begins)
+    cells = [
+        cell for row in openpyxl.load_workbook(path)["Summary"].iter_rows(values_only=True) for cell in row
+    ]
+    assert any(isinstance(cell, float) and cell == pytest.approx(response.peak_displacement_x, rel=1e-9) for cell in cells)  # fmt: skip
+    choose_alone(page, "NCC")
+    wait_for_tile(page, DISPLACEMENT, displacement(dcfp.respond("NCC", pgv=500.0)))
 
 
 def test_little_motion_for_who_wants_little(shared_page):

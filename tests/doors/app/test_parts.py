@@ -1,6 +1,7 @@
 """The parts of the page that need no browser."""
 
 import asyncio
+import tomllib
 from dataclasses import replace
 from itertools import pairwise
 from typing import Annotated, ClassVar
@@ -12,7 +13,7 @@ pytest.importorskip("nicegui", reason="the web page needs nicegui")
 
 import dcfp
 from dcfp.analysis.response import PEAKS
-from dcfp.doors.app.analysis import Task, remarks_on
+from dcfp.doors.app.analysis import Task, remarks_on, scenario_text
 from dcfp.doors.app.charts import TOLERANCE, kept, kept_of_path, turning_points
 from dcfp.doors.app.elements import Units
 from dcfp.doors.app.machine_tab import grouped
@@ -44,6 +45,7 @@ from dcfp.schema.units import (
     NEWTON,
     NONE,
 )
+from dcfp.study.scenario import calculate, read_scenario
 from dcfp.system import FRICTION_LAWS, HEATINGS, LI_2020, ConstantFriction, Li2020, System
 
 from .conftest import at2_text, pulse_motion
@@ -77,8 +79,35 @@ def test_stations_and_single_components_are_not_mixed():
     task = Task.of(Session(chosen=["P695-FF-2", "NCC"]))
     with pytest.raises(InputError, match="give only stations, or only single components"):
         task.analysed()
-    with pytest.raises(InputError, match="reports and workbooks of single components"):
-        Task.of(Session(chosen=["P695-FF-2"])).scenario()
+    with pytest.raises(InputError, match="give only stations, or only single components"):
+        task.scenario()
+
+
+def test_what_is_taken_away_of_a_station_is_what_is_shown(tmp_path):
+    session = Session(chosen=["P695-FF-2"], rotate=30.0)
+    session.bearing.put("heating", "none")
+    (shown,) = Task.of(session).analysed()
+    (result,) = calculate(Task.of(session).scenario()).results
+    assert result.response.summary() | {"elapsed_s": 0} == shown.summary() | {"elapsed_s": 0}
+    assert (
+        shown.peak_displacement_x != dcfp.respond("P695-FF-2", pgv=500.0, heating="none").peak_displacement_x
+    )
+    with pytest.raises(InputError, match="leave out the angle, or take the report or the workbook"):
+        scenario_text(session)
+    session.rotate = None
+    path = tmp_path / "scenario.toml"
+    path.write_text(scenario_text(session))
+    (again,) = calculate(read_scenario(path)).results
+    assert again.response.peak_displacement == pytest.approx(shown.peak_displacement, rel=1e-9)
+
+
+def test_the_vertical_force_is_in_the_scenario_of_a_station():
+    session = Session(chosen=["P695-FF-2"], vertical=True)
+    assert tomllib.loads(scenario_text(session))["analysis"] == {"vertical": True}
+    with pytest.raises(InputError, match="no vertical component"):
+        Task.of(session).scenario()
+    session.choose(["NCC"])
+    assert "analysis" not in tomllib.loads(scenario_text(session))
 
 
 def test_the_pictures_of_a_plate_stand_beside_each_other():

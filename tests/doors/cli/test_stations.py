@@ -124,3 +124,13 @@ def test_stations_and_single_components_together(run, command) -> None:
     status, out, err = run(command, "P695-FF-2", "NCC")
     assert (status, out, err.count("\n")) == (2, "", 1)
     assert "give only stations, or only single components" in err
+
+
+def test_a_chart_of_stations_says_so(run, tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    study = '[factors]\nrecord = ["P695-FF-8", "P695-FF-22"]\npgv = { values = [0.2], unit = "m/s" }\nradius = { values = [3, 4.5], unit = "m" }\nmu = [0.05, 0.1]\nheating = ["none"]\n'
+    (tmp_path / "s.toml").write_text(study)
+    assert run("study", "s.toml").status == 0
+    told = json.loads(run("study", "chart", "s.zarr", "--allow", "200", "--json").out)
+    assert sum(one.startswith("The records are stations: displacement") for one in told["remarks"]) == 1
+    assert "The records are stations" in run("study", "chart", "s.zarr", "--allow", "200").out

@@ -66,9 +66,23 @@ class Task:
         """What is analysed, in words."""
         return f"{', '.join(one.name for one in self.motions)} on {self.model.bearing.name}"
 
+    @property
+    def in_plane(self) -> bool:
+        """Whether the motions are stations.
+
+        Raises
+        ------
+        InputError
+            If there are stations and single components.
+        """
+        return bool(stations_of(self.motions))
+
     def treated(self) -> list[GroundMotion | Station]:
-        """Return the motions with their treatment, unscaled."""
-        return [record_treated(motion, baseline=self.baseline, corner=self.corner) for motion in self.motions]
+        """Return the motions with their treatment, and stations turned, unscaled."""
+        found = [record_treated(one, baseline=self.baseline, corner=self.corner) for one in self.motions]
+        return [
+            one.rotated(self.rotate) if self.rotate and isinstance(one, Station) else one for one in found
+        ]
 
     def analysed(self) -> list[Response] | list[PlaneResponse]:
         """Analyse every motion; with precise heating the temperature of the plates is kept.
@@ -79,14 +93,14 @@ class Task:
             If one cannot be scaled, or there are stations and single components.
         """
         motions = self.treated()
-        in_plane = bool(stations_of(motions))
         if self.pgv is not None:
             for motion in motions:
                 refuse_a_drift(motion)
             motions = [motion.scaled_to_pgv(self.pgv) for motion in motions]
-        if in_plane:
-            turned = [one.rotated(self.rotate) if self.rotate else one for one in stations_of(motions)]
-            return [respond(one, self.model, vertical=self.vertical, keep=PLATES) for one in turned]
+        if self.in_plane:
+            return [
+                respond(one, self.model, vertical=self.vertical, keep=PLATES) for one in stations_of(motions)
+            ]
         singles = [one for one in motions if isinstance(one, GroundMotion)]
         return [respond(motion, self.model, keep=PLATES) for motion in singles]
 
@@ -96,14 +110,11 @@ class Task:
         Raises
         ------
         InputError
-            If there are stations.
+            If there are stations and single components, or the vertical component that is to be followed is missing.
         """
-        if stations_of(self.motions):
-            msg = "This page writes reports and workbooks of single components; for a station take its histories as CSV or NetCDF, or dcfp report and dcfp respond --out on the command line."
-            raise InputError(msg)
         factors = {} if self.pgv is None else {"pgv": [self.pgv]}
-        singles = [one for one in self.treated() if isinstance(one, GroundMotion)]
-        return Scenario(Study(singles, factors, model=self.model, title=self.title))
+        vertical = self.vertical and self.in_plane
+        return Scenario(Study(self.treated(), factors, model=self.model, title=self.title, vertical=vertical))
 
     def report_pdf(self) -> bytes:
         """Return the report as PDF."""
@@ -138,8 +149,8 @@ def scenario_text(session: Session) -> str:
         If a field is empty or out of range.
     """
     task = Task.of(session)
-    if stations_of(task.motions) and (task.rotate or task.vertical):
-        msg = "A scenario file takes stations as they are: leave out the angle and the vertical force."
+    if task.in_plane and task.rotate:
+        msg = "A scenario file takes stations as they stand: leave out the angle, or take the report or the workbook."
         raise InputError(msg)
     motion: dict[str, bool | float | str] = {"baseline": True} if task.baseline else {}
     if task.corner is not None:
@@ -149,7 +160,14 @@ def scenario_text(session: Session) -> str:
             motion |= session.sent[key].options
     files = [session.file_of(key) for key in session.chosen]
     pgvs = None if task.pgv is None else [task.pgv]
-    return scenario_toml(files, task.model, title=task.title, pgvs=pgvs, motion=motion)
+    return scenario_toml(
+        files,
+        task.model,
+        title=task.title,
+        pgvs=pgvs,
+        motion=motion,
+        vertical=task.vertical and task.in_plane,
+    )
 
 
 def file_of(write: Callable[[Path], Any]) -> bytes:

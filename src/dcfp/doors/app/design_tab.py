@@ -134,6 +134,7 @@ class DesignTab(Tab):
         with card("Displacement against friction", "h3", shades):
             self._curves = Chart("Displacement against friction for each radius")
         self.add_files(("Figure (PNG)", "design-chart.png", self._figure))
+        Text("p", "The sets hold single components, each analysed in one direction; both directions of a station at once move the bearing further, which the page Response shows.").classes("note")  # fmt: skip
         Text("p", f"Analyses of every record on {RADII.size * COEFFICIENTS.size} bearings for each PGV, made once and kept; the slider steps from one PGV to the next.").classes("note")  # fmt: skip
 
     def ask(self) -> None:

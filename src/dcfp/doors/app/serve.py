@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 _PATIENCE = 20.0
 _STYLE = Path(__file__).parent / "static" / "app.css"
 _ICON = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 32 32"><rect width="32" height="32" rx="6" fill="#0b5394"/><path d="M5 22q11 5 22 0v4H5zM5 10q11-5 22 0V6H5z" fill="#fff"/><path d="M11 13h10v6H11z" fill="#DDAA33"/></svg>'
+#: Which station is analysed before the first visitor chooses one.
+_STATION = "P695-FF-2"
 #: Themes in the order of the button, with what NiceGUI calls them.
 _THEMES = {"system": None, "light": False, "dark": True}
 #: Names under which a browser reaches its own machine.
@@ -113,10 +115,13 @@ async def _prepare() -> None:
 
 def _warm_up() -> None:
     named_choices()
-    task = Task.of(Session())
-    for response in task.analysed():
-        if isinstance(response, Response):
-            predict(response, task.model)
+    session = Session()
+    for record in (*session.chosen, _STATION):
+        session.choose([record])  # a station with the heating model that is usual for it
+        task = Task.of(session)
+        for response in task.analysed():
+            if isinstance(response, Response):
+                predict(response, task.model)
 
 
 async def _build_page(surveys: Surveys) -> None:

@@ -19,7 +19,7 @@ from dcfp.study.assessment import told as tables
 from dcfp.study.assessment.bounds import NOMINAL, QUANTITIES
 from dcfp.study.assessment.design_chart import at_pgv
 from dcfp.study.assessment.selection import described, remarks_of, select
-from dcfp.study.results import INTENSITIES, open_store
+from dcfp.study.results import INTENSITIES, OF_STATIONS, is_in_plane, open_store
 
 if TYPE_CHECKING:
     import xarray
@@ -179,7 +179,8 @@ def _chart_remarks(
     dataset: "xarray.Dataset", space: DesignSpace, allowed: float, parts: Sequence[float]
 ) -> list[str]:
     left_out = dataset.sizes.get("record", 1) - space.records
-    remarks = [f"{left_out} records without a result on every bearing are left out."] if left_out else []
+    remarks = [OF_STATIONS] if is_in_plane(dataset) else []
+    remarks += [f"{left_out} records without a result on every bearing are left out."] if left_out else []
     remarks.append(
         "mu: the least reference coefficient from which on y_max stays below for that part of the records, between the bearings of the study on straight"
         f" lines, and the horizontal force over the weight that goes with it; – where no coefficient, up to {space.coefficients[-1]:g}, is enough."
