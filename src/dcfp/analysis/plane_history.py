@@ -10,9 +10,10 @@ import numpy as np
 from dcfp.analysis.integration import DEFAULT, LONGEST_STEP, NOTHING, Integration, Keep, halvings
 from dcfp.analysis.plane_fields import fields_at, moments_of
 from dcfp.analysis.plane_response import PlaneResponse, PlaneState, plane_state_at_rest
+from dcfp.analysis.response import check_start
 from dcfp.arrays import FloatArray, first_rows, freeze, whole_integral
 from dcfp.constants import STANDARD_GRAVITY
-from dcfp.errors import AnalysisError, InputError
+from dcfp.errors import AnalysisError
 from dcfp.kernels import plane_integrate as k
 from dcfp.kernels.heat_state import MOST_HALVINGS
 from dcfp.kernels.motion import NO_NUMBER, OUT_OF_CELLS
@@ -64,9 +65,7 @@ def analyse_plane(
     AnalysisError
         If the analysis cannot be finished.
     """
-    if start is not None and start.system != system:
-        msg = f"{motion.name}: the starting state is that of another bearing, friction law or heating model."
-        raise InputError(msg)
+    check_start(motion.name, start, system)
     parts = 1 if integration.step is None else parts_in(motion.time_step, integration.step)
     interval = motion.time_step / parts
 

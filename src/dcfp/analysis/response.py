@@ -14,9 +14,10 @@ from dcfp.analysis.assumptions import OF_RESPONSE
 from dcfp.analysis.integration import Integration
 from dcfp.analysis.result import MotionResult
 from dcfp.arrays import FloatArray
+from dcfp.errors import InputError
 from dcfp.kernels._jit import Records, as_bytes
 from dcfp.kernels.integrate import INTEGRATION_STATE, Extremes
-from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.ground_motion import GroundMotion, provenance
 from dcfp.motion.measures import motion_remarks
 from dcfp.schema.check import Check
 from dcfp.schema.quantities import Quantities, Quantity
@@ -132,6 +133,13 @@ for _name in ("input", "absolute_input", "kinetic", "strain", "hysteretic"):
 HISTORIES.tell("energy_residual", get=attrgetter("energy.residual"))
 
 
+def check_start(name: str, start: "State | PlaneState | None", system: System) -> None:
+    """Refuse a state to begin from that is of another system."""
+    if start is not None and start.system != system:
+        msg = f"{name}: the starting state is that of another bearing, friction law or heating model."
+        raise InputError(msg)
+
+
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class RigidResponse(MotionResult, ABC):
     """What responses of a rigid structure on a bearing have in common, in one direction and in the plane, where the magnitude is meant."""
@@ -210,9 +218,7 @@ class RigidResponse(MotionResult, ABC):
         motion = self.motion
         return {
             **self.summary(),
-            "record_sha256": motion.digest,
-            "record_origin": json.dumps(asdict(motion.origin)),
-            "record_treatment": "; ".join(motion.treatment) or "none",
+            **provenance(motion.digest, motion.origin, motion.treatment),
             "settings": json.dumps(asdict(self.integration)),
         }
 

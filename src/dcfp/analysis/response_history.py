@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, overload
 import numpy as np
 
 from dcfp.analysis.integration import DEFAULT, NOTHING, Integration, Keep, halvings, usual_heating
-from dcfp.analysis.response import Response, State, state_at_rest
+from dcfp.analysis.response import Response, State, check_start, state_at_rest
 from dcfp.arrays import FloatArray, first_rows, freeze, whole_integral
 from dcfp.errors import InputError
 from dcfp.kernels import integrate as k
@@ -150,9 +150,7 @@ def analyse(
     # from one sample of the record after its last, where the ground has stopped accelerating
     free_from = motion.acceleration.size * parts if integration.tail is None else acceleration.size
     every = keep.interval((motion.acceleration.size - 1) * parts, system.heating)
-    if start is not None and start.system != system:
-        msg = f"{motion.name}: the starting state is that of another bearing, friction law or heating model."
-        raise InputError(msg)
+    check_start(motion.name, start, system)
     _load_kernels()
     control = StepControl(interval, halvings(interval), integration.tolerance)
     state, room = state_at_rest(system) if start is None else start.copy(), 0

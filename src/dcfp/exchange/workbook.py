@@ -17,8 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
     from pathlib import Path
 
-    from dcfp.analysis import Response
-    from dcfp.analysis.plane_response import PlaneResponse
+    from dcfp.analysis.response import RigidResponse
     from dcfp.inference import Case
     from dcfp.schema.declared import Declared
     from dcfp.study.scenario import Calculation, ScenarioResult
@@ -344,7 +343,7 @@ _PLANE_CHARTS = ((_X, _Y), (_TIME, _DISPLACEMENT), (_X, "force_x"), (_Y, "force_
 _SIZE, _MAP, _ROWS = {"width": 720, "height": 420}, {"width": 470, "height": 420}, 22
 
 
-def _write_histories(sheet: Sheet, book: Any, response: "Response | PlaneResponse") -> None:
+def _write_histories(sheet: Sheet, book: Any, response: "RigidResponse") -> None:
     """Write the histories of one analysis with charts beside them."""
     in_plane = _X in response.histories
     names, charts = (_PLANE_HISTORIES, _PLANE_CHARTS) if in_plane else (_HISTORIES, _CHARTS)

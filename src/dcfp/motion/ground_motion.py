@@ -46,6 +46,12 @@ class Origin:
         return fields_card(self, "Origin of a ground motion")
 
 
+def provenance(digest: str, origin: Origin, treatment: tuple[str, ...]) -> dict[str, str]:
+    """Return what a data set says of where a motion came from, and of what was done to it."""
+    told = "; ".join(treatment) or "none"
+    return {"record_sha256": digest, "record_origin": json.dumps(asdict(origin)), "record_treatment": told}
+
+
 #: What `GroundMotion.as_horizontal` adds to the treatment.
 TAKEN_AS_HORIZONTAL = "the vertical component, taken as horizontal"
 
@@ -185,9 +191,7 @@ class GroundMotion:
                 "source": f"dcfp {version()}",
                 "references": self.origin.citation,
                 "record": self.name,
-                "record_sha256": self.digest,
-                "record_origin": json.dumps(asdict(self.origin)),
-                "record_treatment": "; ".join(self.treatment) or "none",
+                **provenance(self.digest, self.origin, self.treatment),
             },
         )
 

@@ -1,10 +1,9 @@
 """The ground motion of a station: two horizontal components and, where it was recorded, the vertical one, at the same times."""
 
 import hashlib
-import json
 import math
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -14,7 +13,7 @@ from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
 from dcfp.motion.alignment import brought_together
 from dcfp.motion.formats.directions import azimuth
-from dcfp.motion.ground_motion import GroundMotion, Origin
+from dcfp.motion.ground_motion import GroundMotion, Origin, provenance
 from dcfp.motion.kyoshin_files import vertical_beside
 from dcfp.schema.notebook import card
 from dcfp.schema.parameters import PGV
@@ -208,9 +207,7 @@ class Station:
         return data.assign_attrs(
             title=f"Ground motion of the station {self.name}",
             record=self.name,
-            record_sha256=self.digest,
-            record_origin=json.dumps(asdict(self.origin)),
-            record_treatment="; ".join(self.treatment) or "none",
+            **provenance(self.digest, self.origin, self.treatment),
         )
 
     def _repr_html_(self) -> str:

@@ -17,12 +17,13 @@ if TYPE_CHECKING:
 
     from dcfp.analysis import Response
     from dcfp.analysis.plane_response import PlaneResponse
+    from dcfp.analysis.response import RigidResponse
     from dcfp.analysis.rig import Loops
     from dcfp.inference.design_space import DesignSpace
     from dcfp.methods import Pulses
 
     #: What has a displacement, a force, friction and temperature over time.
-    History: TypeAlias = Response | PlaneResponse | Loops
+    History: TypeAlias = RigidResponse | Loops
 
 #: Colours by the names that figures and the page have shades for.
 BLUE, OCHRE, RED, GREEN, GREY, INK = "blue", "ochre", "red", "green", "grey", "ink"
@@ -234,7 +235,7 @@ def friction(history: "History") -> Panel:
     return Panel(quantity("friction"), (sticking, sliding), low=0.0, high=1.12 * float(sticking.y.max()))
 
 
-def energies(response: "Response | PlaneResponse") -> Panel:
+def energies(response: "RigidResponse") -> Panel:
     """Hysteretic, strain and kinetic energies on top of each other, and the input energy as a line."""
     total = _line(response, "input_energy", INK, "input")
     total = replace(total, width=min(total.width, 0.7))

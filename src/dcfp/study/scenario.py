@@ -5,12 +5,12 @@ from dataclasses import dataclass, field
 from datetime import date
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 import tomli_w
 
-from dcfp.analysis import Response
 from dcfp.analysis.integration import NOTHING, PLATES
+from dcfp.analysis.response import Response, RigidResponse
 from dcfp.analysis.response_history import analyse_record
 from dcfp.errors import InputError
 from dcfp.inference import Case, compare
@@ -26,9 +26,6 @@ from dcfp.schema.reading import complaints_name, read_toml
 from dcfp.study import Study, read_study
 from dcfp.study.results import peaks_of
 from dcfp.system import System
-
-if TYPE_CHECKING:
-    from dcfp.analysis.plane_response import PlaneResponse
 
 #: What is said where there are stations.
 OF_ONE_DIRECTION = (
@@ -175,7 +172,7 @@ class ScenarioResult:
     """One ground motion on the bearing, the analysis, and beside it the predictions and what the codes say, which are of one direction: None of a station."""
 
     motion: GroundMotion | Station
-    response: "Response | PlaneResponse"
+    response: RigidResponse
     case: Case | None
 
     @property
@@ -229,7 +226,7 @@ def calculate(
     scenario: Scenario,
     report: Callable[[], None] | None = None,
     *,
-    responses: "Sequence[Response | PlaneResponse] | None" = None,
+    responses: Sequence[RigidResponse] | None = None,
 ) -> Calculation:
     """Analyse and predict every ground motion of a scenario.
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from dcfp.analysis import Response, respond
 from dcfp.analysis.integration import PLATES
 from dcfp.analysis.plane_response import PlaneResponse
+from dcfp.analysis.response import RigidResponse
 from dcfp.doors.app.session import Session
 from dcfp.errors import InputError
 from dcfp.exchange import write_workbook
@@ -135,7 +136,7 @@ def predict(response: Response, model: System) -> Predicted:
     return compare(response.motion, methods, codes=True, response=response), nominal
 
 
-def remarks_on(response: Response | PlaneResponse) -> list[str]:
+def remarks_on(response: RigidResponse) -> list[str]:
     """Return the sentences that must stand beside an analysis; its scale stands in the head."""
     return [*motion_remarks(response.motion, with_scale=False), *response.remarks]
 

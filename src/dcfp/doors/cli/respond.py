@@ -20,7 +20,7 @@ from dcfp.schema.table import Table
 from dcfp.system import System
 
 if TYPE_CHECKING:
-    from dcfp.analysis.plane_response import PlaneResponse
+    from dcfp.analysis.response import RigidResponse
     from dcfp.study.scenario import Calculation
 
 #: A script for OpenSees, and a workbook.
@@ -66,7 +66,7 @@ def calculated(
     records: Sequence[GroundMotion | Station],
     system: System,
     integration: Integration,
-    responses: "Sequence[Response | PlaneResponse]",
+    responses: "Sequence[RigidResponse]",
 ) -> "Calculation":
     """Return all that is calculated of records as they are read, whose analyses are at hand."""
     from dcfp.study import Study  # late: workbooks are rare
@@ -83,7 +83,7 @@ def calculated(
 def write_analyses(
     part: Path,
     kind: str,
-    responses: "Sequence[Response | PlaneResponse]",
+    responses: "Sequence[RigidResponse]",
     calculated: "Callable[[], Calculation] | None",
     *,
     vertical: bool = False,
@@ -102,7 +102,7 @@ def write_analyses(
 
 
 def answer_of(
-    responses: "Sequence[Response | PlaneResponse]",
+    responses: "Sequence[RigidResponse]",
     calculated: "Callable[[], Calculation] | None" = None,
     *,
     vertical: bool = False,
@@ -120,7 +120,7 @@ def answer_of(
     )
 
 
-def _page(responses: "Sequence[Response | PlaneResponse]") -> Page:
+def _page(responses: "Sequence[RigidResponse]") -> Page:
     first = responses[0]
     lines = [
         ("Bearing", str(first.bearing)),

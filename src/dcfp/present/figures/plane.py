@@ -24,8 +24,6 @@ if TYPE_CHECKING:
     from dcfp.analysis.rig import PlaneLoops
     from dcfp.arrays import FloatArray
 
-#: Points of a circle.
-_CIRCLE = np.linspace(0.0, 2.0 * math.pi, 181)
 #: Parts of the friction's work between which a force is in colour.
 _STRONG = (0.05, 0.95)
 
@@ -78,22 +76,10 @@ def plot_orbit(
     capacity = response.bearing.displacement_capacity
     if of == "displacement":
         peak = response.peak_displacement
-        axes.plot(
-            peak * np.cos(_CIRCLE),
-            peak * np.sin(_CIRCLE),
-            color=style.GREY,
-            linewidth=0.6,
-            linestyle=style.DASHED,
-        )
+        style.draw_circle(axes, 0.0, 0.0, peak, style.GREY, 0.6)
         reach = max(reach, 1.08 * peak)
         if capacity is not None and capacity < reach:
-            axes.plot(
-                capacity * np.cos(_CIRCLE),
-                capacity * np.sin(_CIRCLE),
-                color=style.RED,
-                linewidth=0.7,
-                linestyle=style.DASHED,
-            )
+            style.draw_circle(axes, 0.0, 0.0, capacity, style.RED, 0.7)
     axes.set_xlim(-reach, reach)
     axes.set_ylim(-reach, reach)
     axes.set_aspect("equal")

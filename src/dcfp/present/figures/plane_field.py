@@ -1,6 +1,5 @@
 """The plate seen from above at one moment of an analysis or a test in the plane: its temperature, the path of the slider until then, and its rim."""
 
-import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,8 +21,6 @@ if TYPE_CHECKING:
     from dcfp.analysis.rig import PlaneLoops
     from dcfp.arrays import FloatArray
 
-#: Points of a circle.
-_CIRCLE = np.linspace(0.0, 2.0 * math.pi, 181)
 #: Lines of equal temperature, at most.
 _LEVELS = 12
 #: Room around what was ever hot.
@@ -124,9 +121,7 @@ def _draw_slider(axes: "Axes", response: "PlaneResponse | PlaneLoops", time: flo
     style.draw_line(
         axes, x, y, style.INK, 0.6, path_effects=[Stroke(linewidth=1.4, foreground="white"), Normal()]
     )
-    rim = path[-1] + 0.5 * response.bearing.slider_diameter * np.column_stack((np.cos(_CIRCLE), np.sin(_CIRCLE)))  # fmt: skip
-    x, y = place.display(rim).T
-    style.draw_line(axes, x, y, "white", 0.8, linestyle=style.DASHED)
+    style.draw_circle(axes, x[-1], y[-1], place.display(0.5 * response.bearing.slider_diameter), "white", 0.8)
 
 
 def _mark_hottest(axes: "Axes", x: float, y: float, words: str) -> None:

@@ -163,6 +163,12 @@ def draw_line(axes: Axes, x: Any, y: Any, colour: str, width: float = 0.7, **loo
     axes.plot(x, y, color=colour, linewidth=width, **look)
 
 
+def draw_circle(axes: Axes, x: float, y: float, radius: float, colour: str, width: float) -> None:
+    """Draw a dashed circle about a place."""
+    angle = np.linspace(0.0, 2.0 * np.pi, 181)
+    draw_line(axes, x + radius * np.cos(angle), y + radius * np.sin(angle), colour, width, linestyle=DASHED)
+
+
 def draw_marks(axes: Axes, x: Any, y: Any, marker: str, size: float, colour: str, **look: Any) -> None:
     """Draw points as marks of a form, a size [pt] and a colour, and no line."""
     axes.plot(x, y, marker=marker, markersize=size, color=colour, linestyle="none", **look)

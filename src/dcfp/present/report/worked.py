@@ -19,8 +19,7 @@ from dcfp.schema.units import KN, KN_PER_MM, M_PER_S2
 from dcfp.study.scenario import Calculation, ScenarioResult
 
 if TYPE_CHECKING:
-    from dcfp.analysis import Response
-    from dcfp.analysis.plane_response import PlaneResponse
+    from dcfp.analysis.response import RigidResponse
 
 #: Rounds of an iteration that are printed, besides the last.
 _FIRST_ROUNDS = 4
@@ -82,7 +81,7 @@ def _prediction(
     return doc.Section(f"Prediction by the {method.name} method", (*blocks, *notes)), formulas
 
 
-def _friction(response: "Response | PlaneResponse") -> tuple[tuple[Formula, ...], str]:
+def _friction(response: "RigidResponse") -> tuple[tuple[Formula, ...], str]:
     """Return the friction at the moment of the highest temperature while sliding, on the lower plate."""
     law = response.friction_law
     slides = np.abs(response.sliding) > 0.0

@@ -19,8 +19,7 @@ from dcfp.version import version
 if TYPE_CHECKING:
     import xarray
 
-    from dcfp.analysis.plane_response import PlaneResponse
-    from dcfp.analysis.response import Response
+    from dcfp.analysis.response import RigidResponse
     from dcfp.analysis.rig.virtual_test import VirtualTest
 
 REMARKS = Quantity("remarks", "what a reader must know", get="remarks", printed=False)
@@ -35,7 +34,7 @@ class Tabulated(Protocol):
 
 
 def write_responses(
-    path: Path, responses: "Sequence[Response | PlaneResponse]", kind: str, *, alone: bool | None = None
+    path: Path, responses: "Sequence[RigidResponse]", kind: str, *, alone: bool | None = None
 ) -> None:
     """Write analyses as ``".nc"`` or ``".csv"``: the histories of one, or the peaks of several and in NetCDF a group for each.
 
@@ -132,7 +131,7 @@ def _words(array: "xarray.DataArray") -> list[str]:
     return [str(value) for value in values.tolist()]
 
 
-def group_names(responses: "Sequence[Response | PlaneResponse]") -> list[str]:
+def group_names(responses: "Sequence[RigidResponse]") -> list[str]:
     """Return a name for each analysis, such as ``NCC_0.50``: the record and the PGV [m/s]."""
     return _different(
         [
