@@ -9,8 +9,8 @@ from cases import PGVS
 from numpy.typing import NDArray
 
 from dcfp.inference.case import Case
+from dcfp.inference.coverage import Coverage, coverage, grouped_splits
 from dcfp.inference.refit import refit_as_paper, refit_by_squares
-from dcfp.inference.statistics import Coverage, coverage, grouped_splits
 from dcfp.methods import Prediction
 from dcfp.methods.li_2020 import LI_2020, Constants, predict_from_pgv, predict_simplified
 from dcfp.methods.li_2020.constants import DESIGN, PULSE, SIMPLIFIED

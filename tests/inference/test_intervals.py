@@ -9,7 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dcfp.errors import InputError
-from dcfp.inference.statistics import SPLITS, coverage, errors, fewest, grouped_splits, interval, quantile
+from dcfp.inference.coverage import SPLITS, coverage, grouped_splits
+from dcfp.inference.statistics import errors, fewest, interval, quantile
 from dcfp.methods import Prediction
 from dcfp.methods.li_2020.constants import PULSE
 from dcfp.methods.method import Information, Variant

@@ -64,6 +64,8 @@ class Case:
         asked.
     response
         The analysis itself, where it was to be kept.
+    motion
+        The record; None where it is not at hand.
     """
 
     record: str
@@ -75,6 +77,7 @@ class Case:
     codes: dict[str, CodeResult] = field(default_factory=dict[str, CodeResult])
     remarks: tuple[str, ...] = ()
     response: Response | None = None
+    motion: GroundMotion | None = None
 
     def _repr_html_(self) -> str:
         rows = [
@@ -132,6 +135,7 @@ def compare(
         codes=results,
         remarks=response.remarks,
         response=response if keep_response else None,
+        motion=motion,
     )
 
 

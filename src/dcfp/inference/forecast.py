@@ -8,6 +8,7 @@ from typing import TypeAlias
 import numpy as np
 
 from dcfp.inference.case import Case, compare
+from dcfp.inference.conditional import Experience, of_record
 from dcfp.inference.earthquake import earthquake_of, is_known, is_same_record, read_earthquake
 from dcfp.inference.statistics import Interval, errors, fewest, interval
 from dcfp.methods import Prediction, Pulses
@@ -22,8 +23,15 @@ from dcfp.system import Bearing
 
 #: Words for the set that intervals come from.
 SET = "the 100 components of FEMA P-695"
+#: What is to be known of intervals from the PGV alone.
+_UNKNOWN = (
+    "The intervals know the PGV alone: of 75 components of other sets one in seven lay outside at 0.75 m/s, and one in six at 1.0 m/s, where 1 in 10 is meant;"
+    " a record or a spectrum tells how much of the PGV is at long periods."
+)
 #: Scale of a record of it, up or down, from which on it is said [-].
 _LARGEST_SCALE = 4.0
+#: Under what the intervals stand that know the PGV and the spectrum, and no method.
+BY_SPECTRUM = Variant("PGV and spectrum", Information.SPECTRUM)
 #: What is told before an analysis, in this order.
 _BEFORE = (Information.PGV, Information.BLIND)
 
@@ -44,7 +52,8 @@ class Forecast:
     nodes
         Number of nodes of the ground velocity that a method knows, where it takes it as straight legs.
     intervals
-        Of every blind method, where they were asked for; under None those from the PGV alone.
+        Of every blind method, where they were asked for; under None those from the PGV alone, and under `BY_SPECTRUM` those that know the spectrum of
+        the record besides.
     """
 
     pgv: float
@@ -98,15 +107,17 @@ def forecast(
     intervals: dict[Variant | None, Intervals] = {}
     if calibration is not None:
         others = calibration if motion is None else _others_than(motion, calibration)
-        alone = _intervals(others, None, None)
+        alone = _alone(others)
         if len(alone) < len(PREDICTION_QUANTITIES):
             remarks.append(f"At a PGV of {pgv / 1e3:g} m/s too few records move the bearing for an interval.")
         else:
-            about = {
-                one: _intervals(others, one, predicted[one]) for one in blind_variants() if one in predicted
-            }
-            intervals = {None: alone, **about}
-            if motion is not None:
+            intervals = {None: alone}
+            if motion is None:
+                remarks.append(_UNKNOWN)
+            else:
+                told, beyond = _knowing_spectrum(motion, others, predicted, methods)
+                intervals |= told
+                remarks += beyond
                 remarks.append(_left_out(motion, len(calibration) - len(others), len(calibration)))
             remarks += _set_remarks(pgv, others, bearing.displacement_capacity)
     return Forecast(
@@ -185,16 +196,38 @@ def _others_than(motion: GroundMotion, cases: Sequence[Case]) -> list[Case]:
     ]
 
 
-def _intervals(cases: Sequence[Case], variant: Variant | None, prediction: Prediction | None) -> Intervals:
-    """Return where the analysis will lie, from cases at the same PGV, knowing a blind prediction or nothing else."""
-    intervals: Intervals = {}
-    for quantity in PREDICTION_QUANTITIES.values():
-        value = 1.0 if prediction is None else value_of(prediction, quantity)
-        known = errors(cases, variant, quantity)
-        # a method that sees nothing move says nothing of how far it will
-        if value > 0.0 and np.isfinite(known).sum() >= fewest():
-            intervals[quantity] = interval(known, value)
-    return intervals
+def _alone(cases: Sequence[Case]) -> Intervals:
+    """Return where the analysis will lie, from cases at the same PGV, knowing nothing else."""
+    known = {quantity: errors(cases, None, quantity) for quantity in PREDICTION_QUANTITIES.values()}
+    return {
+        quantity: interval(found) for quantity, found in known.items() if np.isfinite(found).sum() >= fewest()
+    }
+
+
+def _knowing_spectrum(
+    motion: GroundMotion, cases: Sequence[Case], predicted: dict[Variant, Prediction], methods: Methods
+) -> tuple[dict[Variant | None, Intervals], list[str]]:
+    """Return where the analysis will lie by the spectrum of a record, and by it and each blind prediction; and what of the record is beyond the cases, in a sentence."""
+    experience = Experience.of(cases, methods)
+    known = of_record(motion, experience.periods)
+    about = {one: predicted[one] for one in blind_variants() if one in predicted}
+    intervals: dict[Variant | None, Intervals] = {}
+    beyond: dict[str, None] = {}
+    for variant, prediction in (BY_SPECTRUM, None), *about.items():
+        intervals[variant] = {}
+        for quantity in PREDICTION_QUANTITIES.values():
+            value = 1.0 if prediction is None else value_of(prediction, quantity)
+            # a method that sees nothing move says nothing of how far it will
+            if value > 0.0 and (
+                found := experience.interval(None if prediction is None else variant, quantity, known, value)
+            ):
+                intervals[variant][quantity], words = found
+                beyond |= dict.fromkeys(words)
+    if not beyond:
+        return intervals, []
+    return intervals, [
+        f"{motion.name}: it is beyond the records that its intervals come from, by {' and '.join(beyond)}; the intervals are wider for that, by guess."
+    ]
 
 
 def _set_remarks(pgv: float, cases: Sequence[Case], capacity: float | None) -> list[str]:

@@ -12,8 +12,9 @@ from scipy import optimize
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.inference.case import Case
+from dcfp.inference.coverage import Coverage, coverage, grouped_splits
 from dcfp.inference.forecast import blind_variants
-from dcfp.inference.statistics import Coverage, coverage, errors, fewest, grouped_splits, scatter
+from dcfp.inference.statistics import errors, fewest, scatter
 from dcfp.methods import Prediction
 from dcfp.methods.li_2020 import LI_2020, Constants, predict_from_pgv, predict_simplified
 from dcfp.methods.li_2020.constants import DESIGN, SIMPLIFIED

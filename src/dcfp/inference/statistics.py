@@ -1,7 +1,7 @@
 """How far predictions are from the analysis: ratios, their bias and scatter; and intervals about a prediction, from other earthquakes at the same PGV."""
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,8 +16,6 @@ from dcfp.schema.quantities import Quantity
 
 #: Part of the cases that an interval is to cover [-].
 COVERED = 0.9
-#: Splits that a coverage is judged by, and where their random numbers start.
-SPLITS, SEED = 200, 2020
 
 
 @dataclass(frozen=True)
@@ -116,21 +114,6 @@ class Interval:
     cases: int
 
 
-@dataclass(frozen=True)
-class Coverage:
-    """How often intervals from one half of the earthquakes hold the cases of the other [-].
-
-    `low` and `high` are the splits at 5 and 95 %; the width is the upper over the lower end, geometric mean
-    [-].
-    """
-
-    mean: float
-    low: float
-    high: float
-    width: float
-    splits: int
-
-
 def quantile(values: FloatArray, part: float) -> float:
     """Return what the next value will be below with a probability of `part` [-]: the value of rank part (n + 1)."""
     ordered = np.sort(values)
@@ -177,71 +160,3 @@ def interval(errors: FloatArray, predicted: float = 1.0, covered: float = COVERE
         for part in (0.5 * (1.0 - covered), 0.5, 0.5 * (1.0 + covered))
     )
     return Interval(low, median, high, known.size)
-
-
-def coverage(groups: Iterable[Sequence[Case]], variant: Variant | None, quantity: Quantity) -> Coverage:
-    """Return how well intervals from half of the earthquakes cover the other half.
-
-    Parameters
-    ----------
-    groups
-        The same records at one PGV after the other.
-    variant, quantity
-        As in `errors`.
-
-    Raises
-    ------
-    InputError
-        If there is no case, a half has too few, or nothing is left for the other half.
-    """
-    known = [(errors(cases, variant, quantity), [case.event for case in cases]) for cases in groups]
-    if not known:
-        msg = "A coverage needs at least one group of cases."
-        raise InputError(msg)
-    inside: list[float] = []
-    widths: list[float] = []
-    for training in grouped_splits(known[0][1]):
-        hits = held_out = 0
-        for values, _ in known:
-            there = np.isfinite(values)
-            part = interval(values[training & there])
-            logarithms = values[~training & there]
-            hits += int(((math.log(part.low) <= logarithms) & (logarithms <= math.log(part.high))).sum())
-            held_out += logarithms.size
-            widths.append(math.log(part.high / part.low))
-        if held_out == 0:
-            msg = "A coverage needs cases of several earthquakes, none of them more than half of the cases."
-            raise InputError(msg)
-        inside.append(hits / held_out)
-    covered = np.array(inside)
-    low, high = np.quantile(covered, [0.05, 0.95])
-    return Coverage(
-        float(covered.mean()), float(low), float(high), math.exp(float(np.mean(widths))), covered.size
-    )
-
-
-def grouped_splits(
-    events: Sequence[str], splits: int = SPLITS, seed: int = SEED
-) -> Iterator[NDArray[np.bool_]]:
-    """Yield random halves of cases by their earthquakes: True where a case is for training, False where it is held out.
-
-    Components and stations of one earthquake resemble each other, so that an earthquake goes into one half as
-    a whole. Earthquakes are taken in random order until half of the cases is reached.
-
-    Parameters
-    ----------
-    events
-        The earthquake of each case.
-    splits
-        How many.
-    seed
-        Of the random numbers; the same seed gives the same halves.
-    """
-    numbers = np.random.default_rng(seed)
-    names, of_case, sizes = np.unique(np.asarray(events), return_inverse=True, return_counts=True)
-    for _ in range(splits):
-        order = numbers.permutation(names.size)
-        before = np.cumsum(sizes[order]) - sizes[order]
-        chosen = np.zeros(names.size, dtype=np.bool_)
-        chosen[order] = before < 0.5 * sizes.sum()
-        yield chosen[of_case]

@@ -6,8 +6,9 @@ from dataclasses import asdict, replace
 from typing import Any, NamedTuple
 
 from dcfp.inference.case import Case
+from dcfp.inference.coverage import Coverage
 from dcfp.inference.forecast import Forecast
-from dcfp.inference.statistics import Coverage, Scatter, ratios
+from dcfp.inference.statistics import Scatter, ratios
 from dcfp.methods import Prediction, Pulses
 from dcfp.methods.code import code_objects
 from dcfp.methods.method import Information, Variant
@@ -52,7 +53,7 @@ class Told(NamedTuple):
         """The prediction, or what the analysis gives."""
         if self.variant is None:
             return self.of.analysed.whole if isinstance(self.of, Case) else None
-        return self.of.predicted[self.variant]
+        return self.of.predicted.get(self.variant)
 
     @property
     def place(self) -> int | None:

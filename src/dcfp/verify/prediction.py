@@ -9,9 +9,10 @@ import numpy as np
 
 from dcfp.analysis import respond
 from dcfp.inference import Case, Methods
+from dcfp.inference.coverage import coverage
 from dcfp.inference.forecast import cases_at
 from dcfp.inference.refit import governing
-from dcfp.inference.statistics import COVERED, coverage, ratios, scatter
+from dcfp.inference.statistics import COVERED, ratios, scatter
 from dcfp.methods import Nodes, Pulses, find_nodes, find_pulses, march_through_pulses
 from dcfp.methods.li_2020 import LI_2020 as PAPER
 from dcfp.methods.li_2020 import predict_from_pgv, predict_from_pulses

@@ -12,8 +12,9 @@ from dcfp.doors.cli.console import Block, Page, each, grid, grouped
 from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.doors.cli.predict import SYMBOLS, labels, methods_of, pulse_figure
 from dcfp.inference import Case, Methods, compare
+from dcfp.inference.coverage import Coverage
 from dcfp.inference.refit import Refit, check_enough, coverages, refits
-from dcfp.inference.statistics import Coverage, displacement_over_change, ratios, scatter, scatters
+from dcfp.inference.statistics import displacement_over_change, ratios, scatter, scatters
 from dcfp.inference.told import REFITS, case_lines, case_objects, coverage_table, scatter_table
 from dcfp.methods.method import Variant, variants
 from dcfp.methods.prediction import prediction_methods
