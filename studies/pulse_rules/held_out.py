@@ -15,17 +15,20 @@ from dcfp.methods import Prediction
 from dcfp.methods.li_2020 import LI_2020, Constants, predict_from_pgv, predict_simplified
 from dcfp.methods.li_2020.constants import DESIGN, PULSE, SIMPLIFIED
 from dcfp.methods.method import Information, Variant
+from dcfp.methods.prediction import Methods
 from dcfp.methods.pulse_march import NAME as MARCH
 from dcfp.methods.pulses import CHANGE, DISPLACEMENT, INPUT, TOTAL
 from dcfp.motion.named import StoredRecord
 from dcfp.schema.quantities import Quantity
 
 Array = NDArray[np.float64]
-VIEWS: dict[str, Variant | None] = {
-    "PGV only": None,
-    "pulse": Variant(PULSE, Information.BLIND),
-    "simplified": Variant(SIMPLIFIED, Information.BLIND),
-    "march": Variant(MARCH, Information.BLIND),
+#: By name, the method and whether the spectrum of the record is known besides.
+VIEWS: dict[str, tuple[Variant | None, Methods | None]] = {
+    "PGV only": (None, None),
+    "PGV and spectrum": (None, Methods()),
+    "pulse": (Variant(PULSE, Information.BLIND), Methods()),
+    "simplified": (Variant(SIMPLIFIED, Information.BLIND), Methods()),
+    "march": (Variant(MARCH, Information.BLIND), Methods()),
 }
 QUANTITIES = (CHANGE, DISPLACEMENT, INPUT, TOTAL)
 
@@ -40,10 +43,10 @@ def coverages(cases: Sequence[Case]) -> dict[tuple[str, Quantity], Coverage]:
     """Return coverage and width of the intervals; a method that does not say V_E is left out there."""
     groups = by_pgv(cases)
     return {
-        (name, quantity): coverage(groups, view, quantity)
-        for name, view in VIEWS.items()
+        (name, quantity): coverage(groups, variant, quantity, methods)
+        for name, (variant, methods) in VIEWS.items()
         for quantity in QUANTITIES
-        if quantity is not TOTAL or name in ("PGV only", "march")
+        if quantity is not TOTAL or name not in ("pulse", "simplified")
     }
 
 

@@ -13,13 +13,14 @@ from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.inference.case import Case
 from dcfp.inference.coverage import Coverage, coverage, grouped_splits
-from dcfp.inference.forecast import blind_variants
+from dcfp.inference.forecast import BY_SPECTRUM, blind_variants
 from dcfp.inference.statistics import errors, fewest, scatter
 from dcfp.methods import Prediction
 from dcfp.methods.li_2020 import LI_2020, Constants, predict_from_pgv, predict_simplified
 from dcfp.methods.li_2020.constants import DESIGN, SIMPLIFIED
 from dcfp.methods.li_2020.simplified_method import absorbed_velocity_ratio
 from dcfp.methods.method import Variant
+from dcfp.methods.prediction import Methods
 from dcfp.methods.pulses import CHANGE, PREDICTION_QUANTITIES, value_of
 from dcfp.schema.declared import parameters
 from dcfp.schema.quantities import Quantity
@@ -207,14 +208,17 @@ def check_enough(groups: Sequence[Sequence[Case]]) -> None:
         raise InputError(msg)
 
 
-def coverages(groups: Sequence[Sequence[Case]]) -> dict[tuple[Variant | None, Quantity], Coverage]:
-    """Return the coverage of the intervals of every blind method, and of the PGV alone (None), for every quantity that it has."""
+def coverages(
+    groups: Sequence[Sequence[Case]], methods: Methods
+) -> dict[tuple[Variant | None, Quantity], Coverage]:
+    """Return the coverage of the intervals from the PGV alone (None), from it and the spectrum, and of every blind method, for every quantity that they have."""
     found: dict[tuple[Variant | None, Quantity], Coverage] = {}
-    for variant in (None, *blind_variants()):
+    of_methods = [(one, one, methods) for one in blind_variants()]
+    for key, variant, by in ((None, None, None), (BY_SPECTRUM, None, methods), *of_methods):
         for quantity in PREDICTION_QUANTITIES.values():
             known = [np.isfinite(errors(cases, variant, quantity)).sum() for cases in groups]
             if min(known) >= 2 * fewest():
-                found[variant, quantity] = coverage(groups, variant, quantity)
+                found[key, quantity] = coverage(groups, variant, quantity, by)
     return found
 
 

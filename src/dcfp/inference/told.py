@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from dcfp.inference.case import Case
 from dcfp.inference.coverage import Coverage
-from dcfp.inference.forecast import Forecast
+from dcfp.inference.forecast import BY_SPECTRUM, Forecast
 from dcfp.inference.statistics import Scatter, ratios
 from dcfp.methods import Prediction, Pulses
 from dcfp.methods.code import code_objects
@@ -156,7 +156,12 @@ def forecast_lines(forecasts: Sequence[Forecast], methods: Methods, *, with_othe
         *(_of_interval(quantity, end) for quantity in PREDICTION_QUANTITIES.values() for end in _ENDS),
     )  # fmt: skip
     lines = [Told(one, methods, variant) for one in forecasts for variant in one.predicted]
-    others = [Told(one, methods) for one in forecasts if with_others and None in one.intervals]
+    others = [
+        Told(one, methods, variant)
+        for one in forecasts
+        for variant in (None, BY_SPECTRUM)
+        if with_others and variant in one.intervals
+    ]
     return Table(columns, [*lines, *others])
 
 
@@ -193,6 +198,7 @@ FORECASTS = [
     Quantity("pulses", "number of pulses", NONE, get=lambda one: None if one.of.pulses is None else one.of.pulses.count),
     Quantity("predictions", "what the methods say", get=lambda one: [_forecast_of(one.of, variant) for variant in one.of.predicted], flat=False),
     Quantity("interval_from_pgv", "where analyses of that PGV lie", get=lambda one: _interval(one.of, None), flat=False),
+    Quantity("interval_from_spectrum", "where those of that PGV and spectrum lie", get=lambda one: _interval(one.of, BY_SPECTRUM), flat=False),
     Quantity("remarks", "what a reader must know", get="of.remarks"),
 ]  # fmt: skip
 

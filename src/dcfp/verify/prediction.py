@@ -39,7 +39,9 @@ _MODELS: dict[str, tuple[FrictionLaw, Heating]] = {
     "friction that heats": (Li2020(), SimplifiedHeating()),
 }
 #: What an interval is from; None for the PGV.
-_GIVEN = {"the PGV": None, "the pulse method": _PULSE, "the march": _MARCH}
+_GIVEN = {
+    "the PGV": (None, None), "the PGV and the spectrum": (None, Methods()), "the pulse method": (_PULSE, Methods()), "the march": (_MARCH, Methods()),
+}  # fmt: skip
 
 
 def design(pgv: float, quantity: str) -> Found:
@@ -119,5 +121,6 @@ def dispersion(quantity: str) -> Found:
 def interval(given: str, quantity: str) -> Found:
     """Return the part of the cases inside of the 90 % interval, and what it ought to be [-]."""
     sets = [_hundred(velocity) for velocity in VELOCITIES]
-    found = coverage(sets, _GIVEN[given], _QUANTITIES[quantity])
+    variant, methods = _GIVEN[given]
+    found = coverage(sets, variant, _QUANTITIES[quantity], methods)
     return Found(found.mean, COVERED, words=asdict(found))

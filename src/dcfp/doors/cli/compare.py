@@ -54,7 +54,7 @@ def run(chosen: argparse.Namespace) -> Answer:
         # the motions follow each other record by record, at all PGVs each
         groups = [cases[first :: len(chosen.pgv)] for first in range(len(chosen.pgv))]
         check_enough(groups)
-        found = coverages(groups), refits(cases, methods.constants)
+        found = coverages(groups, methods), refits(cases, methods.constants)
     table = scatter_table(scatters(cases), cases)
 
     def document() -> dict[str, Any]:

@@ -225,15 +225,23 @@ def _draw_forecasts(axes: "Axes", forecasts: "Sequence[Forecast]", shown: str) -
 
 
 def _draw_intervals(axes: "Axes", forecasts: "Sequence[Forecast]", shown: str) -> None:
-    own = style.looks()[_WITH_INTERVAL].colour
-    for words, colour in (("90 %, from the PGV", style.GREY), ("90 %, from the march", own)):
-        if any(one.intervals for one in forecasts):
-            style.draw_line(axes, [], [], colour, 1.0, label=words)
+    from dcfp.inference.forecast import BY_SPECTRUM  # late: it loads the kernels
+
+    if not any(one.intervals for one in forecasts):
+        return
+    drawn = {
+        "": ("90 %, from the PGV", style.GREY, -0.36),
+        BY_SPECTRUM.method: ("90 %, from PGV and spectrum", style.INK, -0.24),
+        _WITH_INTERVAL: ("90 %, from the march", style.looks()[_WITH_INTERVAL].colour, 0.3),
+    }
+    for words, colour, _ in drawn.values():
+        style.draw_line(axes, [], [], colour, 1.0, label=words)
     for place, one in enumerate(forecasts):
         for variant, intervals in one.intervals.items():
-            if variant is not None and variant.method != _WITH_INTERVAL:
+            name = "" if variant is None else variant.method
+            if name not in drawn:
                 continue
-            colour, shift = (style.GREY, -0.3) if variant is None else (own, 0.3)
+            _, colour, shift = drawn[name]
             for kind, interval in intervals.items():
                 if kind.name == shown:
                     style.draw_line(axes, [interval.low, interval.high], [place + shift] * 2, colour, 1.0)
