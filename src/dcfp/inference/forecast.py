@@ -25,7 +25,7 @@ from dcfp.system import Bearing
 SET = "the 100 components of FEMA P-695"
 #: What is to be known of intervals from the PGV alone.
 _UNKNOWN = (
-    "The intervals know the PGV alone: of 75 components of other sets one in seven lay outside at 0.75 m/s, and one in six at 1.0 m/s, where 1 in 10 is meant;"
+    "The intervals know the PGV alone: of 75 components of other sets one in seven lay outside in y_max at 0.75 m/s, one in six at 1.0 m/s, and one in four in V_E, where one in ten is meant;"
     " a record or a spectrum tells how much of the PGV is at long periods."
 )
 #: Scale of a record of it, up or down, from which on it is said [-].
