@@ -61,6 +61,13 @@ def test_files_joined_by_a_plus_and_columns_of_one_file(tmp_path) -> None:
     np.testing.assert_allclose(three.vertical.acceleration / 9806.65, values[:, 2])
 
 
+@pytest.mark.parametrize("text", ["", " "])
+def test_no_name_is_no_folder(text: str) -> None:
+    assert load_station(text) is None
+    with pytest.raises(InputError, match="there is no record named"):
+        load_motion(text)
+
+
 def test_shorter_components_and_longer_steps_are_brought_together_and_told() -> None:
     coarse, fine = motion("EW", 50, 0.02), motion("NS", 60, 0.01, seed=2)
     found = joined([coarse, fine], "both")

@@ -20,6 +20,8 @@ def station_files(text: str) -> list[Path]:
     InputError
         If there is only one horizontal component, or a folder holds the files of no station or of several.
     """
+    if not text.strip():
+        return []  # no name is not this folder
     place = Path(text)
     try:
         is_folder = place.is_dir()

@@ -116,7 +116,7 @@ def _components(text: str) -> list[str]:
     words: list[str] = []
     while parts:
         sizes = range(len(parts), 0, -1)
-        size = next((n for n in sizes if _exists(_split(STATION_MARK.join(parts[:n]))[0])), 1)
+        size = next((n for n in sizes if _is_of_a_file(STATION_MARK.join(parts[:n]))), 1)
         words.append(STATION_MARK.join(parts[:size]))
         parts = parts[size:]
     if len(words) < 2:
@@ -133,6 +133,12 @@ def _components(text: str) -> list[str]:
             msg = f"{text}: {one} is a set of records, and + joins the components of one station, as in P695-FF-2-a+P695-FF-2-b."
             raise InputError(msg)
     return words
+
+
+def _is_of_a_file(word: str) -> bool:
+    """Whether a word is a file that exists, or a component of one."""
+    path, component = _split(word)
+    return _exists(path) and STATION_MARK not in (component or "")
 
 
 def _no_station(text: str) -> InputError:
@@ -279,7 +285,7 @@ def _split(text: str) -> tuple[str, str | None]:
 
 def _exists(text: str) -> bool:
     try:
-        return Path(text).exists()
+        return bool(text.strip()) and Path(text).exists()  # no name is not this folder
     except (OSError, ValueError):
         return False
 

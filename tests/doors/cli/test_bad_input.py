@@ -159,7 +159,7 @@ def test_a_failed_analysis_leaves_the_old_files(run, tmp_path: Path, monkeypatch
         msg = "it makes no progress."
         raise AnalysisError(msg)
 
-    monkeypatch.setattr("dcfp.doors.cli.respond.analyse", fail)
+    monkeypatch.setattr("dcfp.doors.cli.respond.analyse_record", fail)
     old = tmp_path / "r.nc"
     old.write_text("precious")
     status, out, err = run("respond", "NCC", "--out", old, "--overwrite")

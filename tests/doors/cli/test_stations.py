@@ -134,3 +134,14 @@ def test_a_chart_of_stations_says_so(run, tmp_path, monkeypatch) -> None:
     told = json.loads(run("study", "chart", "s.zarr", "--allow", "200", "--json").out)
     assert sum(one.startswith("The records are stations: displacement") for one in told["remarks"]) == 1
     assert "The records are stations" in run("study", "chart", "s.zarr", "--allow", "200").out
+
+
+def test_a_component_of_one_file_and_another_file(run, three_components, tmp_path) -> None:
+    other = tmp_path / "a+b.AT2"
+    other.write_text(
+        "PEER NGA STRONG MOTION DATABASE RECORD\nMade, 1/1/2000, Test, 0\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS=3, DT= 0.01 SEC,\n 0.0 0.1 0.0\n"
+    )
+    event = f"{three_components}::NS+{other}"
+    status, out, err = run("records", event, "--json")
+    assert (status, out, err.count("\n")) == (2, "", 1)
+    assert "three NS and a+b are of different earthquakes" in err
