@@ -146,3 +146,8 @@ def test_one_that_fails_takes_no_other_with_it(run, tmp_path, monkeypatch) -> No
     assert found[0]["y_max_mm"] == alone[0]["y_max_mm"]
     _, *lines = (tmp_path / "peaks.csv").read_text().splitlines()
     assert len(lines) == 2
+    # what is left of several is a table as well
+    assert run("respond", "P695-FF-8", "--pgv", "0.1", "6", "--out", tmp_path / "left.csv").status == 1
+    head, *lines = (tmp_path / "left.csv").read_text().splitlines()
+    assert "y1_max [mm]" in head
+    assert len(lines) == 1
