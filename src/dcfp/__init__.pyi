@@ -14,7 +14,9 @@ from .errors import DcfpError as DcfpError
 from .errors import InputError as InputError
 from .inference import compare as compare
 from .inference.identification import identify as identify
+from .methods import find_nodes as find_nodes
 from .methods import find_pulses as find_pulses
+from .methods import march_in_plane as march_in_plane
 from .methods import march_through_pulses as march_through_pulses
 from .motion.ground_motion import GroundMotion as GroundMotion
 from .motion.load import load_motion as load_motion

@@ -30,6 +30,7 @@ def rigid_structures(entry: str) -> None:
     import dcfp
 
     dcfp.march_through_pulses(dcfp.load_motion("NCC"))
+    dcfp.march_in_plane(import_module("dcfp.motion.load").load_record("P695-FF-2"))
 
 
 def buildings_and_tests(entry: str) -> None:

@@ -121,10 +121,7 @@ def move_nodes(
 ) -> None:
     """Move the nodes between the ends to where the straight lines meet that are closest to the velocity along each leg by itself."""
     for k in range(places.size - 1):
-        length = places[k + 1] - places[k]
-        left, right = _moments(acceleration, velocity, places[k], places[k + 1])
-        work[k, _FROM] = (4.0 * left - 2.0 * right) / length
-        work[k, _TO] = (4.0 * right - 2.0 * left) / length
+        work[k, _FROM], work[k, _TO] = leg_line(acceleration, velocity, places[k], places[k + 1])
     start = places[0]  # of the leg before, as its line was fitted
     for k in range(1, places.size - 1):
         here = places[k]
@@ -172,6 +169,16 @@ def fit_nodes(
         if k < count - 1:
             ordinates[k] -= work[k, _BESIDE] * ordinates[k + 1]
         ordinates[k] /= work[k, _DIAGONAL]
+
+
+@kernel
+def leg_line(
+    acceleration: NDArray[np.float64], velocity: NDArray[np.float64], start: float, end: float
+) -> tuple[float, float]:
+    """Return the velocities at both ends of the straight line that is closest to the velocity along a leg by itself [mm/s]."""
+    left, right = _moments(acceleration, velocity, start, end)
+    over = 2.0 / (end - start)
+    return over * (2.0 * left - right), over * (2.0 * right - left)
 
 
 @kernel

@@ -7,8 +7,10 @@ import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
+from dcfp.kernels import plane_nodes as plane
 from dcfp.kernels.nodes import FIT_SIZE, WAITING_SIZE, choose_nodes, fit_nodes, move_nodes, peak_of
 from dcfp.motion.load import Motion, motion_of
+from dcfp.motion.station import Station
 from dcfp.schema.notebook import card
 from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import FRACTION, MM_PER_S, SECOND
@@ -28,10 +30,12 @@ MOVES = 2
 
 @dataclass(frozen=True, eq=False)
 class Nodes:
-    """Where the legs of a ground velocity meet that is straight in between."""
+    """Where the legs of a ground velocity meet that is straight in between; of a station in both directions at once."""
 
     times: FloatArray = field(metadata={"unit": SECOND})  #: [s], shape (n,), increasing
-    velocities: FloatArray = field(metadata={"unit": MM_PER_S})  #: of the ground there [mm/s], shape (n,)
+    velocities: FloatArray = field(
+        metadata={"unit": MM_PER_S}
+    )  #: of the ground there [mm/s], shape (n,) or (n, 2)
     tolerance: float = (
         TOLERANCE  #: part of PGV by which the ground velocity leaves the legs before the fit [-]
     )
@@ -39,8 +43,8 @@ class Nodes:
     def __post_init__(self) -> None:
         times = np.asarray(self.times, dtype=np.float64)
         velocities = np.asarray(self.velocities, dtype=np.float64)
-        if times.ndim != 1 or times.shape != velocities.shape:
-            msg = f"The nodes need as many times as velocities, not {times.size} and {velocities.size}."
+        if times.ndim != 1 or velocities.shape not in (times.shape, (times.size, 2)):
+            msg = f"The nodes need as many times as velocities, not {times.size} and {velocities.shape[0]}."
             raise InputError(msg)
         if not (np.isfinite(times).all() and np.isfinite(velocities).all() and (np.diff(times) > 0.0).all()):
             msg = "The times of the nodes must be finite and increase, and their velocities be finite."
@@ -68,23 +72,23 @@ class Nodes:
 
     def _repr_html_(self) -> str:
         rows = [
-            {"node [s]": time, "velocity [mm/s]": velocity}
-            for time, velocity in zip(self.times.tolist(), self.velocities.tolist(), strict=True)
+            {"node [s]": time, "velocity [mm/s]": ", ".join(f"{one:.4g}" for one in np.atleast_1d(velocity))}
+            for time, velocity in zip(self.times.tolist(), self.velocities, strict=True)
         ]
         return card(f"{self.count} nodes of a ground velocity", {"tolerance": self.tolerance}, rows=rows)
 
 
-def find_nodes(motion: Motion, tolerance: float = TOLERANCE, *, fitted: bool = True) -> Nodes:
+def find_nodes(motion: Motion | Station, tolerance: float = TOLERANCE, *, fitted: bool = True) -> Nodes:
     """Return the nodes of a ground velocity, from where it begins to accelerate to where it ceases.
 
-    They do not depend on where the motion was sampled, nor on its sign, scale or quiet before and after.
+    They do not depend on where the motion was sampled, nor on its sign, scale or quiet before and after; of a station nor on where x and y point.
 
     Parameters
     ----------
     motion
-        The ground motion; or the name of a record, or a file.
+        The ground motion, or that of a station; or the name of a record, or a file.
     tolerance
-        Part of the PGV [-], above 0 and at most 1.
+        Part of the PGV, of a station of the resultant [-], above 0 and at most 1.
     fitted
         Whether the legs are moved and fitted to the ground velocity by least squares; else the nodes lie on it.
 
@@ -94,14 +98,15 @@ def find_nodes(motion: Motion, tolerance: float = TOLERANCE, *, fitted: bool = T
         If the tolerance is out of range.
     """
     tolerance = LEAVE.checked(tolerance, "The tolerance of the legs")
+    if isinstance(motion, Station):
+        return _of_station(motion, tolerance, fitted)
     motion = motion_of(motion)
     step, velocity = motion.time_step, motion.velocity
     per_sample = motion.acceleration * step
     limit = tolerance * peak_of(per_sample, velocity)
     if limit == 0.0:
         return Nodes(np.empty(0), np.empty(0), tolerance)
-    moving = np.flatnonzero(per_sample)
-    first, last = max(int(moving[0]) - 1, 0), min(int(moving[-1]) + 1, velocity.size - 1)
+    first, last = _moving(per_sample)
     most = 2 * velocity.size
     places = np.empty(most)
     places = places[
@@ -112,3 +117,32 @@ def find_nodes(motion: Motion, tolerance: float = TOLERANCE, *, fitted: bool = T
         move_nodes(per_sample, velocity, places, work)
     fit_nodes(per_sample, velocity, places, work, fitted, velocities)
     return Nodes(places * step, velocities, tolerance)
+
+
+def _moving(acceleration: FloatArray) -> tuple[int, int]:
+    """Return the last sample at which the ground has not begun to accelerate, and the first at which it has ceased."""
+    moving = np.flatnonzero(acceleration)
+    return max(int(moving[0]) - 1, 0), min(int(moving[-1]) + 1, acceleration.size - 1)
+
+
+def _of_station(station: Station, tolerance: float, fitted: bool) -> Nodes:
+    """Return the nodes of a station."""
+    step = station.time_step
+    ground = tuple(
+        np.ascontiguousarray(one) for one in (*(step * station.acceleration.T), *station.velocity.T)
+    )
+    ax, ay, vx, vy = ground
+    limit = tolerance * plane.plane_peak_of(ax, ay, vx, vy)
+    if limit == 0.0:
+        return Nodes(np.empty(0), np.empty((0, 2)), tolerance)
+    first, last = _moving(np.abs(ax) + np.abs(ay))
+    most = 2 * vx.size
+    places = np.empty(most)
+    waiting = np.empty((most, WAITING_SIZE))
+    places = places[: plane.choose_plane_nodes(ax, ay, vx, vy, first, last, limit, waiting, places)]
+    velocities, work = np.empty((2, places.size)), np.empty((places.size, plane.MOVE_SIZE))
+    for _ in range(MOVES if fitted else 0):
+        plane.move_plane_nodes(ax, ay, vx, vy, places, work)
+    for acceleration, velocity, found in ((ax, vx, velocities[0]), (ay, vy, velocities[1])):
+        fit_nodes(acceleration, velocity, places, work, fitted, found)
+    return Nodes(places * step, velocities.T, tolerance)

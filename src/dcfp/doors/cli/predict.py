@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from dcfp.doors.cli import inputs
+from dcfp.doors.cli import inputs, predict_plane
 from dcfp.doors.cli.console import Page, grid, grouped, progress
 from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.inference import Case, Methods, compare
@@ -17,6 +17,7 @@ from dcfp.methods.prediction import Constants, Ground, Nominal, nominal_coeffici
 from dcfp.methods.pulse_march import march_through_pulses
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import motion_remarks
+from dcfp.motion.station import stations_of
 from dcfp.system import System
 
 if TYPE_CHECKING:
@@ -46,10 +47,17 @@ def methods_of(chosen: argparse.Namespace, system: System) -> tuple[Methods, Nom
 
 def run(chosen: argparse.Namespace) -> Answer:
     """Predict every record at every PGV, or every PGV; or find which bearings hold a displacement."""
+    if chosen.pgv_only is None:
+        records = inputs.load_records(chosen)
+        if stations := stations_of(records):
+            return predict_plane.run(chosen, stations)
+    else:
+        records = []
     methods, friction = methods_of(chosen, inputs.system(chosen))
-    if chosen.allow is not None:
+    if chosen.pgv_only is not None and chosen.allow is not None:
         return _design(chosen.pgv_only, chosen.allow, methods)
-    forecasts = _forecasts(chosen, methods)
+    motions = [one for one in inputs.scaled(records, chosen.pgv) if isinstance(one, GroundMotion)]
+    forecasts = _forecasts(chosen, motions, methods)
 
     def page() -> Page:
         blocks = [
@@ -92,11 +100,12 @@ def _heads(forecasts: Sequence[Forecast]) -> int:
     return 1 if forecasts[0].motion is None else 2
 
 
-def _forecasts(chosen: argparse.Namespace, methods: Methods) -> list[Forecast]:
+def _forecasts(
+    chosen: argparse.Namespace, motions: Sequence[GroundMotion], methods: Methods
+) -> list[Forecast]:
     if chosen.pgv_only is not None:
         known = _calibrations(chosen.pgv_only, methods) if chosen.interval else {}
         return [forecast(Ground(pgv), methods, known.get(pgv)) for pgv in chosen.pgv_only]
-    motions = inputs.motions(chosen)
     known = _calibrations([_pgv(motion) for motion in motions], methods) if chosen.interval else {}
     return [forecast(motion, methods, known.get(_pgv(motion))) for motion in motions]
 

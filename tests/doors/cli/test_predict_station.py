@@ -1,0 +1,62 @@
+"""``dcfp predict`` of a station from end to end."""
+
+import json
+import math
+
+import pytest
+
+
+def test_a_station_in_the_plane_and_by_its_directions(run):
+    (told,) = json.loads(run("predict", "P695-FF-2", "--pgv", "0.5", "--json").out)
+    (analysed,) = json.loads(run("respond", "P695-FF-2", "--pgv", "0.5", "--json").out)
+    assert (told["record"], told["heating"]) == ("P695-FF-2", "precise")
+    march, srss = told["predictions"]
+    assert [march["method"], srss["method"]] == ["plane march", "directions, SRSS"]
+    assert march["y_mm"] == pytest.approx(analysed["y_max_mm"], rel=0.1)
+    assert march["dy_mm"] == pytest.approx(analysed["dy_max_mm"], rel=0.1)
+    assert march["V_dE_mm_s"] is None
+    assert march["interval"] is None
+    assert 50 < march["nodes"] < 100
+    assert any("No interval is given in the plane" in remark for remark in told["remarks"])
+    # of the same factor as the station
+    factor = (
+        march["y_mm"]
+        / json.loads(run("predict", "P695-FF-2", "--pgv", "0.5", "--heating", "none", "--json").out)[0][
+            "predictions"
+        ][0]["y_mm"]
+    )
+    assert factor != 1.0
+    assert srss["y_mm"] < march["y_mm"]
+    assert srss["V_E_mm_s"] == pytest.approx(march["V_E_mm_s"], rel=0.15)
+    assert math.isfinite(srss["dy_mm"])
+
+
+def test_the_table_says_what_there_is_not(run):
+    outcome = run("predict", "P695-FF-5", "--pgv", "1.0", "--heating", "simplified")
+    assert outcome.status == 0
+    assert "plane march" in outcome.out
+    text = " ".join(outcome.out.split())
+    assert "No interval is given in the plane yet" in text
+    assert "goes beyond the capacity of 440 mm" in text
+
+
+def test_as_csv(run, tmp_path):
+    file = tmp_path / "said.csv"
+    assert run("predict", "P695-FF-2", "--pgv", "0.5", "--heating", "none", "--out", file).status == 0
+    head, *lines = file.read_text().splitlines()
+    assert "nodes" in head
+    assert len(lines) == 2
+
+
+@pytest.mark.parametrize("option", [("--interval",), ("--threshold", "0.3"), ("--plot", "a.png")])
+def test_what_is_of_one_direction_is_refused(run, option):
+    outcome = run("predict", "P695-FF-2", "--pgv", "0.5", *option)
+    assert outcome.status == 2
+    assert f"{option[0]} is for a single component" in outcome.err
+    assert "P695-FF-2-a" in outcome.err
+
+
+def test_stations_and_components_do_not_go_together(run):
+    outcome = run("predict", "P695-FF-2", "NCC")
+    assert outcome.status == 2
+    assert "give only stations" in outcome.err
