@@ -35,6 +35,7 @@ def test_the_program_of_the_plane(run) -> None:
     assert circle["energy_kN_m"] < 0.95 * math.pi / 2.0 * sine["energy_kN_m"]
     assert circle["temperature_point_max_degC"] > sine["temperature_point_max_degC"] + 40.0
     for row in rows:
+        assert 1e3 * row["load_kN"] / row["pressure_N_mm2"] == pytest.approx(math.pi * 200.0**2, rel=1e-9)
         assert row["energy_kN_m"] == pytest.approx(
             row["friction_mean"] * row["load_kN"] * row["path_m"], rel=1e-9
         )
