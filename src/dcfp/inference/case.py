@@ -119,7 +119,10 @@ def compare(
         response = respond(motion, system)
     pulses = ground.pulses(methods.threshold)
     analysed = analysed_of(response, pulses)
-    results = code_results(code_inputs(motion, methods)) if codes else {}
+    results: dict[str, CodeResult] = {}
+    if codes:
+        asked = code_inputs(motion, methods)
+        results, ground = code_results(asked), replace(ground, spectrum=asked.spectrum)
     by_codes = {
         variant: replace(NOTHING, displacement=result.displacement)
         for name, result in results.items()

@@ -8,7 +8,7 @@ from typing import TypeAlias
 import numpy as np
 
 from dcfp.inference.case import Case, compare
-from dcfp.inference.conditional import Experience, of_record
+from dcfp.inference.conditional import Experience, of_record, of_spectrum
 from dcfp.inference.earthquake import earthquake_of, is_known, is_same_record, read_earthquake
 from dcfp.inference.statistics import Interval, errors, fewest, interval
 from dcfp.methods import Prediction, Pulses
@@ -89,7 +89,9 @@ def forecast(
     ground = Ground.of(ground) if isinstance(ground, GroundMotion) else ground
     motion, pgv, bearing = ground.motion, ground.pgv, methods.system.bearing
     name = f"PGV {pgv / 1e3:g} m/s" if motion is None else motion.name
-    allowed = _BEFORE if motion is not None else (Information.PGV,)
+    allowed = [one for one in _BEFORE if motion is not None or one is Information.PGV]
+    if ground.spectrum is not None:
+        allowed.append(Information.SPECTRUM)
     said = {
         Variant(method.name, information): predicted
         for information in allowed
@@ -112,12 +114,13 @@ def forecast(
             remarks.append(f"At a PGV of {pgv / 1e3:g} m/s too few records move the bearing for an interval.")
         else:
             intervals = {None: alone}
-            if motion is None:
+            if motion is None and ground.spectrum is None:
                 remarks.append(_UNKNOWN)
             else:
-                told, beyond = _knowing_spectrum(motion, others, predicted, methods)
+                told, beyond = _knowing_spectrum(name, ground, others, predicted, methods)
                 intervals |= told
                 remarks += beyond
+            if motion is not None:
                 remarks.append(_left_out(motion, len(calibration) - len(others), len(calibration)))
             remarks += _set_remarks(pgv, others, bearing.displacement_capacity)
     return Forecast(
@@ -205,11 +208,16 @@ def _alone(cases: Sequence[Case]) -> Intervals:
 
 
 def _knowing_spectrum(
-    motion: GroundMotion, cases: Sequence[Case], predicted: dict[Variant, Prediction], methods: Methods
+    name: str, ground: Ground, cases: Sequence[Case], predicted: dict[Variant, Prediction], methods: Methods
 ) -> tuple[dict[Variant | None, Intervals], list[str]]:
-    """Return where the analysis will lie by the spectrum of a record, and by it and each blind prediction; and what of the record is beyond the cases, in a sentence."""
+    """Return where the analysis will lie by the spectrum, and by it and each blind prediction; and what of the earthquake is beyond the cases, in a sentence."""
     experience = Experience.of(cases, methods)
-    known = of_record(motion, experience.periods)
+    if ground.motion is not None:
+        known = of_record(ground.motion, experience.periods)
+    elif ground.spectrum is not None:
+        known = of_spectrum(ground.spectrum, ground.pgv, experience.periods)
+    else:
+        return {}, []
     about = {one: predicted[one] for one in blind_variants() if one in predicted}
     intervals: dict[Variant | None, Intervals] = {}
     beyond: dict[str, None] = {}
@@ -226,7 +234,7 @@ def _knowing_spectrum(
     if not beyond:
         return intervals, []
     return intervals, [
-        f"{motion.name}: it is beyond the records that its intervals come from, by {' and '.join(beyond)}; the intervals are wider for that, by guess."
+        f"{name}: it is beyond the records that its intervals come from, by {' and '.join(beyond)}; the intervals are wider for that, by guess."
     ]
 
 

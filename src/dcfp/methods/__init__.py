@@ -16,6 +16,8 @@ from dcfp.methods.li_2020 import PULSE_METHOD as PULSE_METHOD
 from dcfp.methods.li_2020 import SIMPLIFIED_METHOD as SIMPLIFIED_METHOD
 from dcfp.methods.plane_march import PlaneMarch as PlaneMarch
 from dcfp.methods.plane_march import march_in_plane as march_in_plane
+from dcfp.methods.pgv_and_spectrum import DESIGN_WITH_SPECTRUM as DESIGN_WITH_SPECTRUM
+from dcfp.methods.pgv_and_spectrum import predict_with_spectrum as predict_with_spectrum
 from dcfp.methods.pulse_march import PULSE_MARCH as PULSE_MARCH
 from dcfp.methods.pulse_march import PulseMarch as PulseMarch
 from dcfp.methods.pulse_march import march_through_pulses as march_through_pulses

@@ -18,6 +18,7 @@ from dcfp.methods.pulses import (
     Pulses,
     find_pulses,
 )
+from dcfp.methods.spectra.elastic import ElasticSpectrum
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.schema.declared import Declared, declared
 from dcfp.schema.formulas import Formula
@@ -64,6 +65,7 @@ class Ground:
 
     pgv: float  #: [mm/s]
     motion: GroundMotion | None = None  #: the record; None where only the PGV is known
+    spectrum: ElasticSpectrum | None = None  #: its elastic spectrum, where that is known
     found: dict[float, Pulses] = field(default_factory=dict[float, Pulses], repr=False)
     legs: dict[float, Nodes] = field(default_factory=dict[float, Nodes], repr=False)
 

@@ -186,3 +186,19 @@ def test_a_file_of_another_kind_is_refused_before_any_work(run, tmp_path, comman
     assert status == 2
     assert ".csv" in err
     assert not list(tmp_path.iterdir())
+
+
+def test_a_pgv_with_a_spectrum_is_told_beside_the_paper_s_and_a_record_takes_none(run) -> None:
+    (told,) = json.loads(run("predict", "--pgv-only", "0.5", "--asce", "1.5", "0.6", "--json").out)
+    assert [one["method"] for one in told["predictions"]] == ["design", "design with spectrum"]
+    for wrong, words in (
+        (
+            ("NCC", "--asce", "1.5", "0.6"),
+            "--asce is for the design method, which takes PGVs with --pgv-only",
+        ),
+        (("--pgv-only", "0.5", "--allow", "300", "--asce", "1.5", "0.6"), "without --allow"),
+        (("--pgv-only", "0.5", "--asce", "1.5", "0.6", "--spectrum", "a.csv"), "give one of"),
+    ):
+        answer = run("predict", *wrong)
+        assert answer.status == 2
+        assert words in answer.err

@@ -2,7 +2,6 @@
 
 import argparse
 from collections.abc import Sequence
-from typing import Any
 
 from dcfp.doors.cli import inputs
 from dcfp.doors.cli.console import Block, Page, each, grid
@@ -19,9 +18,7 @@ from dcfp.methods.code_comparison import (
     lines_of,
 )
 from dcfp.methods.equivalent_linear import PendulumWithFriction
-from dcfp.methods.spectra.elastic import DESIGN_SPECTRA, ElasticSpectrum, read_spectrum
 from dcfp.schema.check import COLUMNS, Verdict
-from dcfp.schema.declared import parameters
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import NONE
@@ -69,7 +66,7 @@ def run(chosen: argparse.Namespace) -> Answer:
 def _compared(chosen: argparse.Namespace, system: System, friction: float) -> list[CodeComparison]:
     structure = Structure(**inputs.given(chosen, Structure))
     bounds = None if chosen.bounds is None else Bounds(*chosen.bounds, source="as given")
-    spectrum = _spectrum(chosen)
+    spectrum = inputs.spectrum(chosen)
     if spectrum is not None:
         pendulum = PendulumWithFriction(system.bearing.effective_radius, friction)
         return [codes_under_spectrum(spectrum, pendulum, structure, bounds)]
@@ -81,16 +78,6 @@ def _compared(chosen: argparse.Namespace, system: System, friction: float) -> li
     if chosen.of_set is not None:
         return [codes_under_set(comparisons, chosen.of_set or None, bounds)]
     return comparisons
-
-
-def _spectrum(chosen: argparse.Namespace) -> ElasticSpectrum | None:
-    for name, kind in DESIGN_SPECTRA.items():
-        if (values := getattr(chosen, name)) is not None:
-            keys = {one.key: one.name for one in parameters(kind).values()}
-            own = {keys[key]: getattr(chosen, key) for key in kind.own_options()}
-            behind: list[Any] = values if kind.behind[1] > 1 else [values]
-            return kind(*behind, **{field: value for field, value in own.items() if value is not None})
-    return None if chosen.spectrum is None else read_spectrum(chosen.spectrum)
 
 
 def _details(comparison: CodeComparison) -> list[Block]:

@@ -121,25 +121,30 @@ def building(parser: Parser) -> None:
     options.add_output(parser, "a line for each analysis as CSV (.csv)")
 
 
-def _check_codes(chosen: argparse.Namespace) -> None:
+def _spectra_given(chosen: argparse.Namespace) -> tuple[list[str], str]:
+    """Return the options of design spectra that were given, and in words what can be; an option of one that was not given is refused."""
     from dcfp.methods.spectra.elastic import DESIGN_SPECTRA  # late: other commands need no methods
 
     known = sorted(DESIGN_SPECTRA)
     given = [name for name in (*known, "spectrum") if getattr(chosen, name) is not None]
-    if len(given) + bool(chosen.records) != 1:
-        what = ", ".join([*(f"--{name}" for name in given), *chosen.records[:1]]) or "nothing"
-        choices = ", ".join(f"--{name}" for name in known)
-        msg = f"give either records or one of {choices} and --spectrum, not {what}."
-        raise InputError(msg)
-    for name, words in (("of_set", "is of records"), ("pgv", "scales records")):
-        if given and getattr(chosen, name) is not None:
-            msg = f"--{name.replace('_', '-')} {words}, and --{given[0]} is none; leave out one of the two."
-            raise InputError(msg)
     for name in known:
         for key in DESIGN_SPECTRA[name].own_options():
             if getattr(chosen, key) is not None and name not in given:
                 msg = f"--{key} belongs to --{name}."
                 raise InputError(msg)
+    return given, ", ".join(f"--{name}" for name in known) + " and --spectrum"
+
+
+def _check_codes(chosen: argparse.Namespace) -> None:
+    given, choices = _spectra_given(chosen)
+    if len(given) + bool(chosen.records) != 1:
+        what = ", ".join([*(f"--{name}" for name in given), *chosen.records[:1]]) or "nothing"
+        msg = f"give either records or one of {choices}, not {what}."
+        raise InputError(msg)
+    for name, words in (("of_set", "is of records"), ("pgv", "scales records")):
+        if given and getattr(chosen, name) is not None:
+            msg = f"--{name.replace('_', '-')} {words}, and --{given[0]} is none; leave out one of the two."
+            raise InputError(msg)
 
 
 @command("codes", check=_check_codes)
@@ -147,19 +152,10 @@ def codes(parser: Parser) -> None:
     """Displacement and base shear by ASCE 7, Eurocode 8 and the AIJ, from records or a design spectrum, each with its verdict."""
     from dcfp.methods.code import Bounds, Structure  # late: other commands need no codes
     from dcfp.methods.prediction import Constants
-    from dcfp.methods.spectra.elastic import DESIGN_SPECTRA
 
     words = "name of a record or set, or a file: the record's own spectrum, beside its analysis"
     options.add_records(parser, "*", words)
-    group = parser.add_argument_group("design spectrum, instead of records")
-    for name, kind in sorted(DESIGN_SPECTRA.items()):
-        least, most = kind.behind
-        own = list(parameters(kind).values())[:most]
-        add_parameter(group, *own, name=name, words=kind.words, least=least)
-        for one in kind.own_options().values():
-            add_parameter(group, replace(one, more=f"of --{name}"))
-    words = "periods and pseudo-accelerations at a damping of 5 %%"
-    group.add_argument("--spectrum", metavar="FILE.csv", help=words)
+    options.add_design_spectrum(parser.add_argument_group("design spectrum, instead of records"))
     group = parser.add_argument_group("building and site, for the conditions of the codes")
     add_declared(group, Structure)
     add_declared(group, Constants, "nominal_friction", more={"nominal_friction": "as for predict"})
@@ -261,6 +257,13 @@ def identify(parser: Parser) -> None:
 def _check_predict(chosen: argparse.Namespace) -> None:
     if chosen.allow is not None:
         _check_design(chosen)
+    given, choices = _spectra_given(chosen)
+    if len(given) > 1:
+        msg = f"give one of {choices}, not {' and '.join(f'--{name}' for name in given)}."
+        raise InputError(msg)
+    if given and (chosen.pgv_only is None or chosen.allow is not None):
+        msg = f"--{given[0]} is for the design method, which takes PGVs with --pgv-only, without a record and without --allow."
+        raise InputError(msg)
     if chosen.pgv_only is None:
         chosen.needs_records = True
         return
@@ -299,6 +302,7 @@ def predict(parser: Parser) -> None:
     add_switch(parser, "--interval", words)
     more = "with --pgv-only: which friction and radius hold y_max to it; --plot draws the chart"
     add_parameter(parser, replace(ALLOWED, more=more))
+    options.add_design_spectrum(parser.add_argument_group("design spectrum, with --pgv-only"))
     options.add_treatment(parser)
     options.add_method(parser)
     options.add_bearing(parser)

@@ -3,7 +3,7 @@
 import argparse
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from dcfp.doors.cli.options import option_name
 from dcfp.motion.ground_motion import GroundMotion
@@ -14,6 +14,9 @@ from dcfp.motion.station import Station
 from dcfp.motion.treatment import record_treated, treated
 from dcfp.schema.declared import Declared, parameters
 from dcfp.system import SimplifiedHeating, System, system_parameters
+
+if TYPE_CHECKING:
+    from dcfp.methods.spectra.elastic import ElasticSpectrum
 
 Moved = TypeVar("Moved", GroundMotion, Station, GroundMotion | Station)
 
@@ -64,3 +67,16 @@ def system(chosen: argparse.Namespace, usual: str = SimplifiedHeating.name) -> S
     if changed.bearing == base.bearing:
         return changed
     return replace(changed, bearing=replace(changed.bearing, name=f"{base.bearing.name}, changed"))
+
+
+def spectrum(chosen: argparse.Namespace) -> "ElasticSpectrum | None":
+    """Return the design spectrum that was chosen; None for none."""
+    from dcfp.methods.spectra.elastic import DESIGN_SPECTRA, read_spectrum  # late: few commands need it
+
+    for name, kind in DESIGN_SPECTRA.items():
+        if (values := getattr(chosen, name)) is not None:
+            keys = {one.key: one.name for one in parameters(kind).values()}
+            own = {keys[key]: getattr(chosen, key) for key in kind.own_options()}
+            behind: list[Any] = values if kind.behind[1] > 1 else [values]
+            return kind(*behind, **{field: value for field, value in own.items() if value is not None})
+    return None if chosen.spectrum is None else read_spectrum(chosen.spectrum)

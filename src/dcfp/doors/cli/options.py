@@ -4,6 +4,7 @@ from dataclasses import replace
 from typing import Any
 
 from dcfp.doors.cli.parser import Parser, add_declared, add_parameter, add_switch
+from dcfp.schema.declared import parameters
 from dcfp.schema.parameters import HIGH_PASS, PGV, TIME_STEP
 
 PGVS = replace(
@@ -37,6 +38,20 @@ def add_correction(group: Any) -> None:
     words = "remove the constant acceleration whose velocity fits best (an instrument's offset)"
     add_switch(group, "--baseline", words)
     add_parameter(group, HIGH_PASS)
+
+
+def add_design_spectrum(group: Any) -> None:
+    """Add the options that choose a design spectrum."""
+    from dcfp.methods.spectra.elastic import DESIGN_SPECTRA  # late: other commands need no methods
+
+    for name, kind in sorted(DESIGN_SPECTRA.items()):
+        least, most = kind.behind
+        own = list(parameters(kind).values())[:most]
+        add_parameter(group, *own, name=name, words=kind.words, least=least)
+        for one in kind.own_options().values():
+            add_parameter(group, replace(one, more=f"of --{name}"))
+    words = "periods and pseudo-accelerations at a damping of 5 %%"
+    group.add_argument("--spectrum", metavar="FILE.csv", help=words)
 
 
 def option_name(key: str) -> str:

@@ -105,7 +105,8 @@ def _forecasts(
 ) -> list[Forecast]:
     if chosen.pgv_only is not None:
         known = _calibrations(chosen.pgv_only, methods) if chosen.interval else {}
-        return [forecast(Ground(pgv), methods, known.get(pgv)) for pgv in chosen.pgv_only]
+        spectrum = inputs.spectrum(chosen)
+        return [forecast(Ground(pgv, spectrum=spectrum), methods, known.get(pgv)) for pgv in chosen.pgv_only]
     known = _calibrations([_pgv(motion) for motion in motions], methods) if chosen.interval else {}
     return [forecast(motion, methods, known.get(_pgv(motion))) for motion in motions]
 
