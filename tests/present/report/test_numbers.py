@@ -38,6 +38,7 @@ def test_numbers_are_those_of_the_analyses(calculation: Calculation, document: D
             "pulse",
             "simplified",
             "design",
+            "design with spectrum",
             "pulse march",
         }
         (record,) = (m for m in calculation.scenario.study.motions if m.name == one.motion.name)
@@ -57,7 +58,7 @@ def test_the_peaks_of_every_case_are_in_the_text(document: Document, text: str) 
 
 
 def test_predictions_and_codes_are_in_the_text(document: Document, text: str) -> None:
-    bases = {"blind": "record", "informed": "record and analysis", "PGV only": "PGV"}
+    bases = {"blind": "record", "informed": "record and analysis", "PGV only": "PGV", "spectrum": "spectrum"}
     for case in document.numbers["cases"]:
         for said in case["predictions"]:
             values = [written(key, said[key]) for key in ("dy_mm", "V_dE_mm_s", "V_dEhr_mm_s", "y_mm")]
