@@ -75,21 +75,20 @@ def on_others(
 
 
 def _of_others(known: Sequence[Case], others: Sequence[Case], view: View, quantity: Quantity) -> str:
-    experience, inside, widths = Experience.of(known, METHODS), [], []
+    experience, inside, widths = Experience.of_cases(known, METHODS), [], []
+    off = errors(known, view.variant, quantity)
     for case in others:
         analysed = value_of(case.analysed.whole, quantity)
         said = 1.0 if view.variant is None else value_of(case.predicted[view.variant], quantity)
         if not (analysed > 0.0 and said > 0.0) or case.motion is None:
             continue
         if view.spectrum:
-            found = experience.interval(
-                view.variant, quantity, of_record(case.motion, experience.periods), said
-            )
+            found = experience.interval(off, quantity, of_record(case.motion, experience.periods), said)
             if found is None:
                 continue
             about = found[0]
         else:
-            about = interval(errors(known, view.variant, quantity), said)
+            about = interval(off, said)
         inside.append(about.low <= analysed <= about.high)
         widths.append(math.log(about.high / about.low))
     return f"{100.0 * np.mean(inside):.0f} ({math.exp(np.mean(widths)):.2f})" if inside else "–"
@@ -153,9 +152,11 @@ def main(records: Path, folder: Path) -> None:
 
 def _read_as(known: Sequence[Case], new: Sequence[Case]) -> Experience:
     """Return the experience of new cases, their spectra read at the periods of the known ones."""
-    periods = Experience.of(known, METHODS).periods
+    periods = Experience.of_cases(known, METHODS).periods
     return Experience(
-        new, periods, np.array([of_record(case.motion, periods) for case in new if case.motion])
+        [case.event for case in new],
+        periods,
+        np.array([of_record(case.motion, periods) for case in new if case.motion]),
     )
 
 

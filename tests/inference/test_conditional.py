@@ -8,6 +8,7 @@ import pytest
 from dcfp.inference.conditional import Experience, Regression, of_record, of_spectrum
 from dcfp.inference.coverage import coverage
 from dcfp.inference.forecast import BY_SPECTRUM, cases_at, forecast
+from dcfp.inference.statistics import errors
 from dcfp.methods.prediction import Methods
 from dcfp.methods.pulses import CHANGE, DISPLACEMENT, TOTAL
 from dcfp.methods.spectra.of_record import response_spectrum
@@ -109,10 +110,10 @@ def test_a_record_gets_intervals_by_its_spectrum(at_half) -> None:
     for quantity in (CHANGE, DISPLACEMENT, TOTAL):
         widths = [np.log(one[quantity].high / one[quantity].low) for one in (by_spectrum, alone)]
         assert widths[0] < widths[1]
-    experience = Experience.of(at_half, methods)
+    experience = Experience.of_cases(at_half, methods)
     short = of_record(load_motion("NCC"), experience.periods)[:2]
-    assert experience.interval(None, TOTAL, short) is None
-    assert experience.interval(None, CHANGE, short) is not None
+    assert experience.interval(errors(at_half, None, TOTAL), TOTAL, short) is None
+    assert experience.interval(errors(at_half, None, CHANGE), CHANGE, short) is not None
 
 
 def test_a_record_unlike_the_set_is_told_to_be_so(at_half) -> None:

@@ -13,20 +13,25 @@ import math
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 
 from dcfp.arrays import FloatArray
 from dcfp.inference.case import Case
-from dcfp.inference.statistics import COVERED, Interval, errors, fewest
+from dcfp.inference.statistics import COVERED, Interval, fewest
 from dcfp.methods.equivalent_linear import PendulumWithFriction
-from dcfp.methods.method import Variant
 from dcfp.methods.prediction import Methods
 from dcfp.methods.pulses import TOTAL
 from dcfp.methods.spectra.elastic import ElasticSpectrum, velocity
 from dcfp.methods.spectra.of_record import response_spectrum
+from dcfp.methods.spectra.of_station import station_spectrum
 from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.station import Station
 from dcfp.schema.quantities import Quantity
+
+#: A record, where it is at hand.
+Ground: TypeAlias = GroundMotion | Station | None
 
 #: Periods at which the spectrum is read, over the secant period [-].
 PARTS_OF_PERIOD = (0.6, 1.6)
@@ -61,11 +66,14 @@ def of_spectrum(spectrum: ElasticSpectrum, pgv: float, periods: FloatArray) -> F
     return np.log(velocity(spectrum, periods) / pgv)
 
 
-def of_record(motion: GroundMotion, periods: FloatArray) -> FloatArray:
-    """Return what a record is known by, however it is scaled: logarithms, shape (3,)."""
-    spectrum, pgv = response_spectrum(motion, periods), motion.peak_velocity
-    spectral = spectrum.displacement * (2.0 * np.pi / periods) / pgv
-    lasting = float(np.sum(motion.velocity**2)) * motion.time_step / pgv**2
+def of_record(motion: GroundMotion | Station, periods: FloatArray) -> FloatArray:
+    """Return what a record is known by, however it is scaled: logarithms, shape (3,); of a station by the median of all directions and the resultant's PGV."""
+    if isinstance(motion, Station):
+        displacement = station_spectrum(motion, periods).rotated(50.0)
+    else:
+        displacement = response_spectrum(motion, periods).displacement
+    spectral = displacement * (2.0 * np.pi / periods) / motion.peak_velocity
+    lasting = float(np.sum(motion.velocity**2)) * motion.time_step / motion.peak_velocity**2
     return np.log(np.append(spectral, lasting))
 
 
@@ -153,33 +161,41 @@ class Regression:
 
 @dataclass(frozen=True, eq=False)
 class Experience:
-    """Cases at one PGV, at which periods their spectra are read [s], and what each is known by: logarithms, shape (cases, 3)."""
+    """The earthquakes of other records at one PGV, at which periods their spectra are read [s], and what each is known by: logarithms, shape (records, 3)."""
 
-    cases: Sequence[Case]
+    events: Sequence[str]
     periods: FloatArray
     known: FloatArray
 
     @classmethod
-    def of(cls, cases: Sequence[Case], methods: Methods) -> "Experience":
+    def of(
+        cls,
+        motions: Sequence[Ground],
+        events: Sequence[str],
+        displacements: Sequence[float],
+        methods: Methods,
+    ) -> "Experience":
+        """Return the experience of records of some earthquakes with their largest displacements [mm]; a record that is None is not at hand."""
+        periods = periods_at(float(np.median(displacements)), methods)
+        known = [np.full(len(_CALLED), np.nan) if one is None else of_record(one, periods) for one in motions]
+        return cls(events, periods, np.array(known))
+
+    @classmethod
+    def of_cases(cls, cases: Sequence[Case], methods: Methods) -> "Experience":
         """Return the experience of cases that were predicted by `methods`."""
-        periods = periods_at(float(np.median([case.analysed.whole.bound for case in cases])), methods)
-        known = [
-            np.full(len(_CALLED), np.nan) if case.motion is None else of_record(case.motion, periods)
-            for case in cases
-        ]
-        return cls(cases, periods, np.array(known))
+        displacements = [case.analysed.whole.bound for case in cases]
+        return cls.of([one.motion for one in cases], [one.event for one in cases], displacements, methods)
 
     def of_quantity(self, quantity: Quantity) -> FloatArray:
-        """Return what the errors of a quantity are regressed on, shape (cases, columns)."""
+        """Return what the errors of a quantity are regressed on, shape (records, columns)."""
         return self.known[:, : _columns(quantity)]
 
     def interval(
-        self, variant: Variant | None, quantity: Quantity, known: FloatArray, predicted: float = 1.0
+        self, errors: FloatArray, quantity: Quantity, known: FloatArray, predicted: float = 1.0
     ) -> tuple[Interval, list[str]] | None:
-        """Return where the analysis will be found, and what of the earthquake is beyond the experience, in words; None where that cannot be told."""
+        """Return where the analysis will be found by the errors [-] of the other records, and what of the earthquake is beyond the experience, in words; None where that cannot be told."""
         columns = _columns(quantity)
-        events = [case.event for case in self.cases]
-        found = Regression.of(errors(self.cases, variant, quantity), self.known[:, :columns], events)
+        found = Regression.of(errors, self.known[:, :columns], self.events)
         if found is None or known.size < columns:
             return None
         here = known[:columns]

@@ -90,7 +90,7 @@ class _Group:
     def of(
         cls, cases: Sequence[Case], variant: Variant | None, quantity: Quantity, methods: Methods | None
     ) -> "_Group":
-        known = None if methods is None else Experience.of(cases, methods).of_quantity(quantity)
+        known = None if methods is None else Experience.of_cases(cases, methods).of_quantity(quantity)
         return cls(errors(cases, variant, quantity), [case.event for case in cases], known)
 
     def held_out(self, training: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], float]:

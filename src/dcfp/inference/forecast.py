@@ -211,7 +211,7 @@ def _knowing_spectrum(
     name: str, ground: Ground, cases: Sequence[Case], predicted: dict[Variant, Prediction], methods: Methods
 ) -> tuple[dict[Variant | None, Intervals], list[str]]:
     """Return where the analysis will lie by the spectrum, and by it and each blind prediction; and what of the earthquake is beyond the cases, in a sentence."""
-    experience = Experience.of(cases, methods)
+    experience = Experience.of_cases(cases, methods)
     if ground.motion is not None:
         known = of_record(ground.motion, experience.periods)
     elif ground.spectrum is not None:
@@ -227,7 +227,9 @@ def _knowing_spectrum(
             value = 1.0 if prediction is None else value_of(prediction, quantity)
             # a method that sees nothing move says nothing of how far it will
             if value > 0.0 and (
-                found := experience.interval(None if prediction is None else variant, quantity, known, value)
+                found := experience.interval(
+                    errors(cases, None if prediction is None else variant, quantity), quantity, known, value
+                )
             ):
                 intervals[variant][quantity], words = found
                 beyond |= dict.fromkeys(words)

@@ -19,7 +19,7 @@ from dcfp.schema.table import Table
 from dcfp.schema.units import M_PER_S, MM, MM_PER_S, MM_PER_S2, NONE, PERCENT, SECOND
 
 #: Ends of an interval, and what they are called.
-_ENDS = {"low": "5 %", "median": "median", "high": "95 %"}
+ENDS = {"low": "5 %", "median": "median", "high": "95 %"}
 
 
 #: Of all pulses; one of them is told.
@@ -153,7 +153,7 @@ def forecast_lines(forecasts: Sequence[Forecast], methods: Methods, *, with_othe
         Quantity("pulse", "governing pulse", SECOND, head="Pulse", get="pulse", stored=False, printed=of_records),
         Quantity("nodes", "number of nodes of the ground velocity", NONE, decimals=0, head="Nodes", get="nodes", printed=of_records),
         *map(_of_pulse, PULSES[:3]),
-        *(_of_interval(quantity, end) for quantity in PREDICTION_QUANTITIES.values() for end in _ENDS),
+        *(_of_interval(quantity, end) for quantity in PREDICTION_QUANTITIES.values() for end in ENDS),
     )  # fmt: skip
     lines = [Told(one, methods, variant) for one in forecasts for variant in one.predicted]
     others = [
@@ -176,13 +176,13 @@ def interval_lines(forecasts: Sequence[Forecast], methods: Methods) -> Table:
             value = stored.of(one)
             return None if value is None else f"{value:.0f}" if value >= 10.0 else f"{value:.1f}"
 
-        head = f"{heads[quantity.title]}\n{_ENDS[end]}\n[{quantity.unit.name}]"
+        head = f"{heads[quantity.title]}\n{ENDS[end]}\n[{quantity.unit.name}]"
         return replace(stored, name="", head=head, get=text, printed=True)
 
     columns = (
         *_record(printed=forecasts[0].motion is not None),
         Quantity("knowing", "what is known", head="Knowing", get=lambda one: "the PGV" if one.variant is None else one.variant.method),
-        *(shown(quantity, end) for quantity in PREDICTION_QUANTITIES.values() if quantity.title in heads for end in _ENDS),
+        *(shown(quantity, end) for quantity in PREDICTION_QUANTITIES.values() if quantity.title in heads for end in ENDS),
     )  # fmt: skip
     return Table(columns, [Told(one, methods, variant) for one in forecasts for variant in one.intervals])
 

@@ -16,8 +16,8 @@ def test_a_station_in_the_plane_and_by_its_directions(run):
     assert march["dy_mm"] == pytest.approx(analysed["dy_max_mm"], rel=0.1)
     assert march["V_dE_mm_s"] is None
     assert march["interval"] is None
+    assert told["interval_from_spectrum"] is None
     assert 50 < march["nodes"] < 100
-    assert any("No interval is given in the plane" in remark for remark in told["remarks"])
     # of the same factor as the station
     factor = (
         march["y_mm"]
@@ -31,12 +31,12 @@ def test_a_station_in_the_plane_and_by_its_directions(run):
     assert math.isfinite(srss["dy_mm"])
 
 
-def test_the_table_says_what_there_is_not(run):
+def test_the_table_says_what_a_reader_must_know(run):
     outcome = run("predict", "P695-FF-5", "--pgv", "1.0", "--heating", "simplified")
     assert outcome.status == 0
     assert "plane march" in outcome.out
     text = " ".join(outcome.out.split())
-    assert "No interval is given in the plane yet" in text
+    assert "The methods of Li et al. (2020) are of one direction." in text
     assert "goes beyond the capacity of 440 mm" in text
 
 
@@ -48,7 +48,7 @@ def test_as_csv(run, tmp_path):
     assert len(lines) == 2
 
 
-@pytest.mark.parametrize("option", [("--interval",), ("--threshold", "0.3"), ("--plot", "a.png")])
+@pytest.mark.parametrize("option", [("--threshold", "0.3"), ("--plot", "a.png")])
 def test_what_is_of_one_direction_is_refused(run, option):
     outcome = run("predict", "P695-FF-2", "--pgv", "0.5", *option)
     assert outcome.status == 2
@@ -60,3 +60,29 @@ def test_stations_and_components_do_not_go_together(run):
     outcome = run("predict", "P695-FF-2", "NCC")
     assert outcome.status == 2
     assert "give only stations" in outcome.err
+
+
+def test_intervals_of_a_station_know_its_spectrum_and_leave_out_its_own_earthquake(run):
+    words = (
+        "predict",
+        "P695-FF-2",
+        "--pgv",
+        "0.5",
+        "--interval",
+        "--heating",
+        "none",
+        "--friction",
+        "constant",
+    )
+    (told,) = json.loads(run(*words, "--json").out)
+    (analysed,) = json.loads(run("respond", *words[1:4], *words[5:], "--json").out)
+    by_spectrum, march = told["interval_from_spectrum"], told["predictions"][0]["interval"]
+    for key, truth in (("dy_mm", "dy_max_mm"), ("y_mm", "y_max_mm"), ("V_E_mm_s", "V_E_mm_s")):
+        for one in (by_spectrum[key], march[key]):
+            assert one["low"] < analysed[truth] < one["high"]
+            assert one["cases"] == 50 - 6  # of Northridge
+        widths = [math.log(one[key]["high"] / one[key]["low"]) for one in (march, by_spectrum)]
+        assert widths[0] < 0.6 * widths[1]
+    assert any("6 of the 50 stations" in remark for remark in told["remarks"])
+    text = " ".join(run(*words).out.split())
+    assert "Intervals hold 90 % of analyses of this bearing in the plane" in text
