@@ -17,7 +17,6 @@ from dcfp.verify.reproduction import analyse, findings_of, paper_motions
 from dcfp.version import version
 
 _VERDICTS = {True: "agrees", False: "FAILS", None: "skipped"}
-_SIGNS = {True: "as printed", False: "differs", None: "not comparable"}
 
 
 @cache
@@ -152,19 +151,19 @@ class Findings(SphinxDirective):
             [
                 [
                     _small(one.name, "name"),
-                    _small(f"Printed in: {one.place}.", "source"),
+                    _small(f"{str(one.basis).capitalize()}: {one.place}.", "source"),
                     *([_small(one.words, "note")] if one.words else []),
                     *(_small(str(case), "note") for case in one.outside),
                 ],
-                [_small(one.paper)],
+                [_small(one.paper or "–")],
                 [_small(one.ours)],
                 [_small(one.hundred or "–")],
-                [_small(_SIGNS[one.agrees], f"verdict-{one.agrees}".lower())],
+                [_small(one.sign, f"verdict-{one.agrees}".lower())],
             ]
             for one in findings_of(analyse(paper_motions()))
         ]
         return [
-            table(["Finding", "Printed", "Ours", "100 components", ""], rows, [40, 16, 16, 18, 10], "checks")
+            table(["Finding", "Paper", "Ours", "100 components", ""], rows, [40, 16, 16, 18, 10], "checks")
         ]
 
 

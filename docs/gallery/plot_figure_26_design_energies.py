@@ -9,7 +9,7 @@ Figure 26: energies from the PGV alone
 
 import dcfp
 from dcfp.methods.li_2020 import predict_from_pgv
-from dcfp.methods.li_2020.constants import PRINTED_DESIGN
+from dcfp.methods.li_2020.constants import DERIVED_DESIGN
 from dcfp.methods.pulses import HYSTERETIC, INPUT
 from dcfp.motion.named import VELOCITIES
 from dcfp.present.figures.li_2020 import paper_figures
@@ -23,9 +23,9 @@ cases = [
 (drawn,) = paper_figures(cases, {}, numbers=["26"])
 figure = drawn.figure
 
-for pgv, known in PRINTED_DESIGN.items():
+for pgv, known in DERIVED_DESIGN.items():
     said = predict_from_pgv(pgv)
     print(
-        f"PGV {pgv / 1e3:.2f} m/s: V_dE {said.input_velocity:.1f} (paper {known[INPUT][0]:.1f}),"
-        f" V_dEhr {said.hysteretic_velocity:.1f} (paper {known[HYSTERETIC][0]:.1f}) mm/s"
+        f"PGV {pgv / 1e3:.2f} m/s: V_dE {said.input_velocity:.1f} (derived {known[INPUT][0]:.1f}),"
+        f" V_dEhr {said.hysteretic_velocity:.1f} (derived {known[HYSTERETIC][0]:.1f}) mm/s"
     )

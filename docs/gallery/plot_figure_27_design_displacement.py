@@ -9,7 +9,7 @@ Figure 27: displacement from the PGV alone
 
 import dcfp
 from dcfp.methods.li_2020 import predict_from_pgv
-from dcfp.methods.li_2020.constants import PRINTED_DESIGN
+from dcfp.methods.li_2020.constants import DERIVED_DESIGN
 from dcfp.methods.pulses import CHANGE
 from dcfp.motion.named import VELOCITIES
 from dcfp.present.figures.li_2020 import paper_figures
@@ -23,9 +23,9 @@ cases = [
 (drawn,) = paper_figures(cases, {}, numbers=["27"])
 figure = drawn.figure
 
-for pgv, known in PRINTED_DESIGN.items():
+for pgv, known in DERIVED_DESIGN.items():
     print(
-        f"PGV {pgv / 1e3:.2f} m/s: dy {predict_from_pgv(pgv).displacement_change:.1f} mm, paper {known[CHANGE][0]:g} mm"
+        f"PGV {pgv / 1e3:.2f} m/s: dy {predict_from_pgv(pgv).displacement_change:.1f} mm, derived {known[CHANGE][0]:g} mm"
     )
 for pgv in VELOCITIES:
     said = predict_from_pgv(pgv).displacement_change

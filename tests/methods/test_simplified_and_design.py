@@ -31,12 +31,12 @@ def values(prediction: Prediction) -> list[float]:
 
 @pytest.mark.parametrize(
     ("pgv", "change", "put_in", "dissipated"),
-    [(250.0, 73.4, 277.2, 248.8), (1000.0, 568.0, 1108.8, 692.5)],
+    [(250.0, 73.4, 277.2, 248.8), (1000.0, 568.4, 1108.8, 692.5)],
 )
 def test_check_values(pgv: float, change: float, put_in: float, dissipated: float) -> None:
     """Eqs (29)-(33) with the constants of the paper, worked out by hand; half of the last digit."""
     found = predict_from_pgv(pgv)
-    assert found.displacement_change == pytest.approx(change, abs=0.05 if change < 100.0 else 0.5)
+    assert found.displacement_change == pytest.approx(change, abs=0.05)
     assert found.input_velocity == pytest.approx(put_in, abs=0.05)
     assert found.hysteretic_velocity == pytest.approx(dissipated, abs=0.05)
     assert LI_2020.friction_deceleration == pytest.approx(421.8, abs=0.05)

@@ -8,6 +8,7 @@ import re
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from datetime import date
 from difflib import get_close_matches
 from importlib import import_module
 from importlib.util import find_spec
@@ -82,7 +83,9 @@ class NamedRecord:
     alias: str = ""  #: the paper's abbreviation, by which it is known too
     event: str
     year: int
+    day: date | None = None  #: of the earthquake, local
     station: str
+    station_names: tuple[str, ...] = ()  #: what files call the station
     component: str = ""
     magnitude: float | None = None
     record_sequence_number: int | None = None  #: number of the record in the PEER NGA database [-]
@@ -272,19 +275,19 @@ MISSING = {
     row.name: row
     for row in (
         NamedRecord(
-            name="JKB", event="Kobe, Japan", year=1995, station="JMA Kobe", duration=30.0, peak_velocity=893.0, motion=None,
+            name="JKB", event="Kobe, Japan", year=1995, day=date(1995, 1, 17), station="JMA Kobe", station_names=("JMA Kobe", "Kobe JMA", "KJMA", "KJM", "Kobe"), duration=30.0, peak_velocity=893.0, motion=None,
             note="supply the NS component of JMA Kobe, 17 January 1995 (JMA, or 'KJM000' of PEER) as a file",
         ),
         NamedRecord(
-            name="TC1", event="Chi-Chi, Taiwan", year=1999, station="TCU129", duration=90.0, peak_velocity=554.0, motion=None,
+            name="TC1", event="Chi-Chi, Taiwan", year=1999, day=date(1999, 9, 21), station="TCU129", station_names=("TCU129",), duration=90.0, peak_velocity=554.0, motion=None,
             note="supply the record of TCU129, Chi-Chi, 20 September 1999 (CWB, or 'TCU129' of PEER) as a file",
         ),
         NamedRecord(
-            name="TSD", event="Tohoku, Japan", year=2011, station="JMA Sendai", duration=180.0, peak_velocity=545.0, motion=None,
+            name="TSD", event="Tohoku, Japan", year=2011, day=date(2011, 3, 11), station="JMA Sendai", station_names=("JMA Sendai", "Sendai"), duration=180.0, peak_velocity=545.0, motion=None,
             note="supply the record of JMA Sendai, 11 March 2011 (JMA strong-motion CSV) as a file",
         ),
         NamedRecord(
-            name="TIM", event="Tohoku, Japan", year=2011, station="JMA Ishinomaki", duration=300.0, peak_velocity=376.0, motion=None,
+            name="TIM", event="Tohoku, Japan", year=2011, day=date(2011, 3, 11), station="JMA Ishinomaki", station_names=("JMA Ishinomaki", "Ishinomaki"), duration=300.0, peak_velocity=376.0, motion=None,
             note="supply the record of JMA Ishinomaki, 11 March 2011 (JMA strong-motion CSV) as a file",
         ),
     )

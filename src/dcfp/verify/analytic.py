@@ -41,22 +41,22 @@ _PRINTED_VELOCITIES = {"NCC": 449.0, "KNA": 373.0, "LPG": 447.0, "IVD": 330.0}
 _FACTORS = {"pressure": pressure_factor, "velocity": velocity_factor, "temperature": temperature_factor}
 
 
-def printed_factor(factor: str, at: float) -> float:
+def factor_of_law(factor: str, at: float) -> float:
     """Return a factor of the law of Li et al. (2020) at a pressure [N/mm2], velocity [mm/s] or temperature [degC]."""
     return float(_FACTORS[factor](at))
 
 
-def printed_bearing(quantity: str, size: float = 1.0) -> float:
+def property_of_bearing(quantity: str, size: float = 1.0) -> float:
     """Return a property of the bearing of Li et al. (2020) in units of so many of the package's."""
     return getattr(LI_2020, quantity) / size
 
 
-def printed_yield_displacement() -> float:
+def yield_displacement() -> float:
     """Return 0.043 x 7.540e6 N / 1900e3 N/mm, with N and kf of the package [mm]."""
     return NOMINAL_COEFFICIENT * LI_2020.vertical_force / LI_2020.elastic_stiffness
 
 
-def printed_deceleration() -> float:
+def friction_deceleration() -> float:
     """Return mu_n g [mm/s2]."""
     return NOMINAL_COEFFICIENT * STANDARD_GRAVITY
 

@@ -16,7 +16,7 @@ from dcfp.inference.statistics import COVERED, ratios, scatter
 from dcfp.methods import Nodes, Pulses, find_nodes, find_pulses, march_through_pulses
 from dcfp.methods.li_2020 import LI_2020 as PAPER
 from dcfp.methods.li_2020 import predict_from_pgv, predict_from_pulses
-from dcfp.methods.li_2020.constants import PRINTED_DESIGN, PULSE
+from dcfp.methods.li_2020.constants import DERIVED_DESIGN, PULSE
 from dcfp.methods.method import Information, Variant
 from dcfp.methods.pulse_march import NAME as MARCH
 from dcfp.methods.pulses import CHANGE, DISPLACEMENT, HYSTERETIC, INPUT, value_of
@@ -45,11 +45,16 @@ _GIVEN = {
 
 
 def design(pgv: float, quantity: str) -> Found:
-    """Return what the design method gives for a PGV [m/s], and what is printed."""
+    """Return what the design method gives for a PGV [m/s], and what the paper's equations do."""
     known = _QUANTITIES[quantity]
-    value, last_digit = PRINTED_DESIGN[1e3 * pgv][known]
+    value, last_digit = DERIVED_DESIGN[1e3 * pgv][known]
     words = {"unit": known.unit.name}
     return Found(value_of(predict_from_pgv(1e3 * pgv), known), value, 0.5 * last_digit, words)
+
+
+def gravity() -> float:
+    """Return g of the methods [mm/s2], from their mu_n g and mu_n."""
+    return PAPER.friction_deceleration / PAPER.nominal_friction
 
 
 def _largest(motion: GroundMotion) -> float:

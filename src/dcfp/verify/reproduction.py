@@ -2,7 +2,8 @@
 
 import tomllib
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from enum import StrEnum
 from importlib.resources import files
 from typing import TYPE_CHECKING, TypeVar
 
@@ -10,27 +11,32 @@ import numpy as np
 
 from dcfp.analysis import Response, respond
 from dcfp.arrays import FloatArray
-from dcfp.constants import STANDARD_GRAVITY
 from dcfp.inference import Case, Methods, compare
-from dcfp.inference.case import analysed_of
 from dcfp.inference.forecast import calibration_set, cases_at
 from dcfp.inference.refit import average_slope, change_ratio, fall_ratio
 from dcfp.inference.statistics import displacement_over_change, ratios, scatter
-from dcfp.methods.li_2020 import LI_2020, predict_from_pgv, predict_from_pulses, predict_simplified
-from dcfp.methods.li_2020.constants import PRINTED_DESIGN, PRINTED_RANGES, PRINTED_ROUNDING, PULSE, SIMPLIFIED
+from dcfp.methods.li_2020 import LI_2020, predict_from_pgv
+from dcfp.methods.li_2020.constants import (
+    DERIVED_DESIGN,
+    PAPER,
+    PRINTED_RANGES,
+    PRINTED_ROUNDING,
+)
 from dcfp.methods.method import Information, Variant
-from dcfp.methods.pulses import CHANGE, HYSTERETIC, INPUT, value_of
+from dcfp.methods.pulse_march import NAME as MARCH
+from dcfp.methods.pulses import CHANGE, DISPLACEMENT, HYSTERETIC, INPUT, value_of
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.named import ALIASES, VELOCITIES, named_motion
 from dcfp.present.report import document as doc
 from dcfp.present.report.forms import page_with
 from dcfp.schema.check import Verdict
-from dcfp.schema.quantities import Quantity
 from dcfp.schema.quantities import Quantity as Column
 from dcfp.schema.table import Table
 from dcfp.schema.units import M_PER_S, NONE
 from dcfp.system import LI_2020 as BEARING
 from dcfp.system import ConstantFriction, Li2020, NoHeating, PreciseHeating
+from dcfp.verify.check import tasks
+from dcfp.verify.explanation import explain
 from dcfp.version import version
 
 if TYPE_CHECKING:
@@ -104,6 +110,14 @@ class Outside:
         return f"{self.record} at {self.pgv / 1e3:.2f} m/s, {self.ratio:.2f}: {self.words}"
 
 
+class Basis(StrEnum):
+    """What a finding rests on: the paper prints it, or it follows from the paper's formulas, which is not printed; or it is the project's own."""
+
+    PRINTED = "printed"
+    DERIVED = "derived"
+    OURS = "ours"
+
+
 @dataclass(frozen=True)
 class Finding:
     """One finding of the paper beside ours.
@@ -112,14 +126,16 @@ class Finding:
     ----------
     name
         What is found.
+    basis
+        Whether the paper prints it, it follows from the paper's formulas, or it is the project's own.
     place
-        Where the paper prints it.
+        Where the paper prints it, or has the formulas.
     paper, ours
-        In words, with units.
+        In words, with units; of the project's own there is nothing of the paper.
     hundred
         The same of the 100 components of FEMA P-695; empty where it was not looked at.
     agrees
-        Whether ours is what the paper prints, to its last digit; None where the two cannot be compared.
+        Whether ours is what the paper prints or its formulas give, to the last digit; None where the two cannot be compared.
     words
         Why it differs, or how it was found.
     outside
@@ -127,6 +143,7 @@ class Finding:
     """
 
     name: str
+    basis: Basis
     place: str
     paper: str
     ours: str
@@ -135,20 +152,26 @@ class Finding:
     words: str = ""
     outside: tuple[Outside, ...] = ()
 
+    @property
+    def sign(self) -> str:
+        """Whether ours is as printed or derived, in words."""
+        if self.basis is Basis.OURS:
+            return "no word of the paper"
+        return {True: f"as {self.basis}", False: "differs", None: "not comparable"}[self.agrees]
 
-#: Whether a finding is as printed, in words.
-_SIGNS = {True: "as printed", False: "differs", None: "not comparable"}
+
 #: What is told of a finding.
 FINDINGS = [
-    Column("Finding", "what is found, and where the paper prints it", get=lambda one: f"{one.name} ({one.place})", stored=False),
+    Column("Finding", "what is found, and where the paper has it", get=lambda one: f"{one.name} ({one.place})", stored=False),
     Column("name", "what is found", get="name", printed=False),
-    Column("place", "where the paper prints it", get="place", printed=False),
-    Column("paper", "as the paper prints it", head="Printed", get="paper"),
+    Column("place", "where the paper has it", get="place", printed=False),
+    Column("basis", "printed by the paper, derived from its formulas, or ours", head="Basis", get="basis"),
+    Column("paper", "as the paper prints it or its formulas give", head="Paper", get="paper"),
     Column("ours", "as it is found here", head="Ours", get="ours"),
     Column("100 components", "of the components of FEMA P-695", get="hundred", stored=False),
     Column("hundred_components", "of the components of FEMA P-695", get=lambda one: one.hundred or None, printed=False),
-    Column("agrees", "whether it is as printed", get="agrees", printed=False),
-    Column(" ", "whether it is as printed", get=lambda one: "" if one.agrees else _SIGNS[one.agrees], stored=False),
+    Column("agrees", "whether it is as printed or derived", get="agrees", printed=False),
+    Column(" ", "the same in words", get=lambda one: "" if one.agrees or one.basis is Basis.OURS else one.sign, stored=False),
     Column("words", "why it differs, or how it was found", get="words", printed=False),
     Column("outside", "cases outside a printed range", get=lambda one: Table(tuple(OUTSIDE), one.outside).objects(), flat=False, printed=False),
 ]  # fmt: skip
@@ -170,13 +193,15 @@ class _Found:
 
 
 def findings_of(analyses: Analyses) -> list[Finding]:
-    """Return every printed finding of section 6, beside ours."""
+    """Return every finding of the paper's section 6, printed or derived, beside ours."""
     by: dict[str, Callable[[Analyses], list[_Found]]] = {
         "ranges": _ranges,
         "average_slope": _average_slope,
         "fall_ratio": _fall_ratio,
         "change_ratio": _change_ratio,
         "design": _design,
+        "derived": _derived,
+        "march": _march,
         "heating": _heating,
         "larger_change": _larger_change,
         "constant": _constant,
@@ -184,9 +209,10 @@ def findings_of(analyses: Analyses) -> list[Finding]:
     text = files("dcfp.verify").joinpath("findings.toml").read_text(encoding="utf-8")
     findings: list[Finding] = []
     for row in tomllib.loads(text)["finding"]:
+        basis = Basis(row.pop("basis"))
         for found in by[row.pop("by")](analyses):
             told = {key: str(words).format(**found.words) for key, words in row.items()}
-            findings.append(Finding(**told, agrees=found.agrees, outside=found.outside))
+            findings.append(Finding(**told, basis=basis, agrees=found.agrees, outside=found.outside))
     return findings
 
 
@@ -245,8 +271,19 @@ def _average_slope(analyses: Analyses) -> list[_Found]:
         if case.analysed.pulse is not None
     )
     records = ", ".join(dict.fromkeys(case.record for case in analyses.cases))
+    packaged = [case for case in analyses.cases if case.record in ALIASES]
+    of_packaged = (
+        f" Of those that come with the package it is {average_slope(packaged):.0f} mm/s²." if packaged else ""
+    )
     return _constant_of_design(
-        LI_2020.average_slope, average_slope, 5.0, analyses, records=records, slopes=slopes
+        LI_2020.average_slope,
+        average_slope,
+        5.0,
+        analyses,
+        records=records,
+        count=len(records.split(", ")),
+        slopes=slopes,
+        packaged=of_packaged,
     )
 
 
@@ -266,30 +303,80 @@ def _weak(cases: Sequence[Case]) -> list[Case]:
 def _design(analyses: Analyses) -> list[_Found]:
     del analyses  # from the PGV alone
     found: list[_Found] = []
-    for pgv, known in PRINTED_DESIGN.items():
+    for pgv, known in DERIVED_DESIGN.items():
         said = predict_from_pgv(pgv)
         agrees = all(
             abs(value_of(said, quantity) - value) <= 0.5 * digit for quantity, (value, digit) in known.items()
         )
-        printed = [known[quantity][0] for quantity in (INPUT, HYSTERETIC, CHANGE)]
-        found.append(_Found(agrees, {"pgv": pgv / 1e3, "printed": printed, "said": said}))
+        derived = [known[quantity][0] for quantity in (INPUT, HYSTERETIC, CHANGE)]
+        words = {"pgv": pgv / 1e3, "derived": derived, "said": said, "slide": LI_2020.friction_deceleration}
+        found.append(_Found(agrees, words))
     return found
+
+
+#: Group of the checks of what follows from the paper's formulas, and those of them that have a finding of their own.
+_DERIVED, _OF_DESIGN = "Derived from published formulas", "design method"
+
+
+def _derived(analyses: Analyses) -> list[_Found]:
+    """Return the numbers of `dcfp verify` that follow from the paper's formulas."""
+    del analyses  # from the formulas alone
+    checks = [
+        task.run() for task in tasks() if task.group == _DERIVED and not task.name.startswith(_OF_DESIGN)
+    ]
+    return [
+        _Found(
+            one.passed,
+            {
+                "check": one,
+                "where": one.source.removeprefix(f"{PAPER}, "),
+                "unit": "" if one.unit == "-" else f" {one.unit.replace('2', '²')}",
+            },
+        )
+        for one in checks
+    ]
+
+
+def _march(analyses: Analyses) -> list[_Found]:
+    found: list[_Found] = []
+    for name, quantity in (("y_max", DISPLACEMENT), ("dy", CHANGE)):
+        values, hundred = (
+            ratios(cases, Variant(MARCH, Information.BLIND), quantity)
+            for cases in (analyses.cases, analyses.hundred)
+        )
+        measures = scatter(hundred)
+        words = {
+            "quantity": name,
+            "values": _span(values),
+            "of_hundred": _span(hundred),
+            "dispersion": measures.dispersion,
+        }
+        found.append(_Found(None, words))
+    return found
+
+
+#: Displacement with simplified over that with precise heating, up to which the two are similar [-].
+_SIMILAR = 0.1
 
 
 def _heating(analyses: Analyses) -> list[_Found]:
     simplified = np.array([case.analysed.whole.bound for case in analyses.cases])
     precise = np.array([response.peak_displacement for response in analyses.precise])
     over = simplified / precise
-    worst = int(np.argmax(np.abs(np.log(over))))
+    outside = tuple(
+        Outside(case.record, case.pgv, float(ratio), f"{one:.0f} against {other:.0f} mm")
+        for case, ratio, one, other in zip(analyses.cases, over, simplified, precise, strict=True)
+        if abs(ratio - 1.0) > _SIMILAR
+    )
+    inside = np.abs(over - 1.0)[np.abs(over - 1.0) <= _SIMILAR]
     words = {
         "span": _span(over),
-        "record": analyses.cases[worst].record,
-        "pgv": analyses.cases[worst].pgv / 1e3,
-        "simplified": simplified[worst],
-        "precise": precise[worst],
-        "others": 100.0 * np.abs(np.delete(over, worst) - 1.0).max(),
+        "similar": 100.0 * _SIMILAR,
+        "inside": inside.size,
+        "count": over.size,
+        "others": 100.0 * inside.max(initial=0.0),
     }
-    return [_Found(None, words)]
+    return [_Found(not outside, words, outside)]
 
 
 def _larger_change(analyses: Analyses) -> list[_Found]:
@@ -307,93 +394,6 @@ def _constant(analyses: Analyses) -> list[_Found]:
     return [_Found(None, {"span": _span(over), "middle": middle})]
 
 
-# ----- why a prediction is where it is: the facts of a case that the methods of Li et al. (2020) leave out -----
-
-#: Mean coefficient in a swing over mu_n, up or down, from which on it is said to differ [-].
-_OTHER_FRICTION = 1.5
-#: dy with spring (a) over dy without, from which on the spring is said to have a part in it [-].
-_SPRING = 1.3
-#: Radius over the bearing's, with which a plate is as good as flat [-].
-_FLAT = 1e6
-
-
-def explain(case: Case, precise: Response, constant: Response, variant: Variant, quantity: Quantity) -> str:
-    """Return in a sentence what sets a case apart from one that a blind method predicts well, each clause with its number.
-
-    Parameters
-    ----------
-    case
-        Of the paper's bearing, with its response.
-    precise, constant
-        The same analysis with precise heating, and with the constant mu_n.
-    variant, quantity
-        The pulse or the simplified method, and dy or one of the two energies.
-    """
-    swing, method = case.analysed.swing, variant.method
-    if swing is None:
-        return "the response never turns."
-    said = value_of(case.predicted[variant], quantity)
-
-    def over(response: Response) -> str:
-        return f"{said / value_of(analysed_of(response, case.pulses).whole, quantity):.2f}"
-
-    place = _governing(case, method, quantity)
-    clauses = [] if place is None else [_pulse(case, method, place, quantity)]
-    clauses.append(
-        f"against an analysis with the constant mu_n it is {over(constant)}, with precise heating {over(precise)}"
-    )
-    mean = swing.hysteretic_velocity**2 / (2.0 * STANDARD_GRAVITY * abs(swing.change))
-    if not 1.0 / _OTHER_FRICTION < mean / LI_2020.nominal_friction < _OTHER_FRICTION:
-        clauses.append(
-            f"the mean coefficient in the largest swing is {mean:.3f}, where the method has {LI_2020.nominal_friction:g}"
-        )
-    flat = _without_spring(case)
-    if case.analysed.whole.displacement_change > _SPRING * flat:
-        clauses.append(
-            f"the largest swing is at {swing.start:.1f}–{swing.end:.1f} s, and without spring (a), which the method has not, the largest would be"
-            f" {flat:.0f} in place of {case.analysed.whole.displacement_change:.0f} mm"
-        )
-    return "; ".join(clauses) + "."
-
-
-def _without_spring(case: Case) -> float:
-    """Largest change of displacement on flat plates [mm]."""
-    if case.response is None:
-        return case.analysed.whole.displacement_change
-    flat = BEARING.unchecked(
-        radii=tuple(_FLAT * radius for radius in BEARING.radii), displacement_capacity=None
-    )
-    return respond(case.response.motion, flat, tail=0.0).peak_change
-
-
-def _governing(case: Case, method: str, quantity: Quantity) -> int | None:
-    found = predict_from_pulses(case.pulses) if method == PULSE else predict_simplified(case.pulses)
-    of_pulse = [value_of(found.of(i), quantity) for i in range(case.pulses.count)]
-    return int(np.argmax(of_pulse)) if of_pulse else None
-
-
-def _pulse(case: Case, method: str, place: int, quantity: Quantity) -> str:
-    pulses = case.pulses
-    ratio = LI_2020.friction_deceleration / abs(float(pulses.mean_accelerations[place]))
-    words = f"the pulse at {pulses.starts[place]:.2f}–{pulses.peaks[place]:.2f} s has ku/kg {ratio:.2f}"
-    if method == PULSE and LI_2020.amplified_from <= ratio <= 1.0:
-        without = predict_from_pulses(pulses, replace(LI_2020, amplification=1.0)).of(place)
-        analysed = value_of(case.analysed.whole, quantity)
-        words += (
-            f", where velocities and slopes are multiplied by {LI_2020.amplification:g} (Figure 17); without that it would give"
-            f" {value_of(without, quantity) / analysed:.2f} of the analysis"
-        )
-    if method == SIMPLIFIED:
-        own = replace(LI_2020, average_slope=abs(float(pulses.mean_accelerations[place])))
-        if own.slides_on_average:
-            with_own = value_of(predict_simplified(pulses, own).of(place), quantity)
-            words += (
-                f" and a slope of {own.average_slope:.0f} mm/s²; with its own in place of the {LI_2020.average_slope:.0f} it would give"
-                f" {with_own / value_of(case.analysed.whole, quantity):.2f} of the analysis"
-            )
-    return words
-
-
 # ----- the page -----
 
 
@@ -402,6 +402,7 @@ def reproduction_page(
     figures: "Sequence[PaperFigure]",
     records: Sequence[str],
     missing: Sequence[str],
+    remarks: Sequence[str] = (),
 ) -> str:
     """Return findings and figures as a page of HTML that needs no other file, with the names of the records that were analysed and of those that were missing.
 
@@ -415,37 +416,53 @@ def reproduction_page(
         Names of the records that were analysed.
     missing
         Names of those of the paper that were not there.
+    remarks
+        On records that the user has supplied.
     """
-    agreed = sum(one.agrees is True for one in findings)
     lacking = (
         f" Not at hand are {', '.join(missing)}; ranges and means of the paper are of all eight records."
     )
-    head = doc.cells("Finding", "Printed", "Ours", "100 components of FEMA P-695", "")
+    head = doc.cells("Finding", "Basis", "Paper", "Ours", "100 components of FEMA P-695", "")
     rows = [row for one in findings for row in _rows(one)]
     front = (
         "Li et al. (2020), section 6. Applied Sciences 10(15), 5259, doi:10.3390/app10155259",
         f"Records: {', '.join(records)}, each at a PGV of 0.25, 0.50, 0.75 and 1.00 m/s, under the paper's bearing with its friction law"
         f" and simplified heating.{lacking if missing else ''} Made by dcfp {version()} with dcfp reproduce.",
+        *remarks,
     )
-    agreement = f"{agreed} of {len(findings)} are found as printed. Where ours differs, the line says by how much and why."
-    table = doc.Table(head, tuple(rows), "lllll", (1.0,) * 5)
+    table = doc.Table(head, tuple(rows), "llllll", (1.0,) * 6)
     drawings = [_drawing(one) for one in figures]
     return page_with(
         "Energy-based prediction of the displacement of DCFP bearings, made again",
         [doc.words(sentence) for sentence in front],
         (
-            doc.Section("Findings", (doc.words(agreement), table)),
+            doc.Section("Findings", (doc.words(agreement(findings)), table)),
             doc.Section("Figures", (doc.words("In the form of the paper's, with its numbers."), *drawings)),
         ),
     )
 
 
+def agreement(findings: Sequence[Finding]) -> str:
+    """Return in words how many findings are as the paper prints or its formulas give, and what the labels mean."""
+
+    def count(basis: Basis) -> str:
+        own = [one.agrees for one in findings if one.basis is basis]
+        return f"{own.count(True)} of {len(own)}"
+
+    return (
+        f"{count(Basis.PRINTED)} that the paper prints are found as printed; of those derived, which follow from its formulas and which it does not print,"
+        f" {count(Basis.DERIVED)} are as derived. What is ours is the project's own, and the paper says nothing of it."
+        " Where ours differs, the line says by how much and why."
+    )
+
+
 def _rows(finding: Finding) -> tuple[tuple[doc.Cell, ...], ...]:
     """Return what is found in one row, and why it is so in another one below it."""
-    found = doc.cells(f"{finding.name}\n{finding.place}", finding.paper, finding.ours, finding.hundred)
-    sign = doc.Cell((_SIGNS[finding.agrees],), Verdict.of(finding.agrees))
+    name = f"{finding.name}\n{finding.place}"
+    found = doc.cells(name, finding.basis, finding.paper, finding.ours, finding.hundred)
+    sign = doc.Cell((finding.sign,), Verdict.of(finding.agrees))
     why = "\n".join([finding.words, *(str(one) for one in finding.outside)])
-    return (*found, sign), (doc.Cell((why,), span=5),)
+    return (*found, sign), (doc.Cell((why,), span=6),)
 
 
 def _drawing(figure: "PaperFigure") -> doc.Drawing:

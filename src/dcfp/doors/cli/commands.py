@@ -368,6 +368,10 @@ def reproduce(parser: Parser) -> None:
         metavar="NAME=FILE",
         help="a record of the paper that does not come with the package, where you have it: JKB, TC1, TSD or TIM and its file",
     )
+    group = parser.add_argument_group("records of your own")
+    words = "folder with files of such records, found by earthquake and station (or a name as JKB.csv); of several components the one whose PGV is nearest to Table 3"
+    group.add_argument("--records", metavar="FOLDER", help=words)
+    options.add_correction(group)
     words = "one page with findings and figures (.html)"
     options.add_output(parser, words, "all figures on one sheet", (".html",))
 

@@ -3,8 +3,9 @@
 import argparse
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from itertools import groupby
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rich.text import Text
@@ -13,11 +14,13 @@ from dcfp.doors.cli.console import Block, Page, grid, progress
 from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.errors import InputError
 from dcfp.motion.ground_motion import GroundMotion
-from dcfp.motion.load import load_motion
-from dcfp.motion.measures import baseline_warning
+from dcfp.motion.load import load_horizontal
+from dcfp.motion.measures import baseline_warning, refuse_a_drift
 from dcfp.motion.named import MISSING
+from dcfp.motion.treatment import treated
 from dcfp.schema.table import Table
 from dcfp.verify import CHECKS, reproduction, run_checks
+from dcfp.verify.paper_records import find_paper_records
 
 
 def run(chosen: argparse.Namespace) -> Answer:
@@ -67,15 +70,22 @@ def reproduce(chosen: argparse.Namespace) -> Answer:
         if name not in MISSING:
             msg = f"{name} is no record of the paper that has to be supplied; these are {', '.join(MISSING)}."
             raise InputError(msg)
-    motions = reproduction.paper_motions(
-        [replace(load_motion(file), name=name) for name, file in files.items()]
-    )
+    treat = partial(treated, baseline=chosen.baseline, corner=chosen.high_pass)
+    found = None if chosen.records is None else find_paper_records(Path(chosen.records), treat)
+    own: dict[str, GroundMotion] = {} if found is None else dict(found.motions)
+    own |= {name: replace(treat(load_horizontal(file)), name=name) for name, file in files.items()}
+    for motion in own.values():
+        refuse_a_drift(motion)
+    motions = reproduction.paper_motions(list(own.values()))
     with progress("analyses", reproduction.number_of(len(motions))) as advance:
         analyses = reproduction.analyse(motions, advance)
     findings = reproduction.findings_of(analyses)
-    missing = [name for name in MISSING if name not in files]
+    missing = [name for name in MISSING if name not in own]
     names = [motion.name for motion in motions]
     remarks = _remarks(motions)
+    if found is not None:
+        choices = [words for name, words in found.choices.items() if name not in files]
+        remarks = [*choices, *found.left_out, *remarks]
     table = Table(tuple(reproduction.FINDINGS), findings)
 
     @cache
@@ -101,7 +111,7 @@ def reproduce(chosen: argparse.Namespace) -> Answer:
     ]
     notes: list[str] = []
     for one in findings:
-        notes += [] if one.agrees else [f"{one.name}: {one.words}"]
+        notes += [] if one.agrees or one.basis is reproduction.Basis.OURS else [f"{one.name}: {one.words}"]
         notes += [f"{one.name}, {case}" for case in one.outside]
     return Answer(
         lambda: {
@@ -111,20 +121,24 @@ def reproduce(chosen: argparse.Namespace) -> Answer:
             "remarks": remarks,
         },
         lambda: Page([lines, grid(table)], [*notes, *remarks]),
-        lambda part, kind: reproduction.reproduction_page(findings, figures(), names, missing),
+        lambda part, kind: reproduction.reproduction_page(findings, figures(), names, missing, remarks),
         sheet,
     )
 
 
 def _remarks(motions: Sequence[GroundMotion]) -> list[str]:
+    """Say of the records that were supplied how their PGV compares with the printed one, what was done to them, and whether they drift."""
     remarks: list[str] = []
     for motion in motions:
-        printed = MISSING[motion.name].peak_velocity if motion.name in MISSING else None
-        if printed is not None and abs(motion.peak_velocity / printed - 1.0) > _SAME:
-            remarks.append(
-                f"{motion.name}: the PGV of the file is {motion.peak_velocity / 1e3:.3f} m/s, and {printed / 1e3:.3f} m/s in the paper's"
-                " Table 3; it may be another component or treatment."
-            )
+        if motion.name in MISSING:
+            remarks.append(_against_table(motion, MISSING[motion.name].peak_velocity))
+            remarks += [f"{motion.name}: {'; '.join(motion.treatment)}."] if motion.treatment else []
         warning = baseline_warning(motion)
         remarks += [warning] if warning else []
     return remarks
+
+
+def _against_table(motion: GroundMotion, printed: float) -> str:
+    said = f"{motion.name}: the PGV of the file is {motion.peak_velocity / 1e3:.3f} m/s, and {printed / 1e3:.3f} m/s in the paper's Table 3"
+    differs = abs(motion.peak_velocity / printed - 1.0) > _SAME
+    return f"{said}; it may be another component or treatment." if differs else f"{said}."

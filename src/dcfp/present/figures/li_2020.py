@@ -126,7 +126,7 @@ def _loops(loops: "Mapping[tuple[str, float], tuple[Response, Response]]") -> Pa
             shown = panel.x.display(path.x), panel.y.display(path.y)
             style.draw_line(one, *shown, colour, path.width, linestyle=dashes, label=label)
             style.label_axes(one, panel.x.label, panel.y.label, 5, 5)
-        one.set_title(f"({letter}) PGV {metres_per_second(pgv)}", loc="left")
+        one.set_title(f"({letter}) {record}, PGV {metres_per_second(pgv)}", loc="left")
     style.legend_outside(axes[0], 2, "upper right", borderaxespad=0.4)
     words = (
         f"Force against displacement under {record} with the simplified and with the precise heating model."
