@@ -16,6 +16,7 @@ import numpy as np
 import one_pulse
 import rules
 import tables
+from awkward import awkward
 from reports import Report, amplifications, energies, named, plateau
 
 import dcfp
@@ -97,6 +98,7 @@ def main(folder: Path) -> None:
     named(report, own)
     energies(report, {"four records": own, "hundred": group}, few)
     amplifications(report, group)
+    awkward(report, many)
     ratios = (0.2, 0.4, 0.6, 0.8, 0.9, 1.0, 1.2, 1.4)
     report("One pulse", tables.waves({ratio: one_pulse.wave(ratio) for ratio in ratios}))
     shown = march(report, many, group)

@@ -7,7 +7,8 @@ from cases import BASES, RANGES, Marks
 from held_out import HeldOut
 from one_pulse import Wave
 
-from dcfp.inference.statistics import Coverage, Scatter
+from dcfp.inference.coverage import Coverage
+from dcfp.inference.statistics import Scatter
 from dcfp.methods.li_2020 import Constants
 from dcfp.schema.quantities import Quantity
 

@@ -1,5 +1,6 @@
 """One record at one PGV: what the analysis gives, and what each method says of it."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -11,7 +12,7 @@ from dcfp.methods import NOTHING, Prediction, Pulses
 from dcfp.methods.code import CodeInputs, CodeResult, code_methods
 from dcfp.methods.code_comparison import code_results
 from dcfp.methods.method import Information, Variant
-from dcfp.methods.prediction import Ground, Methods, prediction_methods
+from dcfp.methods.prediction import Ground, Methods, Predicted, prediction_methods
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import Motion, motion_of
 from dcfp.schema.notebook import card
@@ -123,6 +124,7 @@ def compare(
     if codes:
         asked = code_inputs(motion, methods)
         results, ground = code_results(asked), replace(ground, spectrum=asked.spectrum)
+    said = _said(ground, methods)
     by_codes = {
         variant: replace(NOTHING, displacement=result.displacement)
         for name, result in results.items()
@@ -134,9 +136,9 @@ def compare(
         pgv=motion.peak_velocity,
         pulses=pulses,
         analysed=analysed,
-        predicted=predictions(ground, methods, analysed.pulse) | by_codes,
+        predicted=_known(said, analysed.pulse) | by_codes,
         codes=results,
-        remarks=response.remarks,
+        remarks=(*response.remarks, *(remark for one in said.values() for remark in one.remarks)),
         response=response if keep_response else None,
         motion=motion,
     )
@@ -149,12 +151,21 @@ def code_inputs(motion: GroundMotion, methods: Methods) -> CodeInputs:
 
 def predictions(ground: Ground, methods: Methods, pulse: int | None) -> dict[Variant, Prediction]:
     """Return what every method of prediction says that can be used; `pulse` as for `Predicted.knowing`."""
+    return _known(_said(ground, methods), pulse)
+
+
+def _said(ground: Ground, methods: Methods) -> dict[str, Predicted]:
+    """Return what every method of prediction says that can be used, by its name."""
     said = {name: method.predict(ground, methods) for name, method in prediction_methods().items()}
+    return {name: one for name, one in said.items() if one is not None}
+
+
+def _known(said: Mapping[str, Predicted], pulse: int | None) -> dict[Variant, Prediction]:
+    """Return it with each of what the methods know."""
     return {
-        variant: predicted.knowing(variant.information, pulse)
-        for name, method in prediction_methods().items()
-        if (predicted := said[name]) is not None
-        for variant in method.variants
+        variant: one.knowing(variant.information, pulse)
+        for name, one in said.items()
+        for variant in prediction_methods()[name].variants
     }
 
 

@@ -202,3 +202,25 @@ def test_a_pgv_with_a_spectrum_is_told_beside_the_paper_s_and_a_record_takes_non
         answer = run("predict", *wrong)
         assert answer.status == 2
         assert words in answer.err
+
+
+def test_the_amplification_of_a_pulse_whose_slopes_are_those_of_friction_can_be_given(run):
+    """LPG at 0.25 m/s has such a pulse, NCC at 0.5 m/s none; the default is the paper's."""
+
+    def dy(record: str, pgv: str, *words: object) -> float:
+        (told,) = json.loads(run("predict", record, "--pgv", pgv, *words, "--json").out)
+        (pulse,) = (one for one in told["predictions"] if one["method"] == "pulse")
+        return pulse["dy_mm"]
+
+    assert dy("LPG", "0.25") == dy("LPG", "0.25", "--amplification", "1.5")
+    assert dy("LPG", "0.25") > 2.0 * dy("LPG", "0.25", "--amplification", "1.2") > 0.0
+    assert dy("NCC", "0.5") == dy("NCC", "0.5", "--amplification", "1.2")
+
+
+@pytest.mark.parametrize("command", ["predict", "compare"])
+def test_what_makes_the_methods_unreliable_is_said_beside_them(run, command):
+    words = " ".join(run(command, "LPG", "--pgv", "0.25").out.split())
+    assert "LPG: dy by the pulse method is unreliable, since its governing pulse has a ku/kg of 0.89" in words
+    assert "with ripples down to 0.05 PGV as peaks it is 20 mm in place of 152 mm" in words
+    (told,) = json.loads(run("predict", "LPG", "--pgv", "0.25", "--json").out)
+    assert sum("unreliable" in remark for remark in told["remarks"]) == 4

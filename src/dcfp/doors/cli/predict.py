@@ -88,7 +88,8 @@ def labels(methods: Methods, friction: Nominal) -> list[tuple[str, str]]:
         ),
         (
             "Constants",
-            f"eps {constants.fall_ratio:g}, zeta {constants.change_ratio:g}, kg_ave {constants.average_slope:g} mm/s²;"
+            f"eps {constants.fall_ratio:g}, zeta {constants.change_ratio:g}, kg_ave {constants.average_slope:g} mm/s²,"
+            f" amplification {constants.amplification:g} from a ku/kg of {constants.amplified_from:g} to 1;"
             f" pulses where the ground velocity turns back by {methods.threshold:g} PGV;"
             f" for the march straight legs that it leaves by {methods.march_tolerance:g} PGV, then fitted",
         ),

@@ -31,7 +31,7 @@ NOTES = (
     "y_max: largest displacement in the plane; dy: largest change of displacement from one peak to the next, in whatever direction; V_E: equivalent velocity sqrt(2E/m)"
     " of all the energy put in; T: highest temperature of the contact.",
     f"{NAME}: of our own, along straight legs between nodes of the ground velocity that both directions share; {DIRECTIONS}: the march of each direction by itself, root of the sum"
-    " of the squares, for comparison: over FEMA P-695 0.91 times the analysis with a dispersion of 0.22, the march in the plane 1.00 and 0.05.",
+    " of the squares, for comparison.",
     "The methods of Li et al. (2020) are of one direction.",
 )
 

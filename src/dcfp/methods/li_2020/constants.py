@@ -46,9 +46,7 @@ class Constants(Declared):
     ] = 9810.0
     amplification: Annotated[
         float,
-        Parameter(
-            "factor on a pulse whose slopes are nearly those of friction", NONE, 0.01, 100.0, option=False
-        ),
+        Parameter("factor on velocities and slopes of a pulse with a ku/kg of 0.8 to 1", NONE, 1.0, 100.0),
     ] = 1.5
     amplified_from: Annotated[
         float, Parameter("ratio of slopes from which on a pulse is amplified", NONE, 1e-3, 10.0, option=False)

@@ -7,6 +7,7 @@ is conservative, Eq. (17), with the slope that friction gives it. All slopes are
 import numpy as np
 
 from dcfp.arrays import FloatArray
+from dcfp.methods.li_2020.cautions import cautions
 from dcfp.methods.li_2020.constants import LI_2020, PAPER, PULSE, Constants
 from dcfp.methods.method import Information, Look
 from dcfp.methods.prediction import Ground, Methods, Predicted, PredictionMethod
@@ -73,7 +74,8 @@ def predict_from_pulses(pulses: Pulses, constants: Constants = LI_2020) -> Pulse
 
 def _predict(ground: Ground, methods: Methods) -> Predicted:
     by_pulse = predict_from_pulses(ground.pulses(methods.threshold), methods.constants)
-    name, remark = "" if ground.motion is None else ground.motion.name, ()
+    name = "" if ground.motion is None else ground.motion.name
+    remark = cautions(PULSE, ground, methods, by_pulse, predict_from_pulses)
     if by_pulse.pulses.count == 0:
         remark = (f"{name}: the ground velocity has no pulse, so nothing is predicted to move.",)
     elif by_pulse.largest.displacement_change == 0.0:

@@ -6,6 +6,7 @@ import numpy as np
 
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
+from dcfp.methods.li_2020.cautions import cautions
 from dcfp.methods.li_2020.constants import DESIGN, LI_2020, PAPER, SIMPLIFIED, Constants
 from dcfp.methods.li_2020.pulse_method import printed_velocities
 from dcfp.methods.method import Information, Look
@@ -121,7 +122,8 @@ def _predict_simplified(ground: Ground, methods: Methods) -> Predicted | None:
     if not methods.constants.slides_on_average:
         return None
     by_pulse = predict_simplified(ground.pulses(methods.threshold), methods.constants)
-    return Predicted(by_pulse.largest, by_pulse)
+    remarks = cautions(SIMPLIFIED, ground, methods, by_pulse, predict_simplified)
+    return Predicted(by_pulse.largest, by_pulse, remarks)
 
 
 def _dissipated_formula(symbols: str, numbers: str, velocity: float, equation: str) -> Formula:

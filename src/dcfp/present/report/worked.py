@@ -77,7 +77,9 @@ def _prediction(
     predicted = method.predict(ground, methods)
     by_pulse = None if predicted is None else predicted.by_pulse
     blocks: tuple[doc.Block, ...] = formulas or (doc.words(f"No prediction: {method.without}."),)
-    notes = () if by_pulse is None else largest_elsewhere(by_pulse)
+    notes: list[doc.Block] = [] if by_pulse is None else [*largest_elsewhere(by_pulse)]
+    if predicted is not None and predicted.remarks:
+        notes.append(doc.Bullets(tuple((remark,) for remark in predicted.remarks)))
     return doc.Section(f"Prediction by the {method.name} method", (*blocks, *notes)), formulas
 
 
