@@ -25,6 +25,8 @@ from dcfp.system.plates import FIRST_REACH
 NAME = "plane march"
 #: Longest step [s], and distance of the friction from its chord in the middle of a step that is allowed, over mu g [-].
 LONGEST_STEP, TOLERANCE = 0.05, 0.1
+#: Directions in which the largest change is looked for: 2.5 degrees beside it, a thousandth is missing.
+_DIRECTIONS = 36
 #: Rows of the path that there is room for at first.
 _FIRST_ROWS = 4000
 #: Most points of the field of heat across the slider: with 50 the predictions are the same, for five times the time.
@@ -92,7 +94,9 @@ def march_in_plane(
     velocity = np.ascontiguousarray(path[:, k.PATH_VELOCITY_X :])
     return PlaneMarch(
         prediction=Prediction(
-            displacement_change=largest_change(displacement, velocity, 0.0) if len(path) else 0.0,
+            displacement_change=largest_change(displacement, velocity, 0.0, _DIRECTIONS)
+            if len(path)
+            else 0.0,
             input_velocity=math.nan,
             hysteretic_velocity=math.nan,
             displacement=state.peak_displacement,
