@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 
 import numpy as np
 
@@ -135,6 +136,7 @@ def find_pulses(motion: Motion, threshold: float = THRESHOLD) -> Pulses:
     return Pulses(times[chosen], velocities[chosen], threshold)
 
 
+@lru_cache(maxsize=1)  # one record is looked at with several thresholds, one after the other
 def _extremes(motion: GroundMotion) -> tuple[FloatArray, FloatArray]:
     """Return time and value of every extreme of the ground velocity, and of its two ends."""
     a = motion.acceleration

@@ -126,6 +126,12 @@ def test_so_they_do_of_other_bearings_and_records(made) -> None:
     assert [(one.name, one.numbers, one.value) for one in formulas if one.numbers and not agrees(one)] == []
 
 
+def test_what_makes_a_method_unreliable_stands_below_its_formulas() -> None:
+    section = worked_out(worked(record="LPG", pgv=250.0))[0]
+    (pulse,) = [one for one in section.parts if one.title == "Prediction by the pulse method"]
+    assert str(pulse.blocks[-1]).count("LPG: dy by the pulse method is unreliable, since") == 2
+
+
 @pytest.mark.parametrize("name", sorted(dcfp.system.FRICTION_LAWS))
 def test_every_law_has_equations_and_its_own_coefficient(name: str) -> None:
     law: FrictionLaw = FittedFriction(pressure_floor=0.1) if name == "fitted" else friction_law(name)

@@ -14,7 +14,7 @@ PLATEAU_BAND, PLATEAU_SHARE = 0.2, 0.6
 #: Ripples: part of the threshold of a pulse down to which they are counted too, and the factor on dy from which on they matter [-].
 RIPPLE_PART, RIPPLE_FACTOR = 0.25, 1.5
 #: Points of a leg at which its velocity is taken.
-_POINTS = 401
+_POINTS = 201
 
 
 def cautions(
