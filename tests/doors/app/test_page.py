@@ -298,7 +298,13 @@ def test_a_file_of_peer_and_one_of_k_net(shared_page, record_file):
     motion = dcfp.load_motion(path)
     page.get_by_role("switch", name="As recorded, not scaled").click()
     wait_for_tile(page, DISPLACEMENT, displacement(dcfp.respond(motion)))
+    as_recorded = tile(page, DISPLACEMENT)
     page.get_by_role("switch", name="As recorded, not scaled").click()
+    # the tests that follow begin with what is shown then
+    page.wait_for_function(
+        "([name, text]) => document.querySelector(`[data-tile='${name}']`)?.textContent !== text",
+        arg=[DISPLACEMENT, as_recorded],
+    )
 
 
 # ----- what may go wrong -----
