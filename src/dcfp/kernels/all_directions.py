@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.oscillator import UA, UC, UU, UV, VA, VC, VU, VV, furthest, passed
+from dcfp.kernels.oscillator import furthest, passed, stepped
 
 #: Directions in which the furthest points are looked for.
 SECTORS = 6
@@ -22,19 +22,6 @@ _WITHIN = 1e-9
 _THIN = 1e-6
 # rows of what is worked with, by sector: the furthest point with how far it is, and the normal of a side of the polygon over its distance from the middle
 _FAR, _CORNER_U, _CORNER_W, _NORMAL_U, _NORMAL_W, WORKED = range(6)
-
-
-@kernel
-def _stepped(
-    coefficients: NDArray[np.float64], j: int, u: float, v: float, a: float, c: float
-) -> tuple[float, float]:
-    """Return displacement and velocity after a step as `dcfp.kernels.oscillator` does, what the ground does first: the next step waits for the rest."""
-    ground_u = coefficients[UA, j] * a + coefficients[UC, j] * c
-    ground_v = coefficients[VA, j] * a + coefficients[VC, j] * c
-    return (
-        coefficients[UU, j] * u + (coefficients[UV, j] * v + ground_u),
-        coefficients[VU, j] * u + (coefficients[VV, j] * v + ground_v),
-    )
 
 
 @kernel
@@ -52,8 +39,8 @@ def _find_corners(
     u, v, w, z, wait = 0.0, 0.0, 0.0, 0.0, every
     for i in range(acceleration.shape[0] - 1):
         a, b = acceleration[i, 0], acceleration[i, 1]
-        u, v = _stepped(coefficients, j, u, v, a, acceleration[i + 1, 0] - a)
-        w, z = _stepped(coefficients, j, w, z, b, acceleration[i + 1, 1] - b)
+        u, v = stepped(coefficients, j, u, v, a, acceleration[i + 1, 0] - a)
+        w, z = stepped(coefficients, j, w, z, b, acceleration[i + 1, 1] - b)
         wait -= 1
         if wait == 0:
             wait = every
@@ -145,8 +132,8 @@ def respond_in_all_directions(
         u, v, w, z, was_outside = 0.0, 0.0, 0.0, 0.0, always
         for i in range(last):
             a, b = acceleration[i, 0], acceleration[i, 1]
-            next_u, next_v = _stepped(coefficients, j, u, v, a, acceleration[i + 1, 0] - a)
-            next_w, next_z = _stepped(coefficients, j, w, z, b, acceleration[i + 1, 1] - b)
+            next_u, next_v = stepped(coefficients, j, u, v, a, acceleration[i + 1, 0] - a)
+            next_w, next_z = stepped(coefficients, j, w, z, b, acceleration[i + 1, 1] - b)
             outside = always or _is_outside(work, next_u, next_w)
             if outside or was_outside or i == last - 1:
                 before, after = (u, v, w, z), (next_u, next_v, next_w, next_z)

@@ -17,7 +17,7 @@ START, END, WAITING_SIZE = range(3)
 _DIAGONAL, _BESIDE, FIT_SIZE = range(3)
 _FROM, _TO = _DIAGONAL, _BESIDE
 #: How far a node is moved at once, over the leg that becomes shorter [-].
-_FURTHEST_MOVE = 0.25
+FURTHEST_MOVE = 0.25
 
 
 @kernel
@@ -55,15 +55,23 @@ def choose_nodes(
     while open_legs > 0:
         start, end = waiting[open_legs - 1, START], waiting[open_legs - 1, END]
         place = _furthest(acceleration, velocity, start, end, tolerance)
-        if math.isnan(place) or count + open_legs >= places.size:
-            places[count] = end
-            count += 1
-            open_legs -= 1
-        else:
-            waiting[open_legs - 1, START] = place
-            waiting[open_legs, START], waiting[open_legs, END] = start, place
-            open_legs += 1
+        count, open_legs = cut_or_keep(place, waiting, open_legs, places, count)
     return count
+
+
+@kernel
+def cut_or_keep(
+    place: float, waiting: NDArray[np.float64], open_legs: int, places: NDArray[np.float64], count: int
+) -> tuple[int, int]:
+    """Cut the last waiting leg at a place, or keep it where that is not a number or there is no more room; return the numbers of nodes and of waiting legs then."""
+    last = open_legs - 1
+    start, end = waiting[last, START], waiting[last, END]
+    if math.isnan(place) or count + open_legs >= places.size:
+        places[count] = end
+        return count + 1, last
+    waiting[last, START] = place
+    waiting[open_legs, START], waiting[open_legs, END] = start, place
+    return count, open_legs + 1
 
 
 @kernel
@@ -129,7 +137,7 @@ def move_nodes(
         change = (work[k - 1, _TO] - work[k - 1, _FROM]) / before - (work[k, _TO] - work[k, _FROM]) / after
         if change != 0.0:
             move = (work[k, _FROM] - work[k - 1, _TO]) / change
-            places[k] += max(-_FURTHEST_MOVE * before, min(move, _FURTHEST_MOVE * after))
+            places[k] += max(-FURTHEST_MOVE * before, min(move, FURTHEST_MOVE * after))
         start = here
 
 

@@ -144,13 +144,18 @@ def time_of_turn(
 
 
 @kernel
-def _stepped(
+def stepped(
     coefficients: NDArray[np.float64], j: int, u: float, v: float, a: float, c: float
 ) -> tuple[float, float]:
-    """Return displacement and velocity of oscillator j after a step, from those before it, the acceleration and its change."""
+    """Return displacement and velocity of oscillator j after a step, from those before it, the acceleration and its change.
+
+    What the ground does comes first: it is there before the step before has ended.
+    """
+    ground_u = coefficients[UA, j] * a + coefficients[UC, j] * c
+    ground_v = coefficients[VA, j] * a + coefficients[VC, j] * c
     return (
-        coefficients[UU, j] * u + coefficients[UV, j] * v + coefficients[UA, j] * a + coefficients[UC, j] * c,
-        coefficients[VU, j] * u + coefficients[VV, j] * v + coefficients[VA, j] * a + coefficients[VC, j] * c,
+        coefficients[UU, j] * u + (coefficients[UV, j] * v + ground_u),
+        coefficients[VU, j] * u + (coefficients[VV, j] * v + ground_v),
     )
 
 
@@ -177,7 +182,7 @@ def respond_all(
         c = acceleration[i + 1] - a
         for j in range(state.shape[1]):
             u, v = state[U, j], state[V, j]
-            next_u, next_v = _stepped(coefficients, j, u, v, a, c)
+            next_u, next_v = stepped(coefficients, j, u, v, a, c)
             reached = abs(next_u) if step is None else furthest(u, v, next_u, next_v, step)
             state[PEAK_U, j] = max(state[PEAK_U, j], reached)
             state[U, j], state[V, j] = next_u, next_v
@@ -203,7 +208,7 @@ def respond_with_energy(
         g = ground[i + 1]
         for j in range(state.shape[1]):
             u, v = state[U, j], state[V, j]
-            next_u, next_v = _stepped(coefficients, j, u, v, a, c)
+            next_u, next_v = stepped(coefficients, j, u, v, a, c)
             square, damping = coefficients[SQUARE, j], coefficients[DAMPING, j]
             # the equation of motion, integrated over the step, gives the area under u
             area = -(step * (a + 0.5 * c) + (next_v - v) + damping * (next_u - u)) / square

@@ -6,12 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.nodes import END, START, leg_line, velocity_at
+from dcfp.kernels.nodes import END, FURTHEST_MOVE, START, cut_or_keep, leg_line, velocity_at
 from dcfp.kernels.plane_step import dot, length_of, times
 
 #: Columns of what the search for better places works in: the velocity at both ends of a leg's own straight line, by direction.
 FROM_X, FROM_Y, TO_X, TO_Y, MOVE_SIZE = range(5)
-_FURTHEST_MOVE = 0.25
 #: How often the interval is halved in which a distance is extreme.
 _HALVINGS = 30
 
@@ -36,14 +35,7 @@ def choose_plane_nodes(
     while open_legs > 0:
         start, end = waiting[open_legs - 1, START], waiting[open_legs - 1, END]
         place = _furthest(ax, ay, vx, vy, start, end, tolerance)
-        if math.isnan(place) or count + open_legs >= places.size:
-            places[count] = end
-            count += 1
-            open_legs -= 1
-        else:
-            waiting[open_legs - 1, START] = place
-            waiting[open_legs, START], waiting[open_legs, END] = start, place
-            open_legs += 1
+        count, open_legs = cut_or_keep(place, waiting, open_legs, places, count)
     return count
 
 
@@ -143,5 +135,5 @@ def move_plane_nodes(
         square = dot(change, change)
         if square > 0.0:
             move = dot(goes - came, change) / square
-            places[k] += max(-_FURTHEST_MOVE * before, min(move, _FURTHEST_MOVE * after))
+            places[k] += max(-FURTHEST_MOVE * before, min(move, FURTHEST_MOVE * after))
         start = here

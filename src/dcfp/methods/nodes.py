@@ -1,6 +1,5 @@
 """The ground velocity as a line of straight legs: nodes after Douglas and Peucker (1973), moved and fitted by least squares."""
 
-import math
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -9,6 +8,7 @@ from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
 from dcfp.kernels import plane_nodes as plane
 from dcfp.kernels.nodes import FIT_SIZE, WAITING_SIZE, choose_nodes, fit_nodes, move_nodes, peak_of
+from dcfp.methods.pulses import scaled_velocities
 from dcfp.motion.load import Motion, motion_of
 from dcfp.motion.station import Station
 from dcfp.schema.notebook import card
@@ -65,10 +65,7 @@ class Nodes:
         InputError
             If the factor is zero or not a finite number.
         """
-        if not math.isfinite(factor) or factor == 0.0:
-            msg = f"Nodes can be scaled by a finite number other than zero, not by {factor!r}."
-            raise InputError(msg)
-        return replace(self, velocities=self.velocities * factor)
+        return replace(self, velocities=scaled_velocities(self.velocities, factor, "Nodes"))
 
     def _repr_html_(self) -> str:
         rows = [

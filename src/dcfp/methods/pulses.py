@@ -27,6 +27,20 @@ TURN = Parameter(
 THRESHOLD = 0.2
 
 
+def scaled_velocities(velocities: FloatArray, factor: float, noun: str) -> FloatArray:
+    """Return the velocities of pulses or nodes, as the `noun` says, multiplied by `factor` [-].
+
+    Raises
+    ------
+    InputError
+        If the factor is zero or not a finite number.
+    """
+    if not math.isfinite(factor) or factor == 0.0:
+        msg = f"{noun} can be scaled by a finite number other than zero, not by {factor!r}."
+        raise InputError(msg)
+    return velocities * factor
+
+
 @dataclass(frozen=True, eq=False)
 class Pulses:
     """Successive peaks of a ground velocity, up and down in turn.
@@ -98,10 +112,7 @@ class Pulses:
         InputError
             If the factor is zero or not a finite number.
         """
-        if not math.isfinite(factor) or factor == 0.0:
-            msg = f"Pulses can be scaled by a finite number other than zero, not by {factor!r}."
-            raise InputError(msg)
-        return replace(self, velocities=self.velocities * factor)
+        return replace(self, velocities=scaled_velocities(self.velocities, factor, "Pulses"))
 
     def _repr_html_(self) -> str:
         rows = [

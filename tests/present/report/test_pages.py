@@ -1,5 +1,6 @@
 """The pages: their number, their margins, the same bytes each time; and a page of HTML that needs nothing else."""
 
+import os
 import shutil
 import subprocess
 from io import BytesIO
@@ -33,7 +34,10 @@ def margins_are_empty(page: np.ndarray) -> bool:
     return all(int(edge.min()) > 240 for edge in edges)
 
 
-needs_poppler = pytest.mark.skipif(shutil.which("pdftoppm") is None, reason="needs pdftoppm of poppler")
+needs_poppler = pytest.mark.skipif(
+    shutil.which("pdftoppm") is None and os.environ.get("DCFP_REQUIRE_POPPLER") != "1",
+    reason="needs pdftoppm of poppler",
+)
 
 
 @needs_poppler
