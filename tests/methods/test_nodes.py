@@ -109,19 +109,33 @@ def test_a_ripple_of_a_twentieth_changes_little() -> None:
         assert getattr(rippled, name) == pytest.approx(getattr(plain, name), rel=0.05)
 
 
+def test_the_misfit_is_what_the_legs_leave_of_the_ground_velocity() -> None:
+    motion = named_motion("NCC")
+    nodes = find_nodes(motion)
+    within = (motion.time >= nodes.times[0]) & (motion.time <= nodes.times[-1])
+    beside = motion.velocity - np.interp(motion.time, nodes.times, nodes.velocities)
+    # by the sum over the samples in place of the integral
+    expected = np.linalg.norm(beside[within]) / np.linalg.norm(motion.velocity[within])
+    assert nodes.misfit == pytest.approx(expected, rel=1e-3)
+    assert find_nodes(trapezoid()).misfit < 0.01
+    assert find_nodes(motion, 0.03).misfit < 0.5 * nodes.misfit
+    # what legs without a record leave out is nothing
+    assert Nodes(nodes.times, nodes.velocities).misfit == 0.0
+
+
 @pytest.mark.parametrize("velocity", [500.0, 1000.0])
 def test_the_march_is_close_to_the_analysis_of_far_field_records(velocity: float) -> None:
     """A dozen components of FEMA P-695; all hundred are in ``studies/pulse_rules``."""
     motions = [motion.scaled_to_pgv(velocity) for motion in calibration_set()[:24:2]]
     found = [(march_through_pulses(one).prediction, respond(one)) for one in motions]
-    for name, of_analysis, limit in (
-        ("displacement", "peak_displacement", 0.08),
-        ("displacement_change", "peak_change", 0.08),
-        ("total_velocity", "input_velocity", 0.08),
+    for name, of_analysis, limit, bias in (
+        ("displacement", "peak_displacement", 0.08, 0.1),
+        ("displacement_change", "peak_change", 0.08, 0.1),
+        ("total_velocity", "input_velocity", 0.08, 0.025),
     ):
         ratios = np.log([getattr(said, name) / getattr(response, of_analysis) for said, response in found])
         assert ratios.std(ddof=1) < limit
-        assert abs(ratios.mean()) < 0.1
+        assert abs(ratios.mean()) < bias
 
 
 @pytest.mark.parametrize("tolerance", [0.0, 1.5, np.nan])

@@ -88,9 +88,10 @@ def test_along_a_line_it_is_the_analysis_of_straight_legs_in_one_direction(strai
     still = replace(found.y, acceleration=np.zeros_like(found.y.acceleration))
     line = replace(found, y=still, parts=()).rotated(30.0)
     nodes = find_nodes(found.x)
+    legs = replace(find_nodes(line), misfit=0.0)  # the straight legs are all of the ground velocity
     for models in (CONSTANT, (None, SimplifiedHeating())):
         march, response = (
-            march_in_plane(line, None, *models),
+            march_in_plane(legs, None, *models),
             respond(straight_legs(nodes, 1e-3), None, *models),
         )
         assert march.nodes == nodes.count
@@ -115,8 +116,7 @@ def test_the_march_is_close_to_the_analysis(models: tuple) -> None:
         )
     logarithms = np.log(ratios)
     assert (logarithms.std(axis=0, ddof=1) < 0.08).all()
-    # of the energy that of the ripples within the tolerance is lacking
-    assert (np.abs(logarithms.mean(axis=0)) < (0.05, 0.05, 0.08)).all()
+    assert (np.abs(logarithms.mean(axis=0)) < (0.05, 0.05, 0.025)).all()
 
 
 def test_fewer_steps_change_little(near: Station) -> None:

@@ -37,6 +37,7 @@ class MarchState(NamedTuple):
     leg: float  # in which the present slide began
     input: float
     hysteretic: float
+    path_length: float  # of all slides [mm]
     # at the last stop, and the largest input since
     turning: float
     turning_input: float
@@ -173,6 +174,7 @@ def _slide(
     state["velocity"] = end
     state["input"] -= ground * travel
     state["hysteretic"] += friction * system.gravity * abs(travel)
+    state["path_length"] += abs(travel)
     state["most_input"] = max(state["most_input"], state["input"])
     state["peak_displacement"] = max(state["peak_displacement"], abs(state["displacement"]))
     for i in range(system.plates):

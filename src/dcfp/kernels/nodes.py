@@ -16,6 +16,13 @@ START, END, WAITING_SIZE = range(3)
 #: Columns of what the fit works in: main diagonal and the one beside it; or the velocities at both ends of a leg's own straight line.
 _DIAGONAL, _BESIDE, FIT_SIZE = range(3)
 _FROM, _TO = _DIAGONAL, _BESIDE
+#: Intervals in a block whose range of velocities is known, and columns of that.
+BLOCK = 16
+_LOW, _HIGH, RANGE_SIZE = range(3)
+#: How far a parabola is from its chord at most, over the change of its rate [-].
+BEYOND = 0.125
+#: Points and weights of Gauss's rule, over half of an interval.
+_GAUSS = ((-math.sqrt(0.6), 5.0 / 9.0), (0.0, 8.0 / 9.0), (math.sqrt(0.6), 5.0 / 9.0))
 #: How far a node is moved at once, over the leg that becomes shorter [-].
 FURTHEST_MOVE = 0.25
 
@@ -57,6 +64,27 @@ def choose_nodes(
         place = _furthest(acceleration, velocity, start, end, tolerance)
         count, open_legs = cut_or_keep(place, waiting, open_legs, places, count)
     return count
+
+
+@kernel
+def write_ranges(
+    acceleration: NDArray[np.float64], velocity: NDArray[np.float64], ranges: NDArray[np.float64]
+) -> None:
+    """Write between which velocities every block of intervals stays [mm/s]."""
+    intervals = velocity.size - 1
+    for block in range(ranges.shape[0]):
+        low, high = math.inf, -math.inf
+        for i in range(block * BLOCK, min((block + 1) * BLOCK, intervals)):
+            beyond = BEYOND * abs(acceleration[i + 1] - acceleration[i])
+            low = min(low, min(velocity[i], velocity[i + 1]) - beyond)
+            high = max(high, max(velocity[i], velocity[i + 1]) + beyond)
+        ranges[block, _LOW], ranges[block, _HIGH] = low, high
+
+
+@kernel
+def most_within(ranges: NDArray[np.float64], block: int, start: float, end: float) -> float:
+    """Return how far the velocities of a block are at most from a leg with these velocities at its start and end [mm/s]."""
+    return max(ranges[block, _HIGH] - min(start, end), max(start, end) - ranges[block, _LOW])
 
 
 @kernel
@@ -213,6 +241,32 @@ def _moments(
         rising += moment
     rising /= end - start
     return whole - rising, rising
+
+
+@kernel
+def squares_beside(
+    acceleration: NDArray[np.float64],
+    velocity: NDArray[np.float64],
+    places: NDArray[np.float64],
+    ordinates: NDArray[np.float64],
+) -> tuple[float, float]:
+    """Return the integrals of the square of the velocity beside the legs, and of its own square, from the first node to the last [mm2/s2 times samples]."""
+    beside = own = 0.0
+    for k in range(places.size - 1):
+        slope = (ordinates[k + 1] - ordinates[k]) / (places[k + 1] - places[k])
+        begin = places[k]
+        while begin < places[k + 1]:
+            end = min(math.floor(begin) + 1.0, places[k + 1])
+            half, middle = 0.5 * (end - begin), 0.5 * (begin + end)
+            # Gauss's rule of three points is exact for the square of a parabola
+            for part, weight in _GAUSS:
+                place = middle + part * half
+                there = velocity_at(acceleration, velocity, place)
+                away = there - ordinates[k] - slope * (place - places[k])
+                beside += weight * half * away * away
+                own += weight * half * there * there
+            begin = end
+    return beside, own
 
 
 @kernel

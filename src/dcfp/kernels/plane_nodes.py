@@ -6,7 +6,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.nodes import END, FURTHEST_MOVE, START, cut_or_keep, leg_line, velocity_at
+from dcfp.kernels.nodes import (
+    BEYOND,
+    BLOCK,
+    END,
+    FURTHEST_MOVE,
+    START,
+    cut_or_keep,
+    leg_line,
+    most_within,
+    velocity_at,
+    write_ranges,
+)
 from dcfp.kernels.plane_step import dot, length_of, times
 
 #: Columns of what the search for better places works in: the velocity at both ends of a leg's own straight line, by direction.
@@ -26,15 +37,18 @@ def plane_velocity_at(
 @kernel
 def choose_plane_nodes(
     ax: NDArray[np.float64], ay: NDArray[np.float64], vx: NDArray[np.float64], vy: NDArray[np.float64],
-    first: int, last: int, tolerance: float, waiting: NDArray[np.float64], places: NDArray[np.float64],
+    first: int, last: int, tolerance: float,
+    ranges: NDArray[np.float64], waiting: NDArray[np.float64], places: NDArray[np.float64],
 ) -> int:  # fmt: skip
-    """Write the places of the nodes between two samples, as `choose_nodes` does; the distance is that of the vectors."""
+    """Write the places of the nodes between two samples, as `choose_nodes` does; the distance is that of the vectors. `ranges`, shape (2, blocks, RANGE_SIZE), is worked in."""
+    write_ranges(ax, vx, ranges[0])
+    write_ranges(ay, vy, ranges[1])
     places[0] = first
     count, open_legs = 1, 1
     waiting[0, START], waiting[0, END] = first, last
     while open_legs > 0:
         start, end = waiting[open_legs - 1, START], waiting[open_legs - 1, END]
-        place = _furthest(ax, ay, vx, vy, start, end, tolerance)
+        place = _furthest(ax, ay, vx, vy, ranges, start, end, tolerance)
         count, open_legs = cut_or_keep(place, waiting, open_legs, places, count)
     return count
 
@@ -42,35 +56,44 @@ def choose_plane_nodes(
 @kernel
 def _furthest(
     ax: NDArray[np.float64], ay: NDArray[np.float64], vx: NDArray[np.float64], vy: NDArray[np.float64],
-    start: float, end: float, tolerance: float,
+    ranges: NDArray[np.float64], start: float, end: float, tolerance: float,
 ) -> float:  # fmt: skip
     """Return where the velocity is furthest from the leg between two places; not a number where it is nowhere by more than the tolerance."""
     origin = plane_velocity_at(ax, ay, vx, vy, start)
     slope = times(1.0 / (end - start), plane_velocity_at(ax, ay, vx, vy, end) - origin)
-    # at the samples first, so that only few intervals are looked at closely
     of_x, of_y = slope.real, slope.imag
     x, y = origin.real - start * of_x, origin.imag - start * of_y
     low, high = int(start), min(math.ceil(end), vx.size - 1)
-    most = 0.0
-    for i in range(low + 1, high):
-        dx, dy = vx[i] - x - i * of_x, vy[i] - y - i * of_y
-        most = max(most, dx * dx + dy * dy)
     found, furthest = math.nan, tolerance
-    near = max(math.sqrt(most), tolerance)
-    for i in range(low, high):
+    i = low
+    while i < high:
+        block = i // BLOCK
+        last = min((block + 1) * BLOCK, high)
+        # most blocks are nowhere as far as one before
+        far_x = most_within(ranges[0], block, x + i * of_x, x + last * of_x)
+        far_y = most_within(ranges[1], block, y + i * of_y, y + last * of_y)
+        if far_x * far_x + far_y * far_y <= furthest * furthest:
+            i = last
+            continue
         dx, dy = vx[i] - x - i * of_x, vy[i] - y - i * of_y
-        # the vector changes by less than this within the interval
-        less = near - abs(ax[i] - of_x) - abs(ay[i] - of_y) - abs(ax[i + 1] - of_x) - abs(ay[i + 1] - of_y)
-        if less > 0.0 and dx * dx + dy * dy < less * less:
-            continue
-        away = complex(dx, dy)
-        here, there = complex(ax[i], ay[i]) - slope, complex(ax[i + 1], ay[i + 1]) - slope
-        share = _extreme_within(away, here, there)
-        if share < 0.0:
-            continue
-        distance = length_of(away + times(share, here) + times(0.5 * share * share, there - here))
-        if start < i + share < end and distance > furthest:
-            found, furthest = i + share, distance
+        before = dx * dx + dy * dy
+        for j in range(i, last):
+            away = complex(dx, dy)
+            dx, dy = vx[j + 1] - x - (j + 1) * of_x, vy[j + 1] - y - (j + 1) * of_y
+            after = dx * dx + dy * dy
+            least = furthest - BEYOND * (abs(ax[j + 1] - ax[j]) + abs(ay[j + 1] - ay[j]))
+            largest = max(before, after)
+            before = after
+            if least > 0.0 and largest < least * least:
+                continue
+            here, there = complex(ax[j], ay[j]) - slope, complex(ax[j + 1], ay[j + 1]) - slope
+            share = _extreme_within(away, here, there)
+            if share < 0.0:
+                continue
+            distance = length_of(away + times(share, here) + times(0.5 * share * share, there - here))
+            if start < j + share < end and distance > furthest:
+                found, furthest = j + share, distance
+        i = last
     return found
 
 

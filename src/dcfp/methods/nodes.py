@@ -1,5 +1,6 @@
 """The ground velocity as a line of straight legs: nodes after Douglas and Peucker (1973), moved and fitted by least squares."""
 
+import math
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -7,7 +8,17 @@ import numpy as np
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
 from dcfp.kernels import plane_nodes as plane
-from dcfp.kernels.nodes import FIT_SIZE, WAITING_SIZE, choose_nodes, fit_nodes, move_nodes, peak_of
+from dcfp.kernels.nodes import (
+    BLOCK,
+    FIT_SIZE,
+    RANGE_SIZE,
+    WAITING_SIZE,
+    choose_nodes,
+    fit_nodes,
+    move_nodes,
+    peak_of,
+    squares_beside,
+)
 from dcfp.methods.pulses import scaled_velocities
 from dcfp.motion.load import Motion, motion_of
 from dcfp.motion.station import Station
@@ -39,6 +50,7 @@ class Nodes:
     tolerance: float = (
         TOLERANCE  #: part of PGV by which the ground velocity leaves the legs before the fit [-]
     )
+    misfit: float = 0.0  #: root mean square of the ground velocity beside the legs, over its own [-]
 
     def __post_init__(self) -> None:
         times = np.asarray(self.times, dtype=np.float64)
@@ -113,7 +125,12 @@ def find_nodes(motion: Motion | Station, tolerance: float = TOLERANCE, *, fitted
     for _ in range(MOVES if fitted else 0):
         move_nodes(per_sample, velocity, places, work)
     fit_nodes(per_sample, velocity, places, work, fitted, velocities)
-    return Nodes(places * step, velocities, tolerance)
+    return Nodes(
+        places * step,
+        velocities,
+        tolerance,
+        _misfit(squares_beside(per_sample, velocity, places, velocities)),
+    )
 
 
 def _moving(acceleration: FloatArray) -> tuple[int, int]:
@@ -135,11 +152,18 @@ def _of_station(station: Station, tolerance: float, fitted: bool) -> Nodes:
     first, last = _moving(np.abs(ax) + np.abs(ay))
     most = 2 * vx.size
     places = np.empty(most)
-    waiting = np.empty((most, WAITING_SIZE))
-    places = places[: plane.choose_plane_nodes(ax, ay, vx, vy, first, last, limit, waiting, places)]
+    ranges, waiting = np.empty((2, vx.size // BLOCK + 1, RANGE_SIZE)), np.empty((most, WAITING_SIZE))
+    places = places[: plane.choose_plane_nodes(ax, ay, vx, vy, first, last, limit, ranges, waiting, places)]
     velocities, work = np.empty((2, places.size)), np.empty((places.size, plane.MOVE_SIZE))
     for _ in range(MOVES if fitted else 0):
         plane.move_plane_nodes(ax, ay, vx, vy, places, work)
+    squares = np.zeros(2)
     for acceleration, velocity, found in ((ax, vx, velocities[0]), (ay, vy, velocities[1])):
         fit_nodes(acceleration, velocity, places, work, fitted, found)
-    return Nodes(places * step, velocities.T, tolerance)
+        squares += squares_beside(acceleration, velocity, places, found)
+    return Nodes(places * step, velocities.T, tolerance, _misfit(squares))
+
+
+def _misfit(squares: tuple[float, float] | FloatArray) -> float:
+    beside, own = squares
+    return math.sqrt(beside / own) if own > 0.0 else 0.0
