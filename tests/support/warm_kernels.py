@@ -40,6 +40,8 @@ def buildings_and_tests(entry: str) -> None:
     dcfp.respond_building(dcfp.load_motion("NCC"), dcfp.ShearBuilding((1.0, 1.0), (100.0,)))
     dcfp.run_program(dcfp.load_program("dependency"))
     import_module("dcfp.analysis.rig").run_in_the_plane("plane")
+    plan = import_module("dcfp.system.plan").Plan([[0.0, 0.0]])
+    import_module("dcfp.analysis.plan").respond_plan(plan, dcfp.load_station("P695-FF-2"))
 
 
 PARTS = (rigid_structures, buildings_and_tests)

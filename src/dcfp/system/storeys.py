@@ -1,0 +1,183 @@
+"""Storeys above an isolated slab: rigid floors with x, y and rotation, their modes on a fixed base, and the damping of these."""
+
+import math
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from dcfp.arrays import FloatArray, freeze
+from dcfp.errors import InputError
+from dcfp.schema.parameters import Parameter
+from dcfp.schema.units import FRACTION, MM, N_PER_MM, TONNE
+
+MASS = Parameter("mass of a floor", TONNE, 0.0, above=True)
+STIFFNESS = Parameter("stiffness of a storey in x and y", N_PER_MM, 0.0, above=True, counts=(1, 2), repeat=2)
+HEIGHT = Parameter("height of a storey", MM, 0.0, 1e5)
+RATIO = Parameter("damping ratio", FRACTION, 0.0, 0.9999)
+_POSITIVE = Parameter("rotational inertia or torsional stiffness", least=0.0, above=True)
+#: Kinds of damping: the same ratio in every mode on a fixed base, or in proportion to the stiffness, with the ratio in the first one.
+MODAL, STIFFNESS_PROPORTIONAL = "modal", "stiffness"
+DAMPING_KINDS = (STIFFNESS_PROPORTIONAL, MODAL)
+
+
+@dataclass(frozen=True)
+class Storey:
+    """A storey and the floor on top of it.
+
+    Parameters
+    ----------
+    mass
+        Of the floor [t].
+    stiffness
+        In x and in y [N/mm]; one number is that of both.
+    height
+        From the floor below [mm].
+    torsional_stiffness
+        About the vertical axis through the centre of stiffness [N mm]; None for walls and columns that are spread evenly over the sides.
+    inertia
+        Of the floor about its centre of mass [t mm2]; None for a mass that is spread evenly over the sides.
+    centre, stiffness_centre
+        Of mass and of stiffness [mm]; None for that of the building, and for the middle of the sides.
+    """
+
+    mass: float
+    stiffness: tuple[float, float] | float
+    height: float = 0.0
+    torsional_stiffness: float | None = None
+    inertia: float | None = None
+    centre: tuple[float, float] | None = None
+    stiffness_centre: tuple[float, float] | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "mass", MASS.checked(self.mass, "Storey: mass"))
+        object.__setattr__(self, "stiffness", STIFFNESS.checked(self.stiffness, "Storey: stiffness"))
+        object.__setattr__(self, "height", HEIGHT.checked(self.height, "Storey: height"))
+        for name in ("torsional_stiffness", "inertia"):
+            if (value := getattr(self, name)) is not None:
+                object.__setattr__(self, name, _POSITIVE.checked(value, f"Storey: {name}"))
+
+    @property
+    def stiffnesses(self) -> tuple[float, float]:
+        """Stiffness in x and y [N/mm]."""
+        one = self.stiffness
+        return one if isinstance(one, tuple) else (one, one)
+
+
+@dataclass(frozen=True)
+class Superstructure:
+    """Floors above a slab, of which each has x, y and rotation about the vertical axis through one origin, relative to the slab.
+
+    Attributes
+    ----------
+    mass, stiffness
+        Matrices [t, t mm, t mm2; N/mm, N, N mm], shape (3 floors, 3 floors).
+    heights
+        Of the floors above the slab [mm].
+    ratio, kind
+        Damping ratio, and one of `DAMPING_KINDS`.
+    """
+
+    mass: FloatArray
+    stiffness: FloatArray
+    heights: FloatArray
+    ratio: float = 0.02
+    kind: str = STIFFNESS_PROPORTIONAL
+    axis: FloatArray = field(default_factory=lambda: np.eye(3))
+
+    @property
+    def floors(self) -> int:
+        """Number of floors above the slab."""
+        return self.heights.size
+
+    @property
+    def rigid(self) -> FloatArray:
+        """Motion of the floors with the slab, shape (3 floors, 3)."""
+        return np.tile(np.eye(3), (self.floors, 1))
+
+    @cached_property
+    def modes(self) -> tuple[FloatArray, FloatArray]:
+        """Circular frequencies on a fixed base [1/s], lowest first, and shapes as columns, of unit modal mass."""
+        if self.floors == 0:
+            return np.empty(0), np.empty((0, 0))
+        lower = np.linalg.cholesky(self.mass)
+        half = np.linalg.solve(lower, self.stiffness)
+        squares, vectors = np.linalg.eigh(np.linalg.solve(lower, half.T))
+        return freeze(np.sqrt(squares)), freeze(np.linalg.solve(lower.T, vectors))
+
+    @property
+    def damping(self) -> FloatArray:
+        """Damping 2 z w of the modes on a fixed base [1/s]."""
+        frequencies, _ = self.modes
+        if self.kind == MODAL or not frequencies.size:
+            return 2.0 * self.ratio * frequencies
+        return 2.0 * self.ratio * frequencies**2 / frequencies[0]
+
+    @property
+    def periods(self) -> FloatArray:
+        """Periods on a fixed base [s], longest first."""
+        return 2.0 * math.pi / self.modes[0]
+
+
+def superstructure(
+    storeys: tuple[Storey, ...],
+    sides: tuple[float, float],
+    centre: tuple[float, float],
+    middle: tuple[float, float],
+    angle: float,
+    ratio: float,
+    kind: str,
+) -> Superstructure:
+    """Return the superstructure of storeys from below.
+
+    Parameters
+    ----------
+    storeys
+        From below.
+    sides
+        Of the floors [mm].
+    centre, middle
+        Origin, which is the centre of mass of floors that have no other, and centre of stiffness of storeys that have no other [mm].
+    angle
+        From x to the first axis of storeys and sides [rad].
+    ratio, kind
+        Of the damping.
+    """
+    if kind not in DAMPING_KINDS:
+        msg = f"The damping must be one of {', '.join(DAMPING_KINDS)}, not {kind!r}."
+        raise InputError(msg)
+    count = len(storeys)
+    mass, stiffness = np.zeros((3 * count, 3 * count)), np.zeros((3 * count, 3 * count))
+    for j, one in enumerate(storeys):
+        own = slice(3 * j, 3 * j + 3)
+        x, y = np.subtract(one.centre or centre, centre)
+        inertia = one.mass * (sides[0] ** 2 + sides[1] ** 2) / 12.0 if one.inertia is None else one.inertia
+        m = one.mass
+        mass[own, own] = [[m, 0.0, -m * y], [0.0, m, m * x], [-m * y, m * x, inertia + m * (x * x + y * y)]]
+        block = _storey_stiffness(one, sides, np.subtract(one.stiffness_centre or middle, centre), angle)
+        stiffness[own, own] += block
+        if j > 0:
+            below = slice(3 * j - 3, 3 * j)
+            stiffness[below, below] += block
+            stiffness[own, below] -= block
+            stiffness[below, own] -= block
+    heights = np.cumsum([one.height for one in storeys])
+    return Superstructure(mass, stiffness, np.asarray(heights, dtype=np.float64), ratio, kind)
+
+
+def _storey_stiffness(
+    storey: Storey, sides: tuple[float, float], away: FloatArray, angle: float
+) -> FloatArray:
+    """Return the stiffness of a storey about the origin, from which its centre of stiffness is `away`."""
+    kx, ky = storey.stiffnesses
+    twist = storey.torsional_stiffness
+    if twist is None:
+        twist = (ky * sides[0] ** 2 + kx * sides[1] ** 2) / 12.0
+    cosine, sine = math.cos(angle), math.sin(angle)
+    turn = np.array([[cosine, sine], [-sine, cosine]])
+    plane = turn.T @ np.diag([kx, ky]) @ turn
+    # displacement at the centre of stiffness of x, y and rotation about the origin
+    there = np.array([[1.0, 0.0, -away[1]], [0.0, 1.0, away[0]]])
+    found = there.T @ plane @ there
+    found[2, 2] += twist
+    return found

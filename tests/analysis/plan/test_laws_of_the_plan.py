@@ -1,0 +1,165 @@
+"""What holds of every building on many bearings: no torsion where none can be, rotation, one bearing as the plane, one direction as the line, energy, equilibrium."""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+
+import dcfp
+from dcfp import LI_2020, ConstantFriction, Li2020, NoHeating, SimplifiedHeating, Station, System, respond
+from dcfp.analysis.building import ShearBuilding, StiffnessProportional, respond_building
+from dcfp.analysis.plan import PlanResponse, respond_plan
+from dcfp.constants import STANDARD_GRAVITY
+from dcfp.system.plan import EQUAL, Plan, grid
+from dcfp.system.storeys import MODAL, Storey
+
+CONSTANT = System(LI_2020, ConstantFriction(0.043), NoHeating())
+HEATED = System(LI_2020, Li2020(), SimplifiedHeating())
+OF_PRESSURE = System(LI_2020, Li2020(temperature_dependent=False), NoHeating())
+#: 30 x 18 m [mm].
+PLACES = grid(np.arange(6) * 6000.0, np.arange(4) * 6000.0)
+MASS = 24 * LI_2020.mass
+STOREYS = tuple(Storey(MASS / 4, (MASS * 150.0, MASS * 120.0), 3500.0) for _ in range(3))
+
+
+@cache
+def station(name: str = "P695-FF-2", seconds: float | None = None) -> Station:
+    """A station of which the larger component has a PGV of 500 mm/s."""
+    found = dcfp.load_station(name)
+    assert found is not None
+    return found.scaled(500.0 / max(found.x.peak_velocity, found.y.peak_velocity))
+
+
+def eccentric(system: System, **more) -> Plan:
+    return Plan(PLACES, system, eccentricity=(0.05, 0.05), **more)
+
+
+@cache
+def everything() -> PlanResponse:
+    """Three eccentric storeys on a narrow plan with overturning, uplift and heat."""
+    plan = Plan(
+        grid([0.0, 5000.0, 10000.0], [0.0, 5000.0, 10000.0]), HEATED, eccentricity=(0.1, 0.1),
+        storeys=tuple(Storey(9 * LI_2020.mass / 4, (1.5e6, 1.2e6), 12000.0) for _ in range(3)),
+    )  # fmt: skip
+    return respond_plan(plan, station(), tail=0.0)
+
+
+def ratio(response: PlanResponse) -> float:
+    return response.peak_corner_displacement / response.peak_displacement
+
+
+def test_constant_friction_with_loads_that_follow_the_mass_turns_no_building() -> None:
+    response = respond_plan(eccentric(CONSTANT), station(), tail=0.0, overturning=False)
+    assert response.peak_rotation < 1e-12
+    assert response.peak_displacement > 170.0
+    equal = respond_plan(eccentric(CONSTANT, spring=EQUAL), station(), tail=0.0, overturning=False)
+    assert 1e-6 < equal.peak_rotation < 1e-4
+
+
+def test_loads_that_do_not_follow_the_mass_turn_it() -> None:
+    uniform = np.full(24, LI_2020.vertical_force)
+    response = respond_plan(eccentric(CONSTANT, loads=uniform), station(), tail=0.0, overturning=False)
+    assert response.peak_rotation > 1e-4
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("system", "uniform", "mean", "largest"),
+    [(OF_PRESSURE, False, 1.0161, 1.0344), (HEATED, False, 1.0422, 1.1946), (CONSTANT, True, 1.103, 1.321)],
+)
+def test_the_corners_of_the_far_field_stations(
+    system: System, uniform: bool, mean: float, largest: float
+) -> None:
+    """Numbers of a program written apart, for 22 stations."""
+    plan = eccentric(system, loads=np.full(24, LI_2020.vertical_force) if uniform else None)
+    found = [
+        ratio(respond_plan(plan, station(f"P695-FF-{i}"), tail=10.0, overturning=False)) for i in range(1, 23)
+    ]
+    assert np.mean(found) == pytest.approx(mean, abs=0.001)
+    assert max(found) == pytest.approx(largest, abs=0.003)
+
+
+@pytest.mark.parametrize("storeys", [(), STOREYS])
+def test_a_turned_plan_gives_the_turned_answer(storeys: tuple[Storey, ...]) -> None:
+    plan = eccentric(HEATED, height=3000.0, storeys=storeys)
+    one = respond_plan(plan, station(), tail=0.0)
+    other = respond_plan(plan.turned(30.0), station().rotated(30.0), tail=0.0)
+    assert other.peak_displacement == pytest.approx(one.peak_displacement, rel=1e-10)
+    assert other.peak_rotation == pytest.approx(one.peak_rotation, rel=1e-9)
+    np.testing.assert_allclose(other.corner_displacements, one.corner_displacements, rtol=1e-10)
+    np.testing.assert_allclose(other.peak_temperature, one.peak_temperature, rtol=1e-10)
+    np.testing.assert_allclose(other.least_load, one.least_load, rtol=1e-10)
+
+
+@pytest.mark.parametrize("system", [CONSTANT, HEATED])
+def test_one_bearing_is_that_of_the_plane(system: System) -> None:
+    response = respond_plan(Plan(np.zeros((1, 2)), system), station(), tail=0.0)
+    other = respond(station(), system, tail=0.0)
+    assert response.peak_displacement == pytest.approx(other.peak_displacement, rel=1e-4)
+    assert response.peak_temperature[0] == pytest.approx(other.peak_temperature, abs=0.1)
+    assert response.energy.input[-1] == pytest.approx(other.energy.input[-1], rel=1e-4)
+    assert response.slab_motion[-1, 2] == 0.0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("system", [CONSTANT, HEATED])
+def test_storeys_in_one_direction_are_the_shear_building(system: System) -> None:
+    ground = station().x
+    still = replace(ground, acceleration=np.zeros_like(ground.acceleration))
+    building = ShearBuilding((MASS / 4,) * 4, (MASS * 150.0,) * 3, StiffnessProportional(0.02))
+    other = respond_building(ground, building, system, tail=0.0)
+    storeys = tuple(Storey(MASS / 4, MASS * 150.0, 3500.0) for _ in range(3))
+    plan = Plan(PLACES, system, storeys=storeys)
+    response = respond_plan(plan, Station(ground, still), tail=0.0, overturning=False, step=0.001)
+    assert response.peak_displacement == pytest.approx(other.peak_displacement, rel=2e-3)
+    np.testing.assert_allclose(response.peak_drift, other.peak_drift, rtol=2e-3)
+    np.testing.assert_allclose(response.peak_floor_acceleration[1:], other.peak_acceleration[1:], rtol=2e-3)
+
+
+@pytest.mark.parametrize("kind", ["stiffness", MODAL])
+def test_the_energy_closes_with_storeys(kind: str) -> None:
+    response = respond_plan(eccentric(HEATED, storeys=STOREYS, damping_kind=kind), station(), tail=0.0)
+    energy = response.energy
+    assert energy.relative_residual < 1e-9
+    assert energy.damping[-1] > 1e-3 * energy.input[-1]
+    assert response.slip_work == pytest.approx(energy.hysteretic[-1], rel=5e-4)
+
+
+def test_the_energy_of_a_rigid_structure_closes_to_rounding() -> None:
+    response = respond_plan(eccentric(HEATED, height=8000.0), station(), tail=0.0)
+    assert response.energy.relative_residual < 1e-12
+    assert response.slip_work == pytest.approx(response.energy.hysteretic[-1], rel=5e-4)
+
+
+def test_loads_balance_weight_and_moments_also_where_bearings_lift_off() -> None:
+    response = everything()
+    assert response.uplift_time.max() > 0.1
+    assert response.least_load.min() == 0.0
+    load, arms = response.bearing_load, response.plan.arms
+    np.testing.assert_allclose(load.sum(axis=1), response.plan.weight, rtol=1e-9)
+    scale = response.plan.weight * 5000.0
+    np.testing.assert_allclose(load @ arms / scale, response.overturning / scale, atol=2e-3)
+    assert response.energy.relative_residual < 1e-9
+    assert response.slip_work == pytest.approx(response.energy.hysteretic[-1], rel=5e-4)
+
+
+def test_the_base_shear_is_the_inertia_of_all_floors() -> None:
+    response = everything()
+    plan = response.plan
+    masses = np.array([plan.slab_mass, *(one.mass for one in plan.storeys)])
+    inertia = -(response.floor_acceleration[..., :2] * masses[:, np.newaxis]).sum(axis=1)
+    np.testing.assert_allclose(response.base_shear[:, :2], inertia, atol=1e-6 * plan.weight)
+    np.testing.assert_allclose(
+        response.bearing_force.sum(axis=1), response.base_shear[:, :2], atol=2e-4 * plan.weight
+    )
+
+
+def test_a_general_plan_balances_its_weight() -> None:
+    corner = np.array(
+        [(0.0, 0.0), (6000.0, 0.0), (12000.0, 0.0), (0.0, 6000.0), (0.0, 12000.0), (0.0, 18000.0)]
+    )
+    plan = Plan(corner, HEATED, centre=(3000.0, 5500.0))
+    loads = plan.static_loads
+    assert loads.sum() * 1e-3 == pytest.approx(plan.mass * STANDARD_GRAVITY * 1e-3)
+    np.testing.assert_allclose(loads @ corner / loads.sum(), (3000.0, 5500.0))
