@@ -9,12 +9,14 @@ from typing import Any
 import numpy as np
 
 from dcfp.analysis.plane_history import analyse_plane
+from dcfp.analysis.plane_response import PlaneResponse
 from dcfp.inference.conditional import Experience, of_record
 from dcfp.inference.earthquake import earthquake_of, event_of, read_earthquake
 from dcfp.inference.statistics import Interval
 from dcfp.inference.told import ENDS
+from dcfp.methods.directions import predict_in_directions
 from dcfp.methods.method import Information
-from dcfp.methods.nodes import TOLERANCE, find_nodes
+from dcfp.methods.nodes import find_nodes
 from dcfp.methods.plane_march import NAME, march_in_plane
 from dcfp.methods.prediction import Methods
 from dcfp.methods.pulse_march import march_through_pulses
@@ -31,7 +33,7 @@ from dcfp.motion.named import station_set
 from dcfp.motion.station import Station
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
-from dcfp.schema.units import DEGC, M_PER_S, MM, NONE
+from dcfp.schema.units import DEGC, DEGREE, M_PER_S, MM, NONE
 from dcfp.system import System
 
 #: The root of the sum of the squares of what the march of each direction by itself says.
@@ -40,23 +42,24 @@ DIRECTIONS = "directions, SRSS"
 SET = "the 50 stations of FEMA P-695"
 #: Under what the intervals stand that know the PGV and the spectrum of the station, and no method.
 BY_SPECTRUM = "PGV and spectrum"
-#: What has an interval.
-_QUANTITIES = (CHANGE, DISPLACEMENT, TOTAL)
+#: What has an interval, and is compared.
+COMPARED = (CHANGE, DISPLACEMENT, TOTAL)
 
 
 @dataclass(frozen=True, eq=False)
 class PlaneForecast:
-    """What is predicted of one station at one PGV: the name of the method, the prediction, and the number of nodes that it knows.
-
-    The highest temperature of the contact [degC] is that of the march in the plane; of the directions by themselves there is none.
-    """
+    """What is predicted of one station at one PGV: the name of the method, what it knows, and the prediction."""
 
     station: Station
     system: System
     method: str
     prediction: Prediction
-    nodes: int
-    peak_temperature: float | None
+    basis: Information = Information.BLIND
+    nodes: int | None = None  #: number of nodes of the ground velocity that it knows, of a march
+    peak_temperature: float | None = None  #: of the contact [degC], of the march in the plane
+    direction: float | None = (
+        None  #: from x towards y, in which it says that [degrees]; None where it is of none
+    )
     remarks: tuple[str, ...] = ()
     intervals: Mapping[Quantity, Interval] = field(default_factory=dict[Quantity, Interval])
 
@@ -77,18 +80,22 @@ def calibration_stations() -> tuple[Station, ...]:
     return tuple(station_set("P695-stations") or ())
 
 
+def peaks_of(response: PlaneResponse) -> Prediction:
+    """Return what an analysis in the plane gives of what is predicted."""
+    return Prediction(
+        response.peak_change, math.nan, math.nan, response.peak_displacement, response.input_velocity
+    )
+
+
 def station_cases(
-    pgv: float, system: System, tolerance: float = TOLERANCE, report: Callable[[], None] | None = None
+    pgv: float, methods: Methods, report: Callable[[], None] | None = None
 ) -> list[StationCase]:
     """Analyse and predict every station of the set at a PGV of the resultant [mm/s]; `report` is called after each."""
     cases: list[StationCase] = []
     for one in calibration_stations():
         station = one.scaled_to_pgv(pgv)
-        response = analyse_plane(station, system)
-        analysed = Prediction(
-            response.peak_change, math.nan, math.nan, response.peak_displacement, response.input_velocity
-        )
-        said = march_in_plane(find_nodes(station, tolerance), system).prediction
+        analysed = peaks_of(analyse_plane(station, methods.system))
+        said = march_in_plane(find_nodes(station, methods.march_tolerance), methods.system).prediction
         cases.append(StationCase(station, event_of(station), analysed, said))
         if report is not None:
             report()
@@ -96,7 +103,7 @@ def station_cases(
 
 
 def _intervals(
-    station: Station, said: Prediction, cases: Sequence[StationCase], system: System
+    station: Station, said: Prediction, cases: Sequence[StationCase], methods: Methods
 ) -> tuple[dict[Quantity, Interval], dict[Quantity, Interval], list[str]]:
     """Return where the analysis will lie by the spectrum of the station, the same about the march, and what must be known of them."""
     earthquake = earthquake_of(station)
@@ -105,13 +112,13 @@ def _intervals(
         [case.station for case in others],
         [case.event for case in others],
         [case.analysed.bound for case in others],
-        Methods.of(system),
+        methods,
     )
     known = of_record(station, experience.periods)
     by_spectrum: dict[Quantity, Interval] = {}
     about: dict[Quantity, Interval] = {}
     beyond: dict[str, None] = {}
-    for quantity in _QUANTITIES:
+    for quantity in COMPARED:
         analysed, predicted = (
             np.array([value_of(one, quantity) for one in ones])
             for ones in ([case.analysed for case in others], [case.said for case in others])
@@ -136,23 +143,19 @@ def _intervals(
 
 
 def forecast_station(
-    station: Station,
-    system: System,
-    tolerance: float = TOLERANCE,
-    calibration: Sequence[StationCase] | None = None,
+    station: Station, methods: Methods, calibration: Sequence[StationCase] | None = None
 ) -> list[PlaneForecast]:
-    """Return what is predicted of a station: in the plane, and from its directions by themselves, which heat plates of their own.
+    """Return what is predicted of a station: by the march in the plane, by marches of its directions, which heat plates of their own, and by the methods of one direction.
 
     Parameters
     ----------
-    system
-        The bearing with its law and heating model, as for an analysis in the plane.
-    tolerance
-        See `find_nodes`.
+    methods
+        The bearing with its law and heating model, as for an analysis in the plane, and how the methods are set.
     calibration
         Other stations at the same PGV, from which the intervals come; those of the same earthquake do not count. None for no intervals.
     """
-    march = march_in_plane(find_nodes(station, tolerance), system)
+    system = methods.system
+    march = march_in_plane(find_nodes(station, methods.march_tolerance), system)
     said = march.prediction
     capacity, note = system.bearing.displacement_capacity, system.bearing.capacity_note
     remarks: list[str] = []
@@ -163,28 +166,45 @@ def forecast_station(
         )
     if not march.rests:
         remarks.append(f"{station.name}: the march still slides two minutes after the last node.")
-    nodes = [find_nodes(one, tolerance) for one in (station.x, station.y)]
-    each = [march_through_pulses(one, system).prediction for one in nodes]
-    srss = replace(
-        said,
-        displacement_change=math.hypot(*(one.displacement_change for one in each)),
-        displacement=math.hypot(*(one.bound for one in each)),
-        total_velocity=math.hypot(*(one.total_velocity or 0.0 for one in each)),
-    )
     by_spectrum: dict[Quantity, Interval] = {}
     about: dict[Quantity, Interval] = {}
     if calibration is not None:
-        by_spectrum, about, told = _intervals(station, said, calibration, system)
+        by_spectrum, about, told = _intervals(station, said, calibration, methods)
         remarks += told
     found = [
         PlaneForecast(
-            station, system, NAME, said, march.nodes, march.peak_temperature, tuple(remarks), about
+            station,
+            system,
+            NAME,
+            said,
+            nodes=march.nodes,
+            peak_temperature=march.peak_temperature,
+            remarks=tuple(remarks),
+            intervals=about,
         ),
-        PlaneForecast(station, system, DIRECTIONS, srss, sum(one.count for one in nodes), None),
+        _by_directions(station, methods),
+    ]
+    found += [
+        PlaneForecast(station, system, one.method, one.prediction, one.information, direction=one.direction)
+        for one in predict_in_directions(station, methods)
     ]
     if by_spectrum:
-        found.append(PlaneForecast(station, system, BY_SPECTRUM, NOTHING, 0, None, (), by_spectrum))
+        found.append(PlaneForecast(station, system, BY_SPECTRUM, NOTHING, intervals=by_spectrum))
     return found
+
+
+def _by_directions(station: Station, methods: Methods) -> PlaneForecast:
+    """Return the root of the sum of the squares of what the march of each direction by itself says."""
+    nodes = [find_nodes(one, methods.march_tolerance) for one in (station.x, station.y)]
+    each = [march_through_pulses(one, methods.system).prediction for one in nodes]
+    srss = Prediction(
+        math.hypot(*(one.displacement_change for one in each)),
+        math.nan,
+        math.nan,
+        math.hypot(*(one.bound for one in each)),
+        math.hypot(*(one.total_velocity or 0.0 for one in each)),
+    )
+    return PlaneForecast(station, methods.system, DIRECTIONS, srss, nodes=sum(one.count for one in nodes))
 
 
 def _said(quantity: Quantity) -> Quantity:
@@ -217,6 +237,7 @@ _SAID = (
     *(_said(one) for one in PREDICTION_QUANTITIES.values() if one.unit is MM or one is TOTAL),
     Quantity("temperature_max_degC", "highest temperature of the contact", DEGC, decimals=0, head="T", get="peak_temperature"),
     Quantity("nodes", "number of nodes of the ground velocity", NONE, decimals=0, head="Nodes", get="nodes"),
+    Quantity("direction_deg", "direction from x towards y in which the method says that", DEGREE, decimals=0, head="In", get="direction"),
 )  # fmt: skip
 
 
@@ -229,9 +250,11 @@ def _end(quantity: Quantity, end: str, *, printed: bool) -> Quantity:
     return Quantity(f"{quantity.key}_{end}", f"{end} of {quantity.title}", quantity.unit, decimals=0, head=head, get=get, printed=printed)  # fmt: skip
 
 
-def station_lines(forecasts: Sequence[PlaneForecast]) -> Table:
+def station_lines(forecasts: Sequence[PlaneForecast], *, with_intervals: bool = True) -> Table:
     """Return a line for each forecast; the ends of intervals are not printed."""
-    ends = tuple(_end(quantity, end, printed=False) for quantity in _QUANTITIES for end in ENDS)
+    ends = tuple(
+        _end(quantity, end, printed=False) for quantity in COMPARED for end in ENDS if with_intervals
+    )
     return Table(
         (*_STATION, *_SAID, *ends), [one for one in forecasts if one.method != BY_SPECTRUM or one.intervals]
     )
@@ -239,7 +262,7 @@ def station_lines(forecasts: Sequence[PlaneForecast]) -> Table:
 
 def station_interval_lines(forecasts: Sequence[PlaneForecast]) -> Table:
     """Return a line for each forecast with an interval."""
-    ends = tuple(_end(quantity, end, printed=True) for quantity in _QUANTITIES for end in ENDS)
+    ends = tuple(_end(quantity, end, printed=True) for quantity in COMPARED for end in ENDS)
     return Table((*_STATION, *ends), [one for one in forecasts if one.intervals])
 
 
@@ -252,9 +275,9 @@ _OF_STATION = (
 #: Of each prediction there.
 _OF_PREDICTION = (
     Quantity("method", "method", get="method"),
-    Quantity("basis", "what it knows", get=lambda _: Information.BLIND.value),
+    Quantity("basis", "what it knows", get="basis"),
     *map(_said, PREDICTION_QUANTITIES.values()),
-    *_SAID[-2:],
+    *_SAID[-3:],
 )
 
 

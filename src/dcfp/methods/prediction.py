@@ -126,6 +126,9 @@ class PredictionMethod(Method):
     """A method that predicts from a ground velocity, where it can be used; formulas are the governing pulse with its numbers, for the report."""
 
     predict: Callable[[Ground, Methods], Predicted | None]
+    of_pulses: Callable[[Pulses, Methods], PulsePrediction | None] | None = (
+        None  #: what every pulse does, of a method of pulses
+    )
     formulas: Callable[[Ground, Methods], tuple[Formula, ...]] | None = None
     without: str = "the method cannot be used"  #: why there may be no formulas, in words
 

@@ -10,8 +10,17 @@ def test_a_station_in_the_plane_and_by_its_directions(run):
     (told,) = json.loads(run("predict", "P695-FF-2", "--pgv", "0.5", "--json").out)
     (analysed,) = json.loads(run("respond", "P695-FF-2", "--pgv", "0.5", "--json").out)
     assert (told["record"], told["heating"]) == ("P695-FF-2", "precise")
-    march, srss = told["predictions"]
+    march, srss, *others = told["predictions"]
     assert [march["method"], srss["method"]] == ["plane march", "directions, SRSS"]
+    assert [(one["method"], one["basis"]) for one in others] == [
+        ("design", "PGV only"),
+        ("pulse", "blind"),
+        ("simplified", "blind"),
+    ]
+    (line,) = json.loads(run("predict", "--pgv-only", "0.5", "--heating", "precise", "--json").out)
+    assert others[0]["dy_mm"] == pytest.approx(line["predictions"][0]["dy_mm"], rel=1e-9)
+    assert others[0]["direction_deg"] is None
+    assert all(0.0 <= one["direction_deg"] < 180.0 for one in others[1:])
     assert march["y_mm"] == pytest.approx(analysed["y_max_mm"], rel=0.1)
     assert march["dy_mm"] == pytest.approx(analysed["dy_max_mm"], rel=0.1)
     assert march["V_dE_mm_s"] is None
@@ -36,7 +45,10 @@ def test_the_table_says_what_a_reader_must_know(run):
     assert outcome.status == 0
     assert "plane march" in outcome.out
     text = " ".join(outcome.out.split())
-    assert "The methods of Li et al. (2020) are of one direction." in text
+    assert (
+        "The methods of Li et al. (2020) are of one direction: those of pulses are put to 12 directions"
+        in text
+    )
     assert "goes beyond the capacity of 440 mm" in text
 
 
@@ -45,15 +57,25 @@ def test_as_csv(run, tmp_path):
     assert run("predict", "P695-FF-2", "--pgv", "0.5", "--heating", "none", "--out", file).status == 0
     head, *lines = file.read_text().splitlines()
     assert "nodes" in head
-    assert len(lines) == 2
+    assert len(lines) == 5
 
 
-@pytest.mark.parametrize("option", [("--threshold", "0.3"), ("--plot", "a.png")])
-def test_what_is_of_one_direction_is_refused(run, option):
-    outcome = run("predict", "P695-FF-2", "--pgv", "0.5", *option)
+@pytest.mark.parametrize("command", ["predict", "compare"])
+def test_a_figure_is_of_one_direction(run, command):
+    outcome = run(command, "P695-FF-2", "--pgv", "0.5", "--plot", "a.png")
     assert outcome.status == 2
-    assert f"{option[0]} is for a single component" in outcome.err
+    assert "--plot is for a single component" in outcome.err
     assert "P695-FF-2-a" in outcome.err
+
+
+def test_the_options_of_the_methods_act_on_a_station(run):
+    words = ("predict", "P695-FF-2", "--pgv", "0.5", "--heating", "none", "--json")
+    (usual,) = json.loads(run(*words).out)
+    (other,) = json.loads(run(*words, "--nominal-mu", "0.05", "--threshold", "0.4", "--eps", "0.5").out)
+    usual, other = ({one["method"]: one["dy_mm"] for one in said["predictions"]} for said in (usual, other))
+    assert other["plane march"] == usual["plane march"]
+    for method in ("design", "pulse", "simplified"):
+        assert other[method] != pytest.approx(usual[method], rel=1e-3)
 
 
 def test_stations_and_components_do_not_go_together(run):

@@ -81,7 +81,7 @@ def test_the_figures(run, tmp_path) -> None:
     assert "at most 3 stations" in err
 
 
-@pytest.mark.parametrize("command", ["compare", "codes", "building"])
+@pytest.mark.parametrize("command", ["codes", "building"])
 def test_what_is_of_one_direction_names_the_components(run, tmp_path, command) -> None:
     pair = plain(tmp_path, "east.txt", "north.txt")
     status, out, err = run(command, pair, *PLAIN)

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from functools import partial
 from typing import Any, TypeAlias
 
-from dcfp.doors.cli import inputs
+from dcfp.analysis.integration import usual_heating
+from dcfp.doors.cli import compare_plane, inputs
 from dcfp.doors.cli.console import Block, Page, each, grid, grouped
 from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.doors.cli.predict import SYMBOLS, labels, methods_of, pulse_figure
@@ -19,6 +20,8 @@ from dcfp.inference.told import REFITS, case_lines, case_objects, coverage_table
 from dcfp.methods.method import Variant, variants
 from dcfp.methods.prediction import prediction_methods
 from dcfp.methods.pulses import CHANGE, DISPLACEMENT
+from dcfp.motion.ground_motion import GroundMotion
+from dcfp.motion.station import stations_of
 from dcfp.schema.quantities import NOTHING, Quantity
 from dcfp.schema.table import Table
 from dcfp.schema.units import M_PER_S, MM, NONE
@@ -41,10 +44,13 @@ _NUMBER = re.compile(r"\d+(?:\.\d+)?")
 
 def run(chosen: argparse.Namespace) -> Answer:
     """Analyse and predict every record at every PGV."""
-    methods, friction = methods_of(chosen, inputs.system(chosen))
-    records = {motion.digest: motion for motion in reversed(inputs.load_motions(chosen))}
+    loaded = list({one.digest: one for one in reversed(inputs.load_records(chosen))}.values())[::-1]
     # a case must not count twice, under whatever name
-    motions = inputs.scaled(list(reversed(records.values())), chosen.pgv)
+    if stations := stations_of(loaded):
+        methods, friction = methods_of(chosen, inputs.system(chosen, usual_heating(stations)))
+        return compare_plane.run(chosen, stations, methods, labels(methods, friction))
+    methods, friction = methods_of(chosen, inputs.system(chosen))
+    motions = inputs.scaled([one for one in loaded if isinstance(one, GroundMotion)], chosen.pgv)
     keep = chosen.plot is not None and len(motions) == 1
     cases = each(
         "comparisons", motions, lambda motion: compare(motion, methods, codes=True, keep_response=keep)

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from dcfp.analysis.integration import usual_heating
 from dcfp.doors.cli import inputs, predict_plane
 from dcfp.doors.cli.console import Page, grid, grouped, progress
 from dcfp.doors.cli.outputs import Answer, drawn
@@ -50,7 +51,8 @@ def run(chosen: argparse.Namespace) -> Answer:
     if chosen.pgv_only is None:
         records = inputs.load_records(chosen)
         if stations := stations_of(records):
-            return predict_plane.run(chosen, stations)
+            methods, friction = methods_of(chosen, inputs.system(chosen, usual_heating(stations)))
+            return predict_plane.run(chosen, stations, methods, labels(methods, friction))
     else:
         records = []
     methods, friction = methods_of(chosen, inputs.system(chosen))

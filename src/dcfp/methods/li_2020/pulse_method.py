@@ -72,8 +72,12 @@ def predict_from_pulses(pulses: Pulses, constants: Constants = LI_2020) -> Pulse
     )
 
 
+def _of_pulses(pulses: Pulses, methods: Methods) -> PulsePrediction:
+    return predict_from_pulses(pulses, methods.constants)
+
+
 def _predict(ground: Ground, methods: Methods) -> Predicted:
-    by_pulse = predict_from_pulses(ground.pulses(methods.threshold), methods.constants)
+    by_pulse = _of_pulses(ground.pulses(methods.threshold), methods)
     name = "" if ground.motion is None else ground.motion.name
     remark = cautions(PULSE, ground, methods, by_pulse, predict_from_pulses)
     if by_pulse.pulses.count == 0:
@@ -134,6 +138,7 @@ PULSE_METHOD = PredictionMethod(
     citations=("li_2020",),
     look=Look("o", "blue", order=4),
     predict=_predict,
+    of_pulses=_of_pulses,
     formulas=_formulas,
     without="every pulse has a ratio above 1, so nothing is predicted to move",
 )

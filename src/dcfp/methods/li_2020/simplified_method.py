@@ -118,10 +118,14 @@ def friction_that_holds(allowed: float, pgv: float, constants: Constants = LI_20
     return mu if 0.0 < mu < 1.0 else None
 
 
+def _of_pulses(pulses: Pulses, methods: Methods) -> PulsePrediction | None:
+    return predict_simplified(pulses, methods.constants) if methods.constants.slides_on_average else None
+
+
 def _predict_simplified(ground: Ground, methods: Methods) -> Predicted | None:
-    if not methods.constants.slides_on_average:
+    by_pulse = _of_pulses(ground.pulses(methods.threshold), methods)
+    if by_pulse is None:
         return None
-    by_pulse = predict_simplified(ground.pulses(methods.threshold), methods.constants)
     remarks = cautions(SIMPLIFIED, ground, methods, by_pulse, predict_simplified)
     return Predicted(by_pulse.largest, by_pulse, remarks)
 
@@ -196,6 +200,7 @@ SIMPLIFIED_METHOD = PredictionMethod(
     citations=("li_2020",),
     look=Look("^", "ochre", 1.25, order=3),
     predict=_predict_simplified,
+    of_pulses=_of_pulses,
     formulas=_formulas_simplified,
 )
 DESIGN_METHOD = PredictionMethod(
