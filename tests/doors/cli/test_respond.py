@@ -206,3 +206,29 @@ def test_outputs_stay_beside_a_json_document(run, pulse: Path, tmp_path: Path) -
 def test_the_default_bearing_is_not_called_changed(run) -> None:
     _, out, _ = run("respond", "NCC", "--pressure", f"{LI_2020.pressure:g}")
     assert "changed" not in out
+
+
+def test_half_cycles_in_place_of_the_peaks(run, tmp_path: Path) -> None:
+    words = ("respond", "NCC", "--pgv", "0.5", "--half-cycles", "50")
+    found = rows(run(*words, "--json"))
+    peaks = rows(run("respond", "NCC", "--pgv", "0.5", "--json"))[0]
+    assert max(abs(row["dy_mm"]) for row in found) == pytest.approx(peaks["dy_max_mm"], rel=1e-4)
+    file = tmp_path / "half.csv"
+    _, out, _ = run(*words, "--out", str(file))
+    assert "dEhr" in out
+    lines = file.read_text(encoding="utf-8").splitlines()
+    assert len(lines) == len(found) + 1
+    assert lines[0].endswith("dEhr [N mm],V_dE [mm s-1],V_dEr [mm s-1],V_dEhr [mm s-1]")
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (("P695-FF-2",), "single components"),
+        (("NCC", "--out", "a.nc"), "--out FILE.csv"),
+    ],
+)
+def test_half_cycles_that_there_are_not_are_refused(run, words: tuple[str, ...], told: str) -> None:
+    status, out, err = run("respond", *words, "--half-cycles", "50")
+    assert (status, out) == (2, "")
+    assert told in err

@@ -379,7 +379,8 @@ def reproduce(parser: Parser) -> None:
 @command("respond")
 def respond(parser: Parser) -> None:
     """Response history analysis of a rigid structure on a friction pendulum bearing."""
-    from dcfp.analysis.integration import Integration  # late: other commands analyse nothing
+    from dcfp.analysis.half_cycles import LEAST_CHANGE  # late: other commands analyse nothing
+    from dcfp.analysis.integration import Integration
 
     options.add_records(parser, "+", RECORD_OR_STATION)
     group = options.add_treatment(parser)
@@ -387,6 +388,7 @@ def respond(parser: Parser) -> None:
     add_switch(group, "--vertical", "let the vertical force of a station follow its vertical component")
     options.add_bearing(parser)
     add_declared(parser.add_argument_group("integration"), Integration)
+    add_parameter(parser.add_argument_group("half cycles, in place of the peaks"), LEAST_CHANGE)
     options.add_output(
         parser,
         "results as NetCDF (.nc) or CSV (.csv; of several analyses the peaks only), with predictions and codes as a workbook (.xlsx),"

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from dcfp.analysis import Response
+from dcfp.analysis.half_cycles import half_cycle_table
 from dcfp.analysis.integration import NOTHING, PLATES, Integration, usual_heating
 from dcfp.analysis.response_history import analyse_record
 from dcfp.doors.cli import inputs
@@ -39,6 +40,8 @@ def run(chosen: argparse.Namespace) -> Answer:
         if getattr(chosen, option) not in (None, False):
             msg = f"--{option} is for stations; a single component has no other direction."
             raise InputError(msg)
+    if chosen.half_cycles is not None:
+        _check_half_cycles(stations, kind)
     motions = inputs.scaled(records, chosen.pgv, allow_drift=True)
     if kind == SCRIPT and len(motions) != 1:
         msg = f"{chosen.out}: a script is of one record at one PGV, not of {len(motions)} analyses; give one, or write .xlsx, .nc or .csv."
@@ -51,6 +54,9 @@ def run(chosen: argparse.Namespace) -> Answer:
         motions,
         lambda motion: analyse_record(motion, system, integration, vertical=chosen.vertical, keep=keep),
     )
+
+    if chosen.half_cycles is not None:
+        return _of_half_cycles([one for one in responses if isinstance(one, Response)], chosen, failures)
 
     def workbook() -> "Calculation":
         if failures:
@@ -118,6 +124,31 @@ def answer_of(
         drawn("figure_of", responses[0]) if alone else drawn(of_several, responses),
         failures=failures,
     )
+
+
+def _check_half_cycles(stations: Sequence[Station], kind: str) -> None:
+    if stations:
+        msg = "--half-cycles is for single components: in the plane the slider need not stop between two turns, and Eqs (15), (16) are of the moments when it does."
+        raise InputError(msg)
+    if kind not in ("", ".csv"):
+        msg = f"Half cycles are written as .csv, not as {kind}; give --out FILE.csv, or leave out --half-cycles."
+        raise InputError(msg)
+
+
+def _of_half_cycles(
+    responses: Sequence[Response], chosen: argparse.Namespace, failures: Sequence[AnalysisError]
+) -> Answer:
+    """Return what is told of the half cycles of analyses."""
+    table = half_cycle_table(responses, chosen.half_cycles)
+    none = [] if table.results else [f"No half cycle is of {chosen.half_cycles:g} mm or more."]
+    remarks = [
+        *none,
+        f"Half cycles of at least {chosen.half_cycles:g} mm, from one peak of displacement to the next. dE: the most that the ground puts in since the start;"
+        " dEr, Eq. (15), and dEhr, Eq. (16): put in and dissipated over the whole half cycle; V: sqrt(2E/m) of each.",
+        *grouped((one.motion.name, remark) for one in responses for remark in one.remarks),
+    ]
+    figure = answer_of(responses).figure
+    return Answer.of_table(table, None, remarks, figure=figure, failures=failures)
 
 
 def _page(responses: "Sequence[RigidResponse]") -> Page:
