@@ -29,8 +29,8 @@ class HalfCycle:
         Ground motion of the response.
     from_displacement, to_displacement
         y_(i-1) and y_i, at its two peaks [mm].
-    most_input, net_input, hysteretic
-        dE_i, the largest input energy since the start; dEr_i, Eq. (15), and dEhr_i, Eq. (16), over the whole half cycle [N mm].
+    most_input, net_input, hysteretic, strain
+        dE_i, the largest input energy since the start; over the whole half cycle dEr_i, dEhr_i and dEsr_i [N mm]: by Eq. (15) dEr = dEhr + dEsr, by Eq. (16) without the springs dEr = dEhr.
     swing
         Its times, its change, and the energies as equivalent velocities.
     """
@@ -41,6 +41,7 @@ class HalfCycle:
     most_input: float
     net_input: float
     hysteretic: float
+    strain: float
     swing: Swing
 
 
@@ -54,8 +55,9 @@ HALF_CYCLE = (
     Quantity("y_end_mm", "displacement at its end", MM, name="y_end", head="y_i", decimals=1, get="to_displacement"),
     Quantity("dy_mm", "change of displacement", MM, name="dy", decimals=1, signed=True, get="swing.change"),
     Quantity("dE_N_mm", "largest input energy since its start", N_MM, KN_M, name="dE", decimals=1, get="most_input"),
-    Quantity("dEr_N_mm", "input energy over all of it, Eq. (15)", N_MM, KN_M, name="dEr", decimals=1, get="net_input"),
-    Quantity("dEhr_N_mm", "energy dissipated over all of it, Eq. (16)", N_MM, KN_M, name="dEhr", decimals=1, get="hysteretic"),
+    Quantity("dEr_N_mm", "input energy over all of it, left side of Eqs (15) and (16)", N_MM, KN_M, name="dEr", decimals=1, get="net_input"),
+    Quantity("dEhr_N_mm", "energy dissipated over all of it, right side of Eq. (16), and with dEsr of Eq. (15)", N_MM, KN_M, name="dEhr", decimals=1, get="hysteretic"),
+    Quantity("dEsr_N_mm", "change of the elastic strain energy over all of it", N_MM, KN_M, name="dEsr", decimals=1, get="strain"),
     Quantity("V_dE_mm_s", "dE as a velocity", MM_PER_S, M_PER_S, name="V_dE", decimals=3, get="swing.input_velocity"),
     Quantity("V_dEr_mm_s", "dEr as a velocity, 0 where the ground took energy back", MM_PER_S, M_PER_S, name="V_dEr", decimals=3, get="swing.net_input_velocity"),
     Quantity("V_dEhr_mm_s", "dEhr as a velocity", MM_PER_S, M_PER_S, name="V_dEhr", decimals=3, get="swing.hysteretic_velocity"),
@@ -73,6 +75,7 @@ def half_cycles(response: Response, least: float = 0.0) -> list[HalfCycle]:
             float(swings.most_input[one]),
             float(swings.net_input[one]),
             float(swings.hysteretic[one]),
+            float(swings.strain[one]),
             swings[one],
         )
         for one in map(int, np.flatnonzero(np.abs(swings.changes) >= least))

@@ -20,9 +20,9 @@ class Swing:
     input_velocity
         V_dE [mm/s]: of the largest input energy since the start. It is reached when the ground turns, at its own peak; from there on the ground takes energy back.
     net_input_velocity
-        V_dEr [mm/s]: of the input energy over the whole swing, Eq. (15); zero where the ground took back more than it gave.
+        V_dEr [mm/s]: of the input energy over the whole swing, on the left of Eqs (15) and (16); zero where the ground took back more than it gave.
     hysteretic_velocity
-        V_dEhr [mm/s]: of the energy dissipated over the whole swing, Eq. (16).
+        V_dEhr [mm/s]: of the energy dissipated over the whole swing, on the right of Eq. (16).
     """
 
     start: float
@@ -43,8 +43,8 @@ class Swings:
     ----------
     times, displacements
         Of the peaks of displacement [s], and y_i there [mm], shape (n + 1,); the first is the start.
-    most_input, net_input, hysteretic
-        dE_i, dEr_i and dEhr_i of each swing [N mm], shape (n,).
+    most_input, net_input, hysteretic, strain
+        dE_i, dEr_i, dEhr_i and dEsr_i of each swing [N mm], shape (n,).
     mass
         Of the structure [t].
     """
@@ -54,6 +54,7 @@ class Swings:
     most_input: FloatArray
     net_input: FloatArray
     hysteretic: FloatArray
+    strain: FloatArray
     mass: float
 
     @property
@@ -118,8 +119,20 @@ def swings_of(response: Response) -> Swings:
         most_input=_most_since(energy, inputs, at),
         net_input=np.diff(inputs),
         hysteretic=np.diff(np.concatenate((dissipated[:1], dissipated_there))),
+        strain=np.diff(np.concatenate((response.energy.strain[:1], _strain_at(response, at, travel)))),
         mass=response.bearing.mass,
     )
+
+
+def _strain_at(response: Response, at: IntArray, travel: FloatArray) -> FloatArray:
+    """Return the elastic strain energy where it turns, `travel` after the samples `at` [N mm]."""
+    bearing = response.bearing
+    # sliding drags the other end of spring (b) along, so that it is not longer than friction makes it
+    held = response.friction[at] * bearing.vertical_force / bearing.elastic_stiffness
+    longest = np.maximum(held, np.abs(response.elongation[at]))
+    elongation = np.clip(response.elongation[at] + travel, -longest, longest)
+    turned = response.displacement[at] + travel
+    return 0.5 * (bearing.restoring_stiffness * turned**2 + bearing.elastic_stiffness * elongation**2)
 
 
 def _zero_of_parabola(first: FloatArray, last: FloatArray, mean: FloatArray) -> FloatArray:

@@ -218,7 +218,7 @@ def test_half_cycles_in_place_of_the_peaks(run, tmp_path: Path) -> None:
     assert "dEhr" in out
     lines = file.read_text(encoding="utf-8").splitlines()
     assert len(lines) == len(found) + 1
-    assert lines[0].endswith("dEhr [N mm],V_dE [mm s-1],V_dEr [mm s-1],V_dEhr [mm s-1]")
+    assert lines[0].endswith("dEhr [N mm],dEsr [N mm],V_dE [mm s-1],V_dEr [mm s-1],V_dEhr [mm s-1]")
 
 
 @pytest.mark.parametrize(

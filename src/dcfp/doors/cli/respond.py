@@ -144,7 +144,7 @@ def _of_half_cycles(
     remarks = [
         *none,
         f"Half cycles of at least {chosen.half_cycles:g} mm, from one peak of displacement to the next. dE: the most that the ground puts in since the start;"
-        " dEr, Eq. (15), and dEhr, Eq. (16): put in and dissipated over the whole half cycle; V: sqrt(2E/m) of each.",
+        " dEr, dEhr, dEsr: put in, dissipated and left in the springs over the whole half cycle, so that dEr = dEhr + dEsr, Eq. (15), and nearly dEhr, Eq. (16); V: sqrt(2E/m) of each.",
         *grouped((one.motion.name, remark) for one in responses for remark in one.remarks),
     ]
     figure = answer_of(responses).figure
