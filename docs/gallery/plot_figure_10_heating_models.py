@@ -4,7 +4,7 @@ Figure 10: both heating models in an earthquake
 
 **In the paper**: force against displacement under JKB at 0.25 and 1.0 m/s; the simplified model is as good as the precise one under both.
 
-**Here**: KNA, the other record of that earthquake, since JKB is not openly available. The two are within 6 % there. They are not everywhere: under IVD at 1.0 m/s the slider leaves the one monitoring point behind, and the simplified
+**Here**: KNA, the other record of that earthquake, since JKB does not come with the package (``dcfp reproduce --records FOLDER`` takes it from a file). The two are within 6 % there. They are not everywhere: under IVD at 1.0 m/s the slider leaves the one monitoring point behind, and the simplified
 model moves 31 % further.
 """
 
