@@ -61,11 +61,15 @@ def test_as_csv(run, tmp_path):
 
 
 @pytest.mark.parametrize("command", ["predict", "compare"])
-def test_a_figure_is_of_one_direction(run, command):
-    outcome = run(command, "P695-FF-2", "--pgv", "0.5", "--plot", "a.png")
+def test_a_figure_is_of_one_station_at_one_pgv(run, tmp_path, command):
+    file = tmp_path / "a.png"
+    words = (command, "P695-FF-2", "--heating", "none", "--plot", file, "--pgv", "0.5")
+    outcome = run(*words, "1.0")
     assert outcome.status == 2
-    assert "--plot is for a single component" in outcome.err
-    assert "P695-FF-2-a" in outcome.err
+    assert "--plot draws one station at one PGV, not 2" in outcome.err
+    assert not file.exists()
+    assert run(*words).status == 0
+    assert file.stat().st_size > 20_000
 
 
 def test_the_options_of_the_methods_act_on_a_station(run):

@@ -88,7 +88,7 @@ def test_what_does_not_go_together(run, words, sentence: str) -> None:
     assert len(outcome.err.strip().splitlines()) == 1
 
 
-@pytest.mark.parametrize("command", ["compare", "building"])
+@pytest.mark.parametrize("command", ["building"])
 def test_what_is_of_one_direction_says_so(run, command: str) -> None:
     outcome = run(command, "P695-FF-2")
     assert outcome.status == 2

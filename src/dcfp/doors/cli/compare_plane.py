@@ -7,7 +7,7 @@ from typing import Any
 from dcfp.doors.cli import inputs
 from dcfp.doors.cli.console import Block, Page, each, grid, grouped
 from dcfp.doors.cli.outputs import Answer
-from dcfp.doors.cli.predict_plane import NOTES, refuse_figure
+from dcfp.doors.cli.predict_plane import NOTES, figure_of
 from dcfp.errors import InputError
 from dcfp.inference.plane_comparison import (
     compare_station,
@@ -29,11 +29,11 @@ def run(
     above: list[tuple[str, str]],
 ) -> Answer:
     """Analyse and predict every station at every PGV; `above` stands above the tables."""
-    refuse_figure(chosen, stations)
     if chosen.held_out:
         msg = "--held-out is for single components, such as P695; compare stations without it (dcfp predict STATION --interval has intervals)."
         raise InputError(msg)
     moved = inputs.scaled(stations, chosen.pgv)
+    figure = figure_of(chosen, moved, methods)
     cases = each("comparisons", moved, lambda station: compare_station(station, methods))
     table = comparison_scatter(cases)
 
@@ -49,7 +49,7 @@ def run(
         told = grouped((one.analysed.station.name, remark) for one in cases for remark in one.remarks)
         return Page(blocks, [*told, *NOTES, *_SCATTER])
 
-    return Answer(document, page, lambda part, kind: comparison_lines(cases).csv())
+    return Answer(document, page, lambda part, kind: comparison_lines(cases).csv(), figure)
 
 
 _SCATTER = (

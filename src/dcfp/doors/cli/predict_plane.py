@@ -1,11 +1,12 @@
 """``dcfp predict`` of stations: displacement and energy in the plane."""
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from dcfp.doors.cli import inputs
 from dcfp.doors.cli.console import Block, Page, grid, grouped, progress
-from dcfp.doors.cli.outputs import Answer
+from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.errors import InputError
 from dcfp.inference.plane_forecast import (
     BY_SPECTRUM,
@@ -25,6 +26,9 @@ from dcfp.methods.plane_march import NAME
 from dcfp.methods.prediction import Methods
 from dcfp.motion.station import Station
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 #: What the columns are, what the methods are, and what there is not.
 NOTES = (
     "y_max: largest displacement in the plane; dy: largest change of displacement from one peak to the next, in whatever direction; V_E: equivalent velocity sqrt(2E/m)"
@@ -43,8 +47,8 @@ def run(
     above: list[tuple[str, str]],
 ) -> Answer:
     """Predict every station at every PGV; `above` stands above the tables."""
-    refuse_figure(chosen, stations)
     moved = inputs.scaled(stations, chosen.pgv)
+    figure = figure_of(chosen, moved, methods)
     known = _calibrations(moved, methods) if chosen.interval else {}
     forecasts = [
         one for station in moved for one in forecast_station(station, methods, known.get(_pgv(station)))
@@ -54,14 +58,18 @@ def run(
         lambda: station_objects(forecasts),
         lambda: _page(above, forecasts, told),
         lambda part, kind: station_lines(forecasts).csv(),
+        figure,
     )
 
 
-def refuse_figure(chosen: argparse.Namespace, stations: Sequence[Station]) -> None:
-    """Refuse a figure of stations."""
-    if chosen.plot:
-        msg = f"--plot is for a single component; of a station there is no figure. Choose one component, such as {stations[0].x.name}, or leave it out."
+def figure_of(
+    chosen: argparse.Namespace, moved: Sequence[Station], methods: Methods
+) -> "Callable[[], Figure]":
+    """Return what draws the one station at one PGV; more are refused where a figure is asked for."""
+    if chosen.plot and len(moved) > 1:
+        msg = f"--plot draws one station at one PGV, not {len(moved)}; name one, such as {moved[0].name}, and one --pgv, or leave it out."
         raise InputError(msg)
+    return drawn("plane_prediction.plot_plane_prediction", moved[0], methods)
 
 
 def _page(above: list[tuple[str, str]], forecasts: Sequence[PlaneForecast], told: Sequence[str]) -> Page:
