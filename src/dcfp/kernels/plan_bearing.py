@@ -164,6 +164,12 @@ def try_bearings(
 
 
 @kernel
+def _in_step(motion: NDArray[np.float64], part: int, arm: complex) -> tuple[complex, complex, complex]:
+    """Return where a bearing is, or how fast it goes, at the start, in the middle and at the end of a step."""
+    return at(motion[START], part, arm), at(motion[MIDDLE], part, arm), at(motion[END], part, arm)
+
+
+@kernel
 def _try_bearing(
     b: Bearings, i: int, level: int, length: float, motion: NDArray[np.float64], forces: NDArray[np.float64], changes: bool, fresh: bool
 ) -> float:  # fmt: skip
@@ -171,16 +177,8 @@ def _try_bearing(
     kind = int(c[KIND])
     k = b.kinds[kind]
     arm = complex(c[X], c[Y])
-    u0, um, u1 = (
-        at(motion[START], DISPLACEMENT, arm),
-        at(motion[MIDDLE], DISPLACEMENT, arm),
-        at(motion[END], DISPLACEMENT, arm),
-    )
-    v0, vm, v1 = (
-        at(motion[START], VELOCITY, arm),
-        at(motion[MIDDLE], VELOCITY, arm),
-        at(motion[END], VELOCITY, arm),
-    )
+    u0, um, u1 = _in_step(motion, DISPLACEMENT, arm)
+    v0, vm, v1 = _in_step(motion, VELOCITY, arm)
     s0, sm, s1 = length_of(v0), length_of(vm), length_of(v1)
     load_m, load_1 = t[N_MIDDLE], t[N_END]
     heated, plates = k[HEATED] != 0.0, int(k[PLATES])
@@ -273,16 +271,9 @@ def _settle(
     kind = int(c[KIND])
     k = b.kinds[kind]
     arm = complex(c[X], c[Y])
-    u0, um, u1 = (
-        at(motion[START], DISPLACEMENT, arm),
-        at(motion[MIDDLE], DISPLACEMENT, arm),
-        at(motion[END], DISPLACEMENT, arm),
-    )
-    s0, sm, s1 = (
-        length_of(at(motion[START], VELOCITY, arm)),
-        length_of(at(motion[MIDDLE], VELOCITY, arm)),
-        length_of(at(motion[END], VELOCITY, arm)),
-    )
+    u0, um, u1 = _in_step(motion, DISPLACEMENT, arm)
+    v0, vm, v1 = _in_step(motion, VELOCITY, arm)
+    s0, sm, s1 = length_of(v0), length_of(vm), length_of(v1)
     e, e_m, e_1 = complex(s[E_X], s[E_Y]), complex(t[M_X], t[M_Y]), complex(t[END_X], t[END_Y])
     first, second = length_of((um - u0) - (e_m - e)), length_of((u1 - um) - (e_1 - e_m))
     load_m, load_1 = t[N_MIDDLE], t[N_END]

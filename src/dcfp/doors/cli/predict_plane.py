@@ -36,7 +36,7 @@ NOTES = (
     f"{NAME}: of our own, along straight legs between nodes of the ground velocity that both directions share; {DIRECTIONS}: the march of each direction by itself, root of the sum"
     " of the squares, for comparison.",
     f"The methods of Li et al. (2020) are of one direction: those of pulses are put to {PARTS} directions, and what is told is of the one with the largest dy, from x towards y; the design method has the PGV"
-    " of the resultant. That is ours; over FEMA P-695 dy is 1.3 to 2.1 times the y_max in the plane in the mean.",
+    " of the resultant. That is ours; over FEMA P-695 with the bearing of the paper dy is 1.3 to 2.1 times the y_max in the plane in the mean.",
 )
 
 
