@@ -11,9 +11,21 @@ class DcfpError(Exception):
 
 
 class InputError(DcfpError, ValueError):
-    """The caller's input cannot be used: a file, a name, a number or a unit."""
+    """The caller's input cannot be used: a file, a name, a number or a unit.
+
+    Parameters
+    ----------
+    text
+        The sentence.
+    at
+        Name of the value that is wrong, where several were checked together: a door may say where it was given.
+    """
 
     exit_status = 2
+
+    def __init__(self, text: str, *, at: str = "") -> None:
+        super().__init__(text)
+        self.at = at
 
 
 class AnalysisError(DcfpError, RuntimeError):

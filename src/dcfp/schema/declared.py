@@ -82,6 +82,10 @@ class Declared:
             If there is an unknown key or a value that is not allowed.
         """
         values = read_table(cls, table, where)
+        for one in parameters(cls).values() if base is None else ():
+            if one.default is None and not one.optional and one.name not in values:
+                msg = f"{where}: {one.key} is missing: {one.words}, {one.rule()}."
+                raise InputError(msg)
         return build(cls, values, where, base)
 
     def to_table(self) -> dict[str, Any]:

@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Any, cast
 
 from dcfp.errors import InputError
+from dcfp.schema.toml_places import at_key
 from dcfp.schema.units import HERTZ, M_PER_S, NONE, SECOND, WORDS, Unit, convert, split_number
 
 #: TOML and JSON have whole numbers of any length: from here on they are no numbers to calculate with.
@@ -281,15 +282,16 @@ def read_values(
     by_key = {key: one for one in known for key in (one.key, *one.aliases)}
     values: dict[str, Any] = {}
     for key, value in table.items():
+        place = at_key(where, key)
         if key not in by_key:
-            msg = f"{where}: {unknown(key, [*by_key, *also], noun)}"
+            msg = f"{place}: {unknown(key, [*by_key, *also], noun)}"
             raise InputError(msg)
         one = by_key[key]
         name = one.name or one.key
         if name in values:
-            msg = f"{where}: give either {' or '.join((one.key, *one.aliases))}, not both."
+            msg = f"{place}: give either {' or '.join((one.key, *one.aliases))}, not both."
             raise InputError(msg)
-        values[name] = one.read(value, f"{where}: {key}: {one.words}")
+        values[name] = one.read(value, f"{place}: {key}: {one.words}")
     return values
 
 

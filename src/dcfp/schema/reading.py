@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from dcfp.errors import InputError
+from dcfp.schema.toml_places import Way, lines_of
 
 
 def read_bytes(path: str | Path, what: str, *, most: int = -1) -> bytes:
@@ -42,9 +43,15 @@ def read_bytes(path: str | Path, what: str, *, most: int = -1) -> bytes:
 
 def read_toml(path: str | Path, what: str) -> dict[str, Any]:
     """Return the content of a TOML file; arguments and errors as for `read_bytes`."""
+    return read_toml_with_lines(path, what)[0]
+
+
+def read_toml_with_lines(path: str | Path, what: str) -> tuple[dict[str, Any], dict[Way, int]]:
+    """Return the content of a TOML file and the line of each of its values; arguments and errors as for `read_bytes`."""
     content = read_bytes(path, what)
     try:
-        return tomllib.loads(content.decode("utf-8"))
+        text = content.decode("utf-8")
+        return tomllib.loads(text), lines_of(text)
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         msg = f"{path}: this is not TOML ({error})."
         raise InputError(msg) from error

@@ -2,32 +2,39 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
+from typing import Annotated
 
 import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
+from dcfp.schema.declared import Declared, declared
 from dcfp.schema.parameters import Parameter
-from dcfp.schema.units import MM, NONE, TONNE
-from dcfp.system.storeys import RATIO, STIFFNESS_PROPORTIONAL, Storey, Superstructure, superstructure
+from dcfp.schema.units import FRACTION, METRE, TONNE, TONNE_M2
+from dcfp.system.storeys import (
+    DAMPING_KINDS,
+    PLACE,
+    STIFFNESS_PROPORTIONAL,
+    Storey,
+    Superstructure,
+    place_parameter,
+    superstructure,
+)
 from dcfp.system.system import System
 
-_MASS = Parameter("mass of the building", TONNE, 0.0, above=True)
-_HEIGHT = Parameter("height of the slab's centre of mass above the bearings", MM, 0.0, 1e5)
-_SIDES = Parameter("sides of the slab", MM, 0.0, 1e6, above=True, counts=(2,))
-_PLACE = Parameter("place in the plan", MM, -1e7, 1e7, counts=(2,))
-_PART = Parameter("accidental eccentricity in parts of the sides", NONE, -0.5, 0.5, counts=(1, 2), repeat=2)
 #: How far the sum of given loads may be from the weight [-].
 _WEIGHT_TOLERANCE = 1e-3
+#: How far outside the slab rounding may put a place [mm].
+_ROUNDING = 1.0
 #: How kf of a bearing follows from that of its type: in proportion to its static load, or the same for all.
 BY_LOAD, EQUAL = "load", "equal"
 
 
-@dataclass(frozen=True, eq=False)
-class Plan:
+@declared
+class Plan(Declared):
     """Bearings under a slab that is rigid in its plane, and what stands on it.
 
     Parameters
@@ -36,22 +43,18 @@ class Plan:
         Of the bearings [mm], shape (n, 2).
     types
         Bearing with its friction law and heating model at each place; one for all of them.
-    mass
-        Of the whole building, slab and floors [t]; None for what the types carry at their own pressure.
-    centre
-        Of mass [mm]; None for that of the loads, or the middle of the bearings.
-    sides
-        Of the slab in x and y [mm], over which its mass is spread evenly and in whose corners displacements are told; None for those of the rectangle about the bearings.
     eccentricity
         Accidental, by which the centre of mass is moved, in parts of the sides.
     inertia
-        Rotational inertia of the slab without the floors about the centre [t mm2]; None for a mass that is spread evenly.
+        Rotational inertia of the slab without the floors about the centre of mass [t mm2].
     height
         Of the slab's own centre of mass above the bearings [mm]: of the whole structure where there are no storeys.
-    storeys, damping, damping_kind
-        Above the slab, from below; damping ratio of the modes on a fixed base, and its kind.
+    storeys
+        Above the slab, from below.
+    damping_kind
+        ``"stiffness"``: in proportion to the stiffness, with the ratio in the first mode; ``"modal"``: the same ratio in every mode.
     loads
-        Static load of each bearing [N]; None for those of a rigid slab on equal vertical springs under the weight at the centre.
+        Static load of each bearing [N]; None for those of a rigid slab on equal vertical springs under the weight at the centre of mass.
     spring
         ``"load"``: kf of a bearing is that of its type times its static load over that of the type, so that constant friction turns no building; ``"equal"``: that of its type.
     angle
@@ -65,74 +68,113 @@ class Plan:
         If a value is out of range, or the values do not go together.
     """
 
+    noun = "a building"
+
     places: FloatArray
     types: tuple[System, ...] | System = field(default_factory=System)
-    mass: float | None = None
-    centre: tuple[float, float] | None = None
-    sides: tuple[float, float] | None = None
-    eccentricity: tuple[float, float] = (0.0, 0.0)
-    inertia: float | None = None
-    height: float = 0.0
+    mass: Annotated[
+        float | None,
+        Parameter("mass of slab and floors", TONNE, 0.0, above=True, absent="what the bearings carry"),
+    ] = None
+    centre: Annotated[
+        tuple[float, float] | None,
+        place_parameter("centre of mass", "that of the given loads, or the middle of the bearings"),
+    ] = None
+    sides: Annotated[
+        tuple[float, float] | None,
+        Parameter("sides of the slab in x and y", METRE, 0.0, 1000.0, above=True, absent="those of the rectangle about the bearings"),
+    ] = None  # fmt: skip
+    slab_centre: Annotated[
+        tuple[float, float] | None, place_parameter("middle of the slab", "the middle of the bearings")
+    ] = None
+    eccentricity: Annotated[
+        tuple[float, ...],
+        Parameter("accidental eccentricity in parts of the sides", FRACTION, -0.5, 0.5, counts=(1, 2), repeat=2),
+    ] = (0.0, 0.0)  # fmt: skip
+    inertia: Annotated[
+        float | None,
+        Parameter("rotational inertia of the slab", TONNE_M2, 0.0, above=True, absent="its mass is spread evenly over the sides"),
+    ] = None  # fmt: skip
+    height: Annotated[
+        float, Parameter("height of the slab's own centre of mass above the bearings", METRE, 0.0, 1000.0)
+    ] = 0.0
     storeys: tuple[Storey, ...] = ()
-    damping: float = 0.02
-    damping_kind: str = STIFFNESS_PROPORTIONAL
+    damping: Annotated[
+        float, Parameter("damping ratio of the storeys on a fixed base", FRACTION, 0.0, 0.9999, symbol=r"\xi")
+    ] = 0.02
+    damping_kind: Annotated[
+        str, Parameter("kind of damping of the storeys", choices=DAMPING_KINDS)
+    ] = STIFFNESS_PROPORTIONAL  # fmt: skip
     loads: FloatArray | None = None
-    spring: str = BY_LOAD
+    spring: Annotated[
+        str, Parameter("how kf follows from the type", choices=(BY_LOAD, EQUAL))
+    ] = BY_LOAD  # fmt: skip
     angle: float = 0.0
-    name: str = "plan"
+    name: Annotated[str, Parameter("name of the building", option=False, vary=False)] = "building"
+
+    # plans hold arrays, and are the same only where they are one
+    __eq__ = object.__eq__
+    __hash__ = object.__hash__
 
     def __post_init__(self) -> None:
-        places = np.asarray(self.places, dtype=np.float64)
-        if places.ndim != 2 or places.shape[1:] != (2,) or not len(places):
-            msg = "A plan needs at least one bearing, and two coordinates of each."
-            raise InputError(msg)
-        rows = [
-            _PLACE.checked(tuple(row), f"Plan: place of bearing {i}")
-            for i, row in enumerate(places.tolist(), 1)
-        ]
-        self._set("places", freeze(np.array(rows)))
-        types = (self.types,) * len(places) if isinstance(self.types, System) else tuple(self.types)
-        if len(types) != len(places):
-            msg = f"A plan of {len(places)} bearings needs as many types, not {len(types)}."
+        self._set("places", _places(self.places))
+        types = (self.types,) * self.count if isinstance(self.types, System) else tuple(self.types)
+        if len(types) != self.count:
+            msg = f"A plan of {self.count} bearings needs as many types, not {len(types)}."
             raise InputError(msg)
         self._set("types", types)
-        carried = math.fsum(one.bearing.vertical_force for one in types) / STANDARD_GRAVITY
-        if self.loads is not None:
-            self._check_loads(self.loads)
-            carried = float(np.sum(self.loads)) / STANDARD_GRAVITY
-        self._set("mass", _MASS.checked(carried if self.mass is None else self.mass, "Plan: mass"))
-        self._set(
-            "sides", self._rectangle() if self.sides is None else _SIDES.checked(self.sides, "Plan: sides")
-        )
-        self._set("eccentricity", _PART.checked(self.eccentricity, "Plan: eccentricity"))
-        self._set("height", _HEIGHT.checked(self.height, "Plan: height"))
-        self._set("damping", RATIO.checked(self.damping, "Plan: damping"))
         self._set("storeys", tuple(self.storeys))
-        if self.loads is not None and abs(carried / self.total_mass - 1.0) > _WEIGHT_TOLERANCE:
-            msg = f"The loads of the bearings sum to {carried * STANDARD_GRAVITY / 1e3:.0f} kN, and the building weighs {self.weight / 1e3:.0f} kN."
-            raise InputError(msg)
+        if self.loads is not None:
+            self._set("loads", self._checked_loads(self.loads))
+        super().__post_init__()
+
+    def check_relations(self) -> None:
+        """Refuse masses, loads and places that do not go together."""
+        if self.mass is None:
+            carried = (
+                [one.bearing.vertical_force for one in self.systems] if self.loads is None else self.loads
+            )
+            self._set("mass", math.fsum(carried) / STANDARD_GRAVITY)
+        if self.loads is not None and abs(self.loads.sum() / self.weight - 1.0) > _WEIGHT_TOLERANCE:
+            msg = f"The loads of the bearings sum to {self.loads.sum() / 1e3:.0f} kN, and the building weighs {self.weight / 1e3:.0f} kN."
+            raise InputError(msg, at="mass")
         if self.slab_mass <= 0.0:
             msg = f"The floors' masses sum to {self.floor_mass:.6g} t, and the whole building with the slab has only {self.total_mass:.6g} t."
-            raise InputError(msg)
-        if self.spring not in (BY_LOAD, EQUAL):
-            msg = f"Plan: spring must be one of {BY_LOAD}, {EQUAL}, not {self.spring!r}."
-            raise InputError(msg)
-        if self.centre is not None:
-            self._set("centre", _PLACE.checked(self.centre, "Plan: centre"))
-        if (lightest := int(self.static_loads.argmin())) >= 0 and self.static_loads[lightest] <= 0.0:
-            x, y = self.places[lightest] / 1e3
-            msg = f"The centre of mass is so far outside that bearing {lightest + 1} at {x:g}, {y:g} m would lift off at rest."
-            raise InputError(msg)
+            raise InputError(msg, at="mass")
+        far = np.hypot(*(self.places - self.places.mean(axis=0)).T)
+        outside = [i for i, place in enumerate(self.places) if not self._holds(place)]
+        if outside:
+            i = max(outside, key=lambda one: far[one])
+            msg = f"Bearing {i + 1} at {_metres(self.places[i])} stands outside the slab, which reaches {self._extent}."
+            raise InputError(msg, at=f"places {i}")
+        if not self._holds(self.mass_centre):
+            msg = f"The centre of mass, {_metres(self.mass_centre)}, lies outside the slab, which reaches {self._extent}."
+            raise InputError(msg, at="centre")
+        lightest = int(self.static_loads.argmin())
+        if self.static_loads[lightest] <= 0.0:
+            msg = f"With the centre of mass at {_metres(self.mass_centre)} bearing {lightest + 1} at {_metres(self.places[lightest])} would lift off at rest."
+            raise InputError(msg, at="centre")
 
     def _set(self, name: str, value: object) -> None:
         object.__setattr__(self, name, value)
 
-    def _check_loads(self, loads: Sequence[float] | FloatArray) -> None:
+    def _checked_loads(self, loads: Sequence[float] | FloatArray) -> FloatArray:
         found = np.asarray(loads, dtype=np.float64)
-        if found.shape != (len(self.places),) or not (found > 0.0).all():
-            msg = f"A plan of {len(self.places)} bearings needs as many loads, all of them above zero."
+        if found.shape != (self.count,) or not (found > 0.0).all():
+            msg = f"A plan of {self.count} bearings needs as many loads, all of them above zero."
             raise InputError(msg)
-        self._set("loads", freeze(found))
+        return freeze(found)
+
+    def _holds(self, place: Sequence[float] | FloatArray) -> bool:
+        """Whether a place is on the slab."""
+        away = np.abs(self._own_axes(np.subtract(place, self.middle)))
+        return bool((away <= 0.5 * np.array(self.lengths) + _ROUNDING).all())
+
+    @property
+    def _extent(self) -> str:
+        """From where to where the slab reaches, in words."""
+        least, most = self.corners.min(axis=0), self.corners.max(axis=0)
+        return f"from {_metres(least)} to {_metres(most)}"
 
     def _rectangle(self) -> tuple[float, float]:
         across = np.ptp(self._own_axes(self.places), axis=0)
@@ -175,10 +217,15 @@ class Plan:
     @property
     def lengths(self) -> tuple[float, float]:
         """Sides of the slab [mm]."""
-        return self.sides or self._rectangle()
+        return self._rectangle() if self.sides is None else self.sides
 
     @property
     def middle(self) -> tuple[float, float]:
+        """Middle of the slab [mm]."""
+        return self.middle_of_bearings if self.slab_centre is None else self.slab_centre
+
+    @property
+    def middle_of_bearings(self) -> tuple[float, float]:
         """Middle of the rectangle about the bearings [mm]."""
         own = self._own_axes(self.places)
         x, y = 0.5 * (own.min(axis=0) + own.max(axis=0)) @ _turn(self.angle).T
@@ -191,7 +238,7 @@ class Plan:
         if base is None and self.loads is not None:
             x, y = self.loads @ self.places / self.loads.sum()
             base = float(x), float(y)
-        base = base or self.middle
+        base = base or self.middle_of_bearings
         x, y = np.array(base) + _turn(self.angle) @ (np.array(self.eccentricity) * np.array(self.lengths))
         return float(x), float(y)
 
@@ -248,6 +295,11 @@ class Plan:
             self.damping_kind,
         )
 
+    def with_first_period(self, period: float) -> "Plan":
+        """Return the plan with all storeys' stiffnesses times one factor, so that the first period on a fixed base is this [s]."""
+        factor = (float(self.structure.periods[0]) / period) ** 2
+        return replace(self, storeys=tuple(one.stiffened(factor) for one in self.storeys))
+
     def turned(self, angle: float) -> "Plan":
         """Return the plan turned about the origin by an `angle` [degrees], from x towards y."""
         turn = _turn(math.radians(angle))
@@ -263,8 +315,22 @@ class Plan:
             for one in self.storeys
         )
         return replace(
-            self, places=self.places @ turn.T, centre=there(self.centre), storeys=storeys, angle=self.angle + math.radians(angle)
+            self, places=self.places @ turn.T, centre=there(self.centre), slab_centre=there(self.slab_centre), storeys=storeys,
+            angle=self.angle + math.radians(angle),
         )  # fmt: skip
+
+
+def _places(places: Sequence[Sequence[float]] | FloatArray) -> FloatArray:
+    found = np.asarray(places, dtype=np.float64)
+    if found.ndim != 2 or found.shape[1:] != (2,) or not len(found):
+        msg = "A building needs at least one bearing, and two coordinates of each."
+        raise InputError(msg)
+    rows = [PLACE.checked(tuple(row), f"place of bearing {i}") for i, row in enumerate(found.tolist(), 1)]
+    return freeze(np.array(rows))
+
+
+def _metres(place: Sequence[float] | FloatArray) -> str:
+    return f"({place[0] / 1e3:g}, {place[1] / 1e3:g}) m"
 
 
 def balancing_plane(arms: FloatArray, wanted: FloatArray) -> FloatArray:

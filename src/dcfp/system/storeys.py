@@ -1,67 +1,82 @@
 """Storeys above an isolated slab: rigid floors with x, y and rotation, their modes on a fixed base, and the damping of these."""
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Annotated
 
 import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
-from dcfp.errors import InputError
+from dcfp.schema.declared import Declared, declared
 from dcfp.schema.parameters import Parameter
-from dcfp.schema.units import FRACTION, MM, N_PER_MM, TONNE
+from dcfp.schema.units import KN_M, KN_PER_MM, METRE, TONNE, TONNE_M2
 
-MASS = Parameter("mass of a floor", TONNE, 0.0, above=True)
-STIFFNESS = Parameter("stiffness of a storey in x and y", N_PER_MM, 0.0, above=True, counts=(1, 2), repeat=2)
-HEIGHT = Parameter("height of a storey", MM, 0.0, 1e5)
-RATIO = Parameter("damping ratio", FRACTION, 0.0, 0.9999)
-_POSITIVE = Parameter("rotational inertia or torsional stiffness", least=0.0, above=True)
 #: Kinds of damping: the same ratio in every mode on a fixed base, or in proportion to the stiffness, with the ratio in the first one.
 MODAL, STIFFNESS_PROPORTIONAL = "modal", "stiffness"
 DAMPING_KINDS = (STIFFNESS_PROPORTIONAL, MODAL)
+#: A place in the plan.
+PLACE = Parameter("place in the plan", METRE, -1e4, 1e4, counts=(2,), option=False, vary=False)
 
 
-@dataclass(frozen=True)
-class Storey:
+def place_parameter(words: str, absent: str) -> Parameter:
+    """Return the parameter of a place in the plan, with what it is where it is not given."""
+    return Parameter(words, METRE, -1e4, 1e4, option=False, vary=False, absent=absent)
+
+
+@declared
+class Storey(Declared):
     """A storey and the floor on top of it.
 
     Parameters
     ----------
-    mass
-        Of the floor [t].
     stiffness
         In x and in y [N/mm]; one number is that of both.
-    height
-        From the floor below [mm].
-    torsional_stiffness
-        About the vertical axis through the centre of stiffness [N mm]; None for walls and columns that are spread evenly over the sides.
-    inertia
-        Of the floor about its centre of mass [t mm2]; None for a mass that is spread evenly over the sides.
-    centre, stiffness_centre
-        Of mass and of stiffness [mm]; None for that of the building, and for the middle of the sides.
     """
 
-    mass: float
-    stiffness: tuple[float, float] | float
-    height: float = 0.0
-    torsional_stiffness: float | None = None
-    inertia: float | None = None
-    centre: tuple[float, float] | None = None
-    stiffness_centre: tuple[float, float] | None = None
+    noun = "a storey"
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "mass", MASS.checked(self.mass, "Storey: mass"))
-        object.__setattr__(self, "stiffness", STIFFNESS.checked(self.stiffness, "Storey: stiffness"))
-        object.__setattr__(self, "height", HEIGHT.checked(self.height, "Storey: height"))
-        for name in ("torsional_stiffness", "inertia"):
-            if (value := getattr(self, name)) is not None:
-                object.__setattr__(self, name, _POSITIVE.checked(value, f"Storey: {name}"))
+    mass: Annotated[float, Parameter("mass of the floor", TONNE, 0.0, above=True)]
+    stiffness: Annotated[
+        tuple[float, ...] | float,
+        Parameter("stiffness in x and in y", KN_PER_MM, 0.0, above=True, counts=(1, 2), repeat=2),
+    ]
+    height: Annotated[float, Parameter("height from the floor below", METRE, 0.0, 100.0)] = 0.0
+    torsional_stiffness: Annotated[
+        float | None,
+        Parameter(
+            "stiffness against rotation about the centre of stiffness", KN_M, 0.0, above=True,
+            absent="walls and columns are spread evenly over the sides",
+        ),
+    ] = None  # fmt: skip
+    inertia: Annotated[
+        float | None,
+        Parameter(
+            "rotational inertia about the centre of mass", TONNE_M2, 0.0, above=True,
+            absent="the mass is spread evenly over the sides",
+        ),
+    ] = None  # fmt: skip
+    centre: Annotated[
+        tuple[float, float] | None, place_parameter("centre of mass", "that of the building")
+    ] = None
+    stiffness_centre: Annotated[
+        tuple[float, float] | None, place_parameter("centre of stiffness", "the centre of the slab")
+    ] = None
 
     @property
     def stiffnesses(self) -> tuple[float, float]:
         """Stiffness in x and y [N/mm]."""
         one = self.stiffness
-        return one if isinstance(one, tuple) else (one, one)
+        return (one[0], one[-1]) if isinstance(one, tuple) else (one, one)
+
+    def stiffened(self, factor: float) -> "Storey":
+        """Return the storey with all stiffnesses times a factor."""
+        twist = self.torsional_stiffness
+        return replace(
+            self,
+            stiffness=tuple(factor * one for one in self.stiffnesses),
+            torsional_stiffness=None if twist is None else factor * twist,
+        )
 
 
 @dataclass(frozen=True)
@@ -143,9 +158,6 @@ def superstructure(
     ratio, kind
         Of the damping.
     """
-    if kind not in DAMPING_KINDS:
-        msg = f"The damping must be one of {', '.join(DAMPING_KINDS)}, not {kind!r}."
-        raise InputError(msg)
     count = len(storeys)
     mass, stiffness = np.zeros((3 * count, 3 * count)), np.zeros((3 * count, 3 * count))
     for j, one in enumerate(storeys):

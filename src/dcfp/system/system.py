@@ -11,6 +11,7 @@ from dcfp.schema.declared import build, described, parameters, read_table
 from dcfp.schema.notebook import fields_card
 from dcfp.schema.parameters import Parameter, refuse_other, table_in, unknown
 from dcfp.schema.reading import read_toml
+from dcfp.schema.toml_places import inside
 from dcfp.schema.units import NONE
 from dcfp.system.bearing import LI_2020, Bearing
 from dcfp.system.friction import FRICTION_LAWS, FrictionLaw, Li2020
@@ -107,10 +108,11 @@ class System:
         rest = {key: value for key, value in content.items() if key not in tables}
         values = read_table(Bearing, rest, where, also=("friction", "heating"))
         law = friction_law(
-            tables["friction"].pop("law", Li2020.name), tables["friction"], f"{where}: [friction]"
+            tables["friction"].pop("law", Li2020.name), tables["friction"], inside(where, "friction")
         )
-        kind = HEATINGS.find(tables["heating"].pop("model", usual), f"{where}: [heating]")
-        heating = kind.from_table(tables["heating"], f"{where}: [heating]")
+        of_heating = inside(where, "heating")
+        kind = HEATINGS.find(tables["heating"].pop("model", usual), of_heating)
+        heating = kind.from_table(tables["heating"], of_heating)
         bearing = build(LI_2020.changed, values, where)
         return cls(replace(bearing, name=values.get("name", name or LI_2020.name)), law, heating)
 
