@@ -1,0 +1,97 @@
+"""What a building on its bearings is made of after an analysis: its histories as the kernels leave them, and the motion of the slab."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from dcfp.analysis.plan.model import PlanModel
+from dcfp.arrays import FloatArray, freeze
+from dcfp.kernels import plan_integrate as k
+from dcfp.motion.station import Station
+from dcfp.system.plan import Plan
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class SlabResponse:
+    """Motion of the slab, and the force of all bearings on it.
+
+    Attributes
+    ----------
+    plan, motion
+        What was shaken by what.
+    time
+        Of the histories [s], shape (n,).
+    ground_acceleration
+        Shape (n, 2) [mm/s2].
+    weight_ratio
+        Weight with the vertical acceleration over that at rest, shape (n,).
+    elapsed
+        Computing time with set-up [s].
+    """
+
+    plan: Plan
+    motion: Station
+    time: FloatArray
+    ground_acceleration: FloatArray
+    weight_ratio: FloatArray
+    lines: FloatArray
+    modes: NDArray[np.complex128]
+    kept: FloatArray
+    model: PlanModel
+    tallies: FloatArray
+    elapsed: float
+
+    @property
+    def slab_motion(self) -> FloatArray:
+        """Displacement x, y [mm] and rotation [rad] of the slab at the centre of mass, shape (n, 3)."""
+        return self.lines[:, :3]
+
+    @property
+    def slab_velocity(self) -> FloatArray:
+        """Velocity of the slab at the centre of mass [mm/s, mm/s, rad/s], shape (n, 3)."""
+        return self.lines[:, 3:6]
+
+    @property
+    def peak_displacement(self) -> float:
+        """Largest displacement of the centre of mass [mm]."""
+        return float(self.model.kernel.watched[0, 2])
+
+    @property
+    def corner_displacements(self) -> FloatArray:
+        """Largest displacement of each corner of the slab [mm], shape (4,)."""
+        return freeze(self.model.kernel.watched[1:, 2])
+
+    @property
+    def peak_corner_displacement(self) -> float:
+        """Largest displacement of any corner [mm]."""
+        return float(self.corner_displacements.max())
+
+    @property
+    def peak_rotation(self) -> float:
+        """Largest rotation of the slab [rad]."""
+        return float(np.abs(self.slab_motion[:, 2]).max())
+
+    def displacement_at(self, place: tuple[float, float]) -> FloatArray:
+        """Return the displacement of a point of the slab [mm], shape (n, 2); `place` in the plan [mm]."""
+        x, y = np.subtract(place, self.plan.mass_centre)
+        turn = self.slab_motion[:, 2]
+        return np.column_stack((self.slab_motion[:, 0] - turn * y, self.slab_motion[:, 1] + turn * x))
+
+    @cached_property
+    def base_shear(self) -> FloatArray:
+        """Force of all bearings on the slab against its displacement, x, y [N] and torque about the centre of mass [N mm], shape (n, 3)."""
+        of_friction = self.lines[:, k.LINE_FRICTION : k.LINE_FRICTION + 3]
+        of_loads = self.lines[:, k.LINE_LIFTING : k.LINE_LIFTING + 3]
+        return freeze(self.slab_motion @ self.model.kernel.stiffness.T + of_friction + of_loads)
+
+    @property
+    def peak_base_shear(self) -> float:
+        """Largest resultant of the base shear [N]."""
+        return float(np.hypot(*self.base_shear[:, :2].T).max())
+
+    @property
+    def overturning(self) -> FloatArray:
+        """Moments on the loads of the bearings that press where X and where Y are large [N mm], shape (n, 2)."""
+        return self.lines[:, k.LINE_TIPPING : k.LINE_TIPPING + 2]
