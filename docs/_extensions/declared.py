@@ -19,6 +19,8 @@ from dcfp.study.factors import catalogue
 from dcfp.system import Bearing
 from dcfp.system.friction import FRICTION_LAWS
 from dcfp.system.heating import HEATINGS
+from dcfp.system.plan import Plan
+from dcfp.system.storeys import Storey
 
 
 def sources() -> dict[str, Mapping[str, Parameter]]:
@@ -26,6 +28,8 @@ def sources() -> dict[str, Mapping[str, Parameter]]:
     return {
         "factors": catalogue(),
         "bearing": _of(Bearing),
+        "building": _of(Plan),
+        "storey": _of(Storey),
         **{f"friction {name}": _of(law) for name, law in FRICTION_LAWS.items()},
         **{f"heating {name}": _of(model) for name, model in HEATINGS.items()},
     }

@@ -4,6 +4,8 @@ from .analysis import Response as Response
 from .analysis import respond as respond
 from .analysis.building import ShearBuilding as ShearBuilding
 from .analysis.building import respond_building as respond_building
+from .analysis.plan import PlanResponse as PlanResponse
+from .analysis.plan import respond_plan as respond_plan
 from .analysis.rig import Loops as Loops
 from .analysis.rig import Program as Program
 from .analysis.rig import load_program as load_program
@@ -41,4 +43,7 @@ from .system import SimplifiedHeating as SimplifiedHeating
 from .system import System as System
 from .system import UserFriction as UserFriction
 from .system import read_bearing as read_bearing
+from .system.plan import Plan as Plan
+from .system.project import read_plan as read_plan
+from .system.storeys import Storey as Storey
 from .version import version as version

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dcfp.analysis.plane_fields import Fields
-from dcfp.analysis.result import Result
+from dcfp.analysis.result import HistoryResult, Result
 from dcfp.arrays import FloatArray, freeze
 
 if TYPE_CHECKING:
@@ -86,7 +86,7 @@ class PlaneResult(Result):
         return 0.0
 
 
-def add_directions(kind: type[PlaneResult], **sources: str) -> None:
+def add_directions(kind: type[HistoryResult], **sources: str) -> None:
     """Give a kind of result the histories ``NAME_x`` and ``NAME_y``, each the column of an attribute of shape (n, 2)."""
     for name, source in sources.items():
         for place, direction in enumerate(("x", "y")):
@@ -94,7 +94,7 @@ def add_directions(kind: type[PlaneResult], **sources: str) -> None:
 
 
 def _column(source: str, place: int) -> property:
-    def one(self: PlaneResult) -> FloatArray:
+    def one(self: HistoryResult) -> FloatArray:
         values: FloatArray = getattr(self, source)
         return values[:, place]
 

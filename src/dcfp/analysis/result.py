@@ -93,15 +93,11 @@ def equivalent_velocity(energy: float, mass: float) -> float:
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Result(ABC):
-    """Histories over ``time`` [s] of a system, shape (n,), with the computing time [s], and what is told of them.
+class HistoryResult(ABC):
+    """Histories over ``time`` [s], with the computing time [s], and what is told of them.
 
     Attributes
     ----------
-    lines
-        What the kernels wrote, a row for each time; it ends with `columns` and the temperatures of the plates.
-    profiles
-        Temperature along the plates, where it was kept.
     quantities, histories
         What is told of such a result, and its histories over time, by name.
     dimensions
@@ -111,13 +107,9 @@ class Result(ABC):
     quantities: ClassVar[Quantities]
     histories: ClassVar[Quantities]
     dimensions: ClassVar[Mapping[str, str]] = {}
-    columns: ClassVar[tuple[str, ...]]
 
-    system: System
     time: FloatArray
-    lines: FloatArray
     elapsed: float
-    profiles: Profiles | None = None
 
     @property
     @abstractmethod
@@ -128,6 +120,101 @@ class Result(ABC):
     @abstractmethod
     def title(self) -> str:
         """What it is, in words."""
+
+    @property
+    @abstractmethod
+    def remarks(self) -> tuple[str, ...]:
+        """Sentences that a reader must know."""
+
+    def history(self, name: str) -> FloatArray:
+        """Return a history over time by its name, in the units of the package.
+
+        Raises
+        ------
+        InputError
+            If there is none of that name.
+        """
+        if name not in self.histories:
+            msg = unknown(name, self.histories, "history")
+            raise InputError(msg)
+        return self.histories[name].of(self)
+
+    def summary(self) -> dict[str, Any]:
+        """Return what is told of it with units in the names, ready for JSON."""
+        return {one.key: one.datum(self) for one in self.quantities.values() if one.stored}
+
+    def to_dataset(self) -> "xarray.Dataset":
+        """Return histories over ``time`` with their units, and what is told of it and its provenance as attributes."""
+        import xarray  # late: it takes long to import
+
+        variables = {
+            name: (
+                ("time", self.dimensions[name]) if name in self.dimensions else "time",
+                np.array(one.of(self)),
+                one.attributes,
+            )
+            for name, one in self.histories.items()
+        }
+        coordinates = {"time": ("time", np.array(self.time), quantity("time").attributes)}
+        return xarray.Dataset(variables, coords=coordinates, attrs=self._provenance())
+
+    def to_dataframe(self) -> "pd.DataFrame":
+        """Return the histories that have one value for each time as columns of a table over ``time``."""
+        names = [name for name in self.histories if name not in self.dimensions]
+        return self.to_dataset()[names].to_dataframe()
+
+    def plot(self, **options: Any) -> "Figure":
+        """Draw it on a figure; what can be chosen, the function of `dcfp.present.figures` for such a result says."""
+        return resolve_name(_FIGURE)(self, **options)
+
+    def _provenance(self) -> dict[str, Any]:
+        return {
+            "Conventions": "CF-1.11",
+            "title": self.title,
+            "source": f"dcfp {version()}",
+            # NetCDF knows no truth values
+            **{
+                key: int(value) if isinstance(value, bool) else value
+                for key, value in self.attributes.items()
+            },
+            "remarks": " ".join(self.remarks),
+        }
+
+    @property
+    def attributes(self) -> dict[str, Any]:
+        """What a data set says of it besides its system."""
+        return self.summary()
+
+    def __repr__(self) -> str:
+        numbers = ", ".join(
+            f"{one.title} {one.text(self)} {one.shown.text if one.shown.has_dimension else ''}".strip()
+            for one in self.quantities.values()
+            if one.printed and one.is_number
+        )
+        lines = textwrap.wrap(numbers, _WIDTH, initial_indent="  ", subsequent_indent="  ")
+        return "\n".join([self.title, *lines])
+
+    def _repr_html_(self) -> str:
+        return card(self.title, told(self.quantities.values(), self), remarks=self.remarks)
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Result(HistoryResult):
+    """Histories over ``time`` [s] of a system, shape (n,), with the computing time [s], and what is told of them.
+
+    Attributes
+    ----------
+    lines
+        What the kernels wrote, a row for each time; it ends with `columns` and the temperatures of the plates.
+    profiles
+        Temperature along the plates, where it was kept.
+    """
+
+    columns: ClassVar[tuple[str, ...]]
+
+    system: System
+    lines: FloatArray
+    profiles: Profiles | None = None
 
     @property
     def bearing(self) -> Bearing:
@@ -235,81 +322,19 @@ class Result(ABC):
         """Sentences that a reader must know."""
         return tuple(one.remark for one in self.checks if one.remark)
 
-    def history(self, name: str) -> FloatArray:
-        """Return a history over time by its name, in the units of the package.
-
-        Raises
-        ------
-        InputError
-            If there is none of that name.
-        """
-        if name not in self.histories:
-            msg = unknown(name, self.histories, "history")
-            raise InputError(msg)
-        return self.histories[name].of(self)
-
-    def summary(self) -> dict[str, Any]:
-        """Return what is told of it with units in the names, ready for JSON."""
-        return {one.key: one.datum(self) for one in self.quantities.values() if one.stored}
-
     def to_dataset(self) -> "xarray.Dataset":
-        """Return histories over ``time`` with their units, and what is told of it and its provenance as attributes."""
-        import xarray  # late: it takes long to import
-
-        variables = {
-            name: (
-                ("time", self.dimensions[name]) if name in self.dimensions else "time",
-                np.array(one.of(self)),
-                one.attributes,
-            )
-            for name, one in self.histories.items()
-        }
-        coordinates = {"time": ("time", np.array(self.time), quantity("time").attributes)}
-        dataset = xarray.Dataset(variables, coords=coordinates, attrs=self._provenance())
+        """Return histories over ``time`` with their units, the temperature along the plates where it was kept, and what is told of it and its provenance as attributes."""
+        dataset = super().to_dataset()
         return dataset if self.profiles is None else dataset.merge(profile_variables(self.profiles))
 
-    def to_dataframe(self) -> "pd.DataFrame":
-        """Return the histories that have one value for each time as columns of a table over ``time``."""
-        names = [name for name in self.histories if name not in self.dimensions]
-        return self.to_dataset()[names].to_dataframe()
-
-    def plot(self, **options: Any) -> "Figure":
-        """Draw it on a figure; what can be chosen, the function of `dcfp.present.figures` for such a result says."""
-        return resolve_name(_FIGURE)(self, **options)
-
     def _provenance(self) -> dict[str, Any]:
-        return {
-            "Conventions": "CF-1.11",
+        return super()._provenance() | {
             "title": f"{self.title}, {self.bearing.name}",
-            "source": f"dcfp {version()}",
             "references": "\n".join(citations_of(self.friction_law.citation, "li_2020")),
-            # NetCDF knows no truth values
-            **{
-                key: int(value) if isinstance(value, bool) else value
-                for key, value in self.attributes.items()
-            },
             "bearing": json.dumps(asdict(self.bearing)),
             "friction_law": repr(self.friction_law),
             "heating_model": repr(self.heating),
-            "remarks": " ".join(self.remarks),
         }
-
-    @property
-    def attributes(self) -> dict[str, Any]:
-        """What a data set says of it besides its system."""
-        return self.summary()
-
-    def __repr__(self) -> str:
-        numbers = ", ".join(
-            f"{one.title} {one.text(self)} {one.shown.text if one.shown.has_dimension else ''}".strip()
-            for one in self.quantities.values()
-            if one.printed and one.is_number
-        )
-        lines = textwrap.wrap(numbers, _WIDTH, initial_indent="  ", subsequent_indent="  ")
-        return "\n".join([self.title, *lines])
-
-    def _repr_html_(self) -> str:
-        return card(self.title, told(self.quantities.values(), self), remarks=self.remarks)
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)

@@ -295,6 +295,36 @@ class Plan(Declared):
             self.damping_kind,
         )
 
+    @property
+    def without_accident(self) -> "Plan":
+        """The plan without accidental eccentricity; given loads stay as they are."""
+        return replace(self, eccentricity=(0.0, 0.0))
+
+    @property
+    def rigid(self) -> "Plan":
+        """The plan with a rigid structure of the same mass, inertia and height of its centre of mass."""
+        if not self.storeys:
+            return self
+        structure = self.structure
+        floors = structure.rigid.T @ structure.mass @ structure.rigid
+        above = math.fsum(one.mass * h for one, h in zip(self.storeys, structure.heights, strict=True))
+        return replace(
+            self,
+            storeys=(),
+            inertia=self.slab_inertia + float(floors[2, 2]),
+            height=(self.slab_mass * self.height + above) / self.total_mass,
+        )
+
+    def with_softer_springs(self, factor: float) -> "Plan":
+        """Return the plan with kf of every type over a factor."""
+        types = tuple(
+            replace(
+                one, bearing=one.bearing.changed(elastic_stiffness=one.bearing.elastic_stiffness / factor)
+            )
+            for one in self.systems
+        )
+        return replace(self, types=types)
+
     def with_first_period(self, period: float) -> "Plan":
         """Return the plan with all storeys' stiffnesses times one factor, so that the first period on a fixed base is this [s]."""
         factor = (float(self.structure.periods[0]) / period) ** 2

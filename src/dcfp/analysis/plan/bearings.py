@@ -39,10 +39,15 @@ class BearingsResponse(SlabResponse):
         first = 1.0 - second
         return first * self.kept[:, :, b.TEMPERATURE] + second * self.kept[:, :, b.TEMPERATURE + 1]
 
+    @property
+    def bearing_elongation(self) -> FloatArray:
+        """Elongation of spring (b) of each bearing [mm], shape (n, bearings, 2)."""
+        return self.kept[:, :, [b.E_X, b.E_Y]]
+
     @cached_property
     def bearing_force(self) -> FloatArray:
         """Horizontal force of each bearing against its displacement [N], shape (n, bearings, 2)."""
-        spring = self.plan.elastic_stiffnesses[:, np.newaxis] * self.kept[:, :, [b.E_X, b.E_Y]]
+        spring = self.plan.elastic_stiffnesses[:, np.newaxis] * self.bearing_elongation
         pendulum = (self.bearing_load / self.plan.radii)[:, :, np.newaxis] * self.bearing_displacement
         return freeze(spring + pendulum)
 
@@ -70,6 +75,21 @@ class BearingsResponse(SlabResponse):
         return self._bearing_peak(b.HOTTEST)
 
     @property
+    def hottest(self) -> float:
+        """Highest temperature of the contact of any bearing [degC]."""
+        return float(self.peak_temperature.max())
+
+    @property
+    def least_load_of_all(self) -> float:
+        """Smallest load of any bearing [N]."""
+        return float(self.least_load.min())
+
+    @property
+    def largest_load_of_all(self) -> float:
+        """Largest load of any bearing [N]."""
+        return float(self.largest_load.max())
+
+    @property
     def travel(self) -> FloatArray:
         """Length of the path over which each bearing has slid [mm], shape (bearings,)."""
         return self._bearing_peak(b.TRAVEL)
@@ -78,3 +98,8 @@ class BearingsResponse(SlabResponse):
     def uplift_time(self) -> FloatArray:
         """Time for which each bearing has carried nothing [s], shape (bearings,)."""
         return self._bearing_peak(b.LIFTED)
+
+    @property
+    def uplift(self) -> bool:
+        """Whether a bearing ever lifts off."""
+        return bool(self.uplift_time.max() > 0.0)

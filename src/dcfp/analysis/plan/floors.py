@@ -61,7 +61,7 @@ class FloorsResponse(SlabResponse):
         floors = self._accelerated(forces) if plan.storeys else forces
         return freeze(np.concatenate((slab[:, np.newaxis], floors), axis=1))
 
-    @property
+    @cached_property
     def peak_floor_acceleration(self) -> FloatArray:
         """Largest absolute acceleration of slab and floors on the axis through the centre of mass [mm/s2], shape (floors + 1,): of floors also between the samples."""
         slab = np.hypot(*self.floor_acceleration[:, 0, :2].T).max(keepdims=True)
@@ -88,10 +88,17 @@ class FloorsResponse(SlabResponse):
         """Drift of each storey on the axis through the centre of mass, x, y [mm] and rotation, from below, shape (n, storeys, 3)."""
         return freeze(np.diff(self.floor_displacement, axis=1))
 
-    @property
+    @cached_property
     def peak_drift(self) -> FloatArray:
         """Largest drift of each storey on the axis through the centre of mass [mm], from below, shape (storeys,), also between the samples."""
         return freeze(_largest(self.drift, np.diff(self.floor_velocity, axis=1), float(self.time[1])))
+
+    @property
+    def drift_ratios(self) -> list[float | None]:
+        """Largest drift of each storey over its height, from below [-]; None where that is not given."""
+        heights = [one.height for one in self.plan.storeys]
+        drifts = self.peak_drift.tolist()
+        return [drift / h if h > 0.0 else None for drift, h in zip(drifts, heights, strict=True)]
 
 
 def _largest(values: FloatArray, slopes: FloatArray, interval: float) -> FloatArray:

@@ -7,7 +7,7 @@ import numpy as np
 
 from dcfp.analysis.integration import DEFAULT, LONGEST_STEP, Integration, halvings
 from dcfp.analysis.plan.model import PlanModel, plan_model
-from dcfp.analysis.plan.response import PlanResponse
+from dcfp.analysis.plan.response import REST, PlanResponse
 from dcfp.analysis.plane_history import PART_OF_PERIOD, TOLERANCE
 from dcfp.arrays import FloatArray, first_rows, freeze
 from dcfp.constants import STANDARD_GRAVITY
@@ -20,9 +20,6 @@ from dcfp.motion.ground_motion import parts_in, refined, with_tail
 from dcfp.motion.station import Station
 from dcfp.system import PreciseHeating
 from dcfp.system.plan import Plan
-
-#: Time without any slip after which a building is at rest [s].
-REST = 5.0
 
 
 def respond_plan(
@@ -116,6 +113,7 @@ def respond_plan(
         kept=first_rows(kept, count),
         model=model,
         tallies=freeze(tallies),
+        overturning_counts=overturning,
         elapsed=time.perf_counter() - began,
     )
 

@@ -1,18 +1,110 @@
 """The result of an analysis of an isolated building: slab, bearings, floors and energies."""
 
+from collections.abc import Mapping
+from dataclasses import replace
 from functools import cached_property
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
+from dcfp.analysis.plan import quantities as told
 from dcfp.analysis.plan.bearings import BearingsResponse
 from dcfp.analysis.plan.floors import FloorsResponse
-from dcfp.analysis.result import EnergyBalance
+from dcfp.analysis.plan.remarks import remarks_of
+from dcfp.analysis.plane_result import add_directions
+from dcfp.analysis.response import Status
+from dcfp.analysis.result import EnergyBalance, equivalent_velocity
 from dcfp.arrays import integral
 from dcfp.kernels import plan_integrate as k
+from dcfp.schema.quantities import Quantities
+
+if TYPE_CHECKING:
+    import xarray
+
+#: Time without any slip after which a building is at rest [s].
+REST = 5.0
 
 
 class PlanResponse(BearingsResponse, FloorsResponse):
     """Histories, peaks and energies of a building on many bearings."""
+
+    quantities: ClassVar[Quantities] = told.PLAN_PEAKS
+    histories: ClassVar[Quantities] = told.PLAN_HISTORIES
+    dimensions: ClassVar[Mapping[str, str]] = told.DIMENSIONS
+
+    @property
+    def name(self) -> str:
+        """Name of the ground motion."""
+        return self.motion.name
+
+    @property
+    def title(self) -> str:
+        """What it is, in words."""
+        return f"{self.plan.name} under {self.motion.name}"
+
+    @property
+    def laws(self) -> str:
+        """Names of the friction laws."""
+        return ", ".join(dict.fromkeys(one.friction.name for one in self.plan.systems))
+
+    @property
+    def heatings(self) -> str:
+        """Names of the heating models."""
+        return ", ".join(dict.fromkeys(one.heating.name for one in self.plan.systems))
+
+    @property
+    def damping_words(self) -> str:
+        """Damping of the storeys, without which no result of a floor is to be told."""
+        plan = self.plan
+        if not plan.storeys:
+            return "none: rigid"
+        kinds = {"modal": "in every mode on a fixed base", "stiffness": "in the first mode on a fixed base, proportional to the stiffness"}  # fmt: skip
+        return f"{100.0 * plan.damping:g} % {kinds[plan.damping_kind]}"
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """Sentences that a reader must know."""
+        return remarks_of(self)
+
+    @property
+    def attributes(self) -> dict[str, Any]:
+        """What a data set says of it."""
+        return {one.key: one.datum(self) for one in self.quantities.values() if one.stored and one.flat}
+
+    def to_dataset(self) -> "xarray.Dataset":
+        """Return histories over ``time``, ``bearing``, ``level`` and ``storey`` with their units, the peaks of bearings and levels, and what is told of it as attributes."""
+        bearings, levels = (
+            replace(one, columns=one.columns[1:])
+            for one in (told.bearing_table(self), told.level_table(self))
+        )
+        storeys = len(self.plan.storeys)
+        of_bearings = bearings.dataset("bearing").rename(
+            {one.title: f"bearing_{one.title}" for one in bearings.flat}
+        )
+        of_levels = levels.dataset("level").rename({one.title: f"level_{one.title}" for one in levels.flat})
+        whole = super().to_dataset().merge(of_bearings).merge(of_levels)
+        return whole.assign_coords(
+            bearing=range(1, self.plan.count + 1), level=range(storeys + 1), storey=range(1, storeys + 1)
+        )
+
+    @property
+    def rests(self) -> bool:
+        """Whether it has come to rest."""
+        return float(self.time[-1] - self.tallies[k.LAST_SLIP]) > REST
+
+    @property
+    def status(self) -> Status:
+        """How the analysis ended; the capacity is that of every bearing."""
+        beyond = any(
+            one.bearing.displacement_capacity is not None and furthest > one.bearing.displacement_capacity
+            for one, furthest in zip(self.plan.systems, self.peak_bearing_displacement, strict=True)
+        )
+        return Status.BEYOND_CAPACITY if beyond else Status.OK if self.rests else Status.STILL_MOVING
+
+    @property
+    def residual_displacement(self) -> float:
+        """Displacement of the centre of mass when the last elastic oscillation has died away [mm]."""
+        return float(np.hypot(*told.residual_displacement(self)))
 
     @cached_property
     def energy(self) -> EnergyBalance:
@@ -39,6 +131,16 @@ class PlanResponse(BearingsResponse, FloorsResponse):
         )
 
     @property
+    def input_velocity(self) -> float:
+        """Equivalent velocity V_E of the input energy at the end, with the mass of the building [mm/s]."""
+        return equivalent_velocity(float(self.energy.input[-1]), self.plan.total_mass)
+
+    @property
+    def hysteretic_velocity(self) -> float:
+        """Equivalent velocity V_Eh of the hysteretic energy at the end [mm/s]."""
+        return equivalent_velocity(float(self.energy.hysteretic[-1]), self.plan.total_mass)
+
+    @property
     def slip_work(self) -> float:
         """Sum of mu N times the slip of all bearings [N mm], which the hysteretic energy of the balance equals but for the error of the steps."""
         return float(self.tallies[k.RUBBED])
@@ -47,3 +149,12 @@ class PlanResponse(BearingsResponse, FloorsResponse):
     def steps(self) -> int:
         """Number of steps."""
         return int(self.tallies[k.STEPS])
+
+
+add_directions(
+    PlanResponse,
+    ground_acceleration="ground_acceleration",
+    displacement="slab_motion",
+    velocity="slab_velocity",
+    force="base_shear",
+)

@@ -7,6 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.analysis.plan.model import PlanModel
+from dcfp.analysis.plane_response import largest_change
+from dcfp.analysis.result import HistoryResult
 from dcfp.arrays import FloatArray, freeze
 from dcfp.kernels import plan_integrate as k
 from dcfp.motion.station import Station
@@ -14,26 +16,23 @@ from dcfp.system.plan import Plan
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class SlabResponse:
+class SlabResponse(HistoryResult):
     """Motion of the slab, and the force of all bearings on it.
 
     Attributes
     ----------
     plan, motion
         What was shaken by what.
-    time
-        Of the histories [s], shape (n,).
     ground_acceleration
         Shape (n, 2) [mm/s2].
     weight_ratio
         Weight with the vertical acceleration over that at rest, shape (n,).
-    elapsed
-        Computing time with set-up [s].
+    overturning_counts
+        Whether the loads of the bearings follow the overturning moment.
     """
 
     plan: Plan
     motion: Station
-    time: FloatArray
     ground_acceleration: FloatArray
     weight_ratio: FloatArray
     lines: FloatArray
@@ -41,7 +40,7 @@ class SlabResponse:
     kept: FloatArray
     model: PlanModel
     tallies: FloatArray
-    elapsed: float
+    overturning_counts: bool = True
 
     @property
     def slab_motion(self) -> FloatArray:
@@ -52,6 +51,64 @@ class SlabResponse:
     def slab_velocity(self) -> FloatArray:
         """Velocity of the slab at the centre of mass [mm/s, mm/s, rad/s], shape (n, 3)."""
         return self.lines[:, 3:6]
+
+    @property
+    def displacement(self) -> FloatArray:
+        """Distance of the centre of mass from where it was [mm]."""
+        return np.hypot(self.slab_motion[:, 0], self.slab_motion[:, 1])
+
+    @property
+    def rotation(self) -> FloatArray:
+        """Rotation of the slab [rad]."""
+        return self.slab_motion[:, 2]
+
+    @property
+    def peak_displacement_x(self) -> float:
+        """Largest displacement of the centre of mass in direction x at the samples [mm]."""
+        return float(np.abs(self.slab_motion[:, 0]).max())
+
+    @property
+    def peak_displacement_y(self) -> float:
+        """Largest displacement of the centre of mass in direction y at the samples [mm]."""
+        return float(np.abs(self.slab_motion[:, 1]).max())
+
+    @cached_property
+    def peak_change(self) -> float:
+        """Largest change of displacement of the centre of mass between two successive peaks in any direction [mm]."""
+        centre, rate = (np.ascontiguousarray(one[:, :2]) for one in (self.slab_motion, self.slab_velocity))
+        return largest_change(centre, rate, float(self.time[1]))
+
+    @property
+    def peak_velocity(self) -> float:
+        """Largest relative velocity of the centre of mass at the samples [mm/s]."""
+        return float(np.hypot(*self.slab_velocity[:, :2].T).max())
+
+    @property
+    def corner_ratio(self) -> float | None:
+        """Largest displacement of a corner over that of the centre of mass [-]."""
+        return (
+            self.peak_corner_displacement / self.peak_displacement if self.peak_displacement > 0.0 else None
+        )
+
+    @property
+    def force_ratio(self) -> float:
+        """Largest base shear over the weight [-]."""
+        return self.peak_base_shear / self.plan.weight
+
+    @property
+    def torque(self) -> FloatArray:
+        """Torque of the bearings about the centre of mass [N mm]."""
+        return self.base_shear[:, 2]
+
+    @property
+    def overturning_x(self) -> FloatArray:
+        """Moment on the loads of bearings far in x [N mm]."""
+        return self.overturning[:, 0]
+
+    @property
+    def overturning_y(self) -> FloatArray:
+        """Moment on the loads of bearings far in y [N mm]."""
+        return self.overturning[:, 1]
 
     @property
     def peak_displacement(self) -> float:

@@ -1,6 +1,7 @@
-"""``dcfp building``: a shear building on the bearing, beside the rigid structure."""
+"""``dcfp building``: a project in plan, or a shear building on the bearing, beside the rigid structure."""
 
 import argparse
+from pathlib import Path
 
 from dcfp.analysis import respond
 from dcfp.analysis.building import StiffnessProportional, respond_building, uniform_building
@@ -8,6 +9,7 @@ from dcfp.analysis.building.response import BESIDE_RIGID, BesideRigid
 from dcfp.doors.cli import inputs
 from dcfp.doors.cli.console import each
 from dcfp.doors.cli.outputs import Answer
+from dcfp.errors import InputError
 from dcfp.schema.table import Table
 
 _LEGEND = (
@@ -17,7 +19,15 @@ _LEGEND = (
 
 
 def run(chosen: argparse.Namespace) -> Answer:
-    """Analyse the building and the rigid structure under every record at every PGV."""
+    """Analyse the building under every record at every PGV."""
+    if chosen.project is not None:
+        from dcfp.doors.cli import building_in_plan  # late: the other one needs none of it
+
+        return building_in_plan.run(chosen)
+    kind = Path(chosen.out or "").suffix.lower()
+    if kind == ".nc":
+        msg = f"{chosen.out}: without a project the lines of all analyses are written, as .csv."
+        raise InputError(msg)
     system = inputs.system(chosen)
     damping = StiffnessProportional(chosen.damping) if chosen.damping else None
     building = uniform_building(chosen.storeys, chosen.fixed_base_period, damping=damping)

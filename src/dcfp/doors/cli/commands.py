@@ -44,6 +44,10 @@ ROTATE = Parameter(
 PORT = Parameter("port", NONE, 1, 65535, key="port", kind=int, default=8080)
 
 
+#: Ending of the name of a project.
+PROJECT = ".toml"
+
+
 @dataclass(frozen=True)
 class Command:
     """One command.
@@ -109,16 +113,68 @@ def app(parser: Parser) -> None:
     add_switch(parser, "--no-browser", "do not open a browser")
 
 
-@command("building")
-def building(parser: Parser) -> None:
-    """Multi-storey shear building on the bearing, beside the rigid structure: energies, drifts and floor accelerations."""
-    options.add_records(parser, "+", RECORD_OR_SET)
-    group = parser.add_argument_group("building: equal storeys on a base as heavy as a floor")
+def _check_building(chosen: argparse.Namespace) -> None:
+    projects = [one for one in chosen.records if Path(one).suffix.lower() == PROJECT]
+    chosen.project = projects[0] if projects else None
+    chosen.records = [one for one in chosen.records if one not in projects]
+    if len(projects) > 1:
+        msg = f"name one project, not {' and '.join(projects)}."
+        raise InputError(msg)
+    of_project = (
+        "rotate",
+        "vertical",
+        "no_overturning",
+        "causes",
+        "floor_spectra",
+        "plot",
+        "step",
+        "tail",
+        "tolerance",
+    )
+    for name in () if projects else of_project:
+        if getattr(chosen, name) not in (None, False):
+            msg = f"--{name.replace('_', '-')} is for a building in plan; name its PROJECT.toml before the records."
+            raise InputError(msg)
     for one in BUILDING:
-        add_parameter(group, one, default=True)
+        if projects and getattr(chosen, one.key) is not None:
+            msg = f"--{one.key.replace('_', '-')} is for a building of equal storeys; {projects[0]} says what stands on the bearings."
+            raise InputError(msg)
+        if getattr(chosen, one.key) is None:
+            setattr(chosen, one.key, one.default)
+    for name in ("bearing", "pressure") if projects else ():
+        if getattr(chosen, name) is not None:
+            msg = f"--{name}: the types of bearings and their loads are those of {projects[0]}; leave the option out."
+            raise InputError(msg)
+    if chosen.causes and chosen.floor_spectra:
+        msg = "--causes and --floor-spectra answer different questions; give one of the two."
+        raise InputError(msg)
+
+
+@command("building", check=_check_building)
+def building(parser: Parser) -> None:
+    """Isolated building: PROJECT.toml with its bearings in plan and storeys, or equal storeys on the bearing of the paper, beside the rigid structure."""
+    from dcfp.analysis.integration import Integration  # late: other commands analyse nothing
+
+    words = f"PROJECT.toml, then stations: {STATION}; or without a project {RECORD_OR_SET}"
+    options.add_records(parser, "+", words)
+    group = parser.add_argument_group("without a project: equal storeys on a base as heavy as a floor")
+    for one in BUILDING:
+        add_parameter(group, one)
+    group = parser.add_argument_group("with a project")
+    add_parameter(group, ROTATE)
+    add_switch(group, "--vertical", "let the weight follow the vertical component of the station")
+    add_switch(group, "--no-overturning", "keep the loads of the bearings as they are at rest")
+    add_switch(group, "--causes", "instead: the causes of torsion and of changing loads one by one")
+    add_switch(group, "--floor-spectra", "instead: response spectra of slab and floors, also broadened")
     options.add_treatment(parser)
     options.add_bearing(parser)
-    options.add_output(parser, "a line for each analysis as CSV (.csv)")
+    add_declared(parser.add_argument_group("integration, with a project"), Integration)
+    options.add_output(
+        parser,
+        "a line for each analysis as CSV (.csv); with a project histories as NetCDF (.nc) or CSV (.csv; of several the peaks)",
+        "with a project: the plan with the paths of its bearings, and the profiles over the height,",
+        DATA_EXTENSIONS,
+    )
 
 
 def _spectra_given(chosen: argparse.Namespace) -> tuple[list[str], str]:

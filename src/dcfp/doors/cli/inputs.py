@@ -60,7 +60,11 @@ def scaled(motions: Sequence[Moved], pgvs: list[float] | None, *, allow_drift: b
 
 def system(chosen: argparse.Namespace, usual: str = SimplifiedHeating.name) -> System:
     """Return the system of the bearing file, or of Li et al. (2020), with the options put before it; `usual` is the heating model where none is said."""
-    base = System.of(chosen.bearing, usual=usual)
+    return changed_system(System.of(chosen.bearing, usual=usual), chosen)
+
+
+def changed_system(base: System, chosen: argparse.Namespace) -> System:
+    """Return a system with the options put before it."""
     options = {key: option_name(key) for key, one in system_parameters().items() if one.option}
     values = {key: value for key, name in options.items() if (value := getattr(chosen, name)) is not None}
     changed = base.changed(values) if values else base

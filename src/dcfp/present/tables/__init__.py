@@ -4,7 +4,7 @@ import csv
 import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 import numpy as np
 
@@ -12,14 +12,13 @@ from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.measures import MEASURES
 from dcfp.motion.station import Station
 from dcfp.motion.station_measures import STATION_MEASURES
-from dcfp.schema.quantities import Quantity
+from dcfp.schema.quantities import Quantities, Quantity
 from dcfp.schema.table import Table, csv_head_of, csv_text
 from dcfp.version import version
 
 if TYPE_CHECKING:
     import xarray
 
-    from dcfp.analysis.response import RigidResponse
     from dcfp.analysis.rig.virtual_test import VirtualTest
 
 REMARKS = Quantity("remarks", "what a reader must know", get="remarks", printed=False)
@@ -33,8 +32,19 @@ class Tabulated(Protocol):
         ...
 
 
+class OfMotion(Tabulated, Protocol):
+    """An analysis under a ground motion, of a structure of whatever kind."""
+
+    quantities: ClassVar[Quantities]
+
+    @property
+    def motion(self) -> GroundMotion | Station:
+        """Return the ground motion."""
+        ...
+
+
 def write_responses(
-    path: Path, responses: "Sequence[RigidResponse]", kind: str, *, alone: bool | None = None
+    path: Path, responses: Sequence[OfMotion], kind: str, *, alone: bool | None = None
 ) -> None:
     """Write analyses as ``".nc"`` or ``".csv"``: the histories of one, or the peaks of several and in NetCDF a group for each.
 
@@ -131,7 +141,7 @@ def _words(array: "xarray.DataArray") -> list[str]:
     return [str(value) for value in values.tolist()]
 
 
-def group_names(responses: "Sequence[RigidResponse]") -> list[str]:
+def group_names(responses: Sequence[OfMotion]) -> list[str]:
     """Return a name for each analysis, such as ``NCC_0.50``: the record and the PGV [m/s]."""
     return _different(
         [
