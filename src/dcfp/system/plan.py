@@ -14,6 +14,7 @@ from dcfp.errors import InputError
 from dcfp.schema.declared import Declared, declared
 from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import FRACTION, METRE, TONNE, TONNE_M2
+from dcfp.system.modes import ModeShapes
 from dcfp.system.storeys import (
     DAMPING_KINDS,
     PLACE,
@@ -51,6 +52,8 @@ class Plan(Declared):
         Of the slab's own centre of mass above the bearings [mm]: of the whole structure where there are no storeys.
     storeys
         Above the slab, from below.
+    modes
+        On a fixed base, in place of the storeys' stiffnesses, with the masses where they are without accidental eccentricity.
     damping_kind
         ``"stiffness"``: in proportion to the stiffness, with the ratio in the first mode; ``"modal"``: the same ratio in every mode.
     loads
@@ -99,6 +102,7 @@ class Plan(Declared):
         float, Parameter("height of the slab's own centre of mass above the bearings", METRE, 0.0, 1000.0)
     ] = 0.0
     storeys: tuple[Storey, ...] = ()
+    modes: ModeShapes | None = None
     damping: Annotated[
         float, Parameter("damping ratio of the storeys on a fixed base", FRACTION, 0.0, 0.9999, symbol=r"\xi")
     ] = 0.02
@@ -141,6 +145,7 @@ class Plan(Declared):
         if self.slab_mass <= 0.0:
             msg = f"The floors' masses sum to {self.floor_mass:.6g} t, and the whole building with the slab has only {self.total_mass:.6g} t."
             raise InputError(msg, at="mass")
+        self._check_stiffnesses()
         far = np.hypot(*(self.places - self.places.mean(axis=0)).T)
         outside = [i for i, place in enumerate(self.places) if not self._holds(place)]
         if outside:
@@ -154,6 +159,19 @@ class Plan(Declared):
         if self.static_loads[lightest] <= 0.0:
             msg = f"With the centre of mass at {_metres(self.mass_centre)} bearing {lightest + 1} at {_metres(self.places[lightest])} would lift off at rest."
             raise InputError(msg, at="centre")
+
+    def _check_stiffnesses(self) -> None:
+        """Refuse storeys without a stiffness, and modes of other storeys."""
+        without = [i for i, one in enumerate(self.storeys, 1) if one.stiffness is None]
+        if self.modes is None and without:
+            msg = f"Storey {without[0]} has no stiffness; give it, or the modes of the building."
+            raise InputError(msg)
+        if self.modes is not None and len(without) < len(self.storeys):
+            msg = "The stiffness of the storeys follows from the modes; leave one of the two out."
+            raise InputError(msg, at="modes")
+        if self.modes is not None and self.modes.floors != len(self.storeys):
+            msg = f"The modes are of {self.modes.floors} floors, and the building has {len(self.storeys)} storeys."
+            raise InputError(msg, at="modes")
 
     def _set(self, name: str, value: object) -> None:
         object.__setattr__(self, name, value)
@@ -239,7 +257,12 @@ class Plan(Declared):
             x, y = self.loads @ self.places / self.loads.sum()
             base = float(x), float(y)
         base = base or self.middle_of_bearings
-        x, y = np.array(base) + _turn(self.angle) @ (np.array(self.eccentricity) * np.array(self.lengths))
+        return base[0] + self._accident[0], base[1] + self._accident[1]
+
+    @property
+    def _accident(self) -> tuple[float, float]:
+        """By how much the centre of mass is moved by accident [mm]."""
+        x, y = _turn(self.angle) @ (np.array(self.eccentricity) * np.array(self.lengths))
         return float(x), float(y)
 
     @property
@@ -293,6 +316,8 @@ class Plan(Declared):
             self.angle,
             self.damping,
             self.damping_kind,
+            self.modes,
+            self._accident,
         )
 
     @property
@@ -311,6 +336,7 @@ class Plan(Declared):
         return replace(
             self,
             storeys=(),
+            modes=None,
             inertia=self.slab_inertia + float(floors[2, 2]),
             height=(self.slab_mass * self.height + above) / self.total_mass,
         )
@@ -327,6 +353,9 @@ class Plan(Declared):
 
     def with_first_period(self, period: float) -> "Plan":
         """Return the plan with all storeys' stiffnesses times one factor, so that the first period on a fixed base is this [s]."""
+        if self.modes is not None:
+            msg = "The periods are those of the modes; leave the first period out."
+            raise InputError(msg, at="fixed_base_period")
         factor = (float(self.structure.periods[0]) / period) ** 2
         return replace(self, storeys=tuple(one.stiffened(factor) for one in self.storeys))
 
@@ -345,7 +374,7 @@ class Plan(Declared):
             for one in self.storeys
         )
         return replace(
-            self, places=self.places @ turn.T, centre=there(self.centre), slab_centre=there(self.slab_centre), storeys=storeys,
+            self, modes=None if self.modes is None else self.modes.turned(turn), places=self.places @ turn.T, centre=there(self.centre), slab_centre=there(self.slab_centre), storeys=storeys,
             angle=self.angle + math.radians(angle),
         )  # fmt: skip
 

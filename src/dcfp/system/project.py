@@ -1,7 +1,7 @@
 """PROJECT.toml: an isolated building as an engineer writes it down, with its types of bearings, their places, and the storeys."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any, TypeAlias, cast
@@ -15,6 +15,7 @@ from dcfp.schema.parameters import Parameter, other, table_in, unknown
 from dcfp.schema.reading import read_toml_with_lines
 from dcfp.schema.toml_places import Place
 from dcfp.schema.units import KN, METRE, NONE, SECOND
+from dcfp.system.modes import read_modes
 from dcfp.system.plan import Plan
 from dcfp.system.storeys import Storey
 from dcfp.system.system import System
@@ -25,6 +26,7 @@ _PARTS = ("name", "bearing", "plan", "building", "storey")
 _WEIGHT = Parameter("weight", KN, 0.0, above=True, key="weight")
 _COUNT = Parameter("number of such storeys", NONE, 1, 200, key="count", kind=int)
 _PERIOD = Parameter("first period on a fixed base", SECOND, 0.01, 10.0, key="fixed_base_period")
+_MODES = Parameter("CSV file with the modes on a fixed base", key="modes", kind=str)
 _LINE = Parameter("place of a line of the grid", METRE, -1e4, 1e4)
 _SPRING = parameters(Plan)["spring"]
 
@@ -73,11 +75,11 @@ def read_plan(path: str | Path) -> Plan:
         raise InputError(msg)
     supports, spring = _supports(table_in(content, "plan", whole), whole.of("plan", label="[plan]"))
     values = _building(table_in(content, "building", whole), whole)
-    period = values.pop("fixed_base_period", None)
+    period, modes = values.pop("fixed_base_period", None), values.pop("modes", None)
     where = whole.of("building", label="[building]")
     loads = _loads(supports)
     types = _types(table_in(content, "bearing", whole, "bearing.NAME"), supports, whole)
-    storeys = _storeys(content.get("storey", []), whole)
+    storeys = _storeys(content.get("storey", []), whole, stiff=modes is None)
     if period is not None and not storeys:
         msg = f"{where.of('fixed_base_period')}: fixed_base_period is of storeys, and the project has no [[storey]]."
         raise InputError(msg)
@@ -94,20 +96,24 @@ def read_plan(path: str | Path) -> Plan:
         "storeys": storeys,
         "name": name,
     }
-    plan = _made(own, where, supports)
+    if modes is not None:
+        own["modes"] = read_modes(Path(path).parent / modes, storeys)
+    plan = _told(where, supports, lambda: Plan(**own))
     plan = replace(plan, types=_at_their_loads(plan, supports, types, whole))
-    return plan if period is None else plan.with_first_period(period)
+    return plan if period is None else _told(where, supports, lambda: plan.with_first_period(period))
 
 
-def _made(values: Mapping[str, Any], where: Place, supports: Sequence[Written]) -> Plan:
+def _told(where: Place, supports: Sequence[Written], make: Callable[[], Plan]) -> Plan:
+    """Return what is made, or tell where in the file the value stands that is complained of."""
     try:
-        return Plan(**values)
+        return make()
     except InputError as error:
         key, _, number = error.at.partition(" ")
-        place: str = (
-            where.of("weight" if key == "mass" and "weight" in where.below else key) if key else where
-        )
-        msg = f"{supports[int(number)][1] if number else place}: {error}"
+        key = "weight" if key == "mass" and "weight" in where.below else key
+        place: str = where.of(key) if key else where
+        if key == "places":
+            place = supports[int(number)][1]
+        msg = f"{place}: {error}"
         raise InputError(msg) from error
 
 
@@ -117,8 +123,9 @@ def _building(table: dict[str, Any], whole: Place) -> dict[str, Any]:
     if "spring" in table:
         msg = f"{where.of('spring')}: spring is of [plan]."
         raise InputError(msg)
-    also, rest = _taken(table, where, _WEIGHT, _PERIOD)
-    return _with_mass(also, read_table(Plan, rest, where, also=(_WEIGHT.key, _PERIOD.key)), where)
+    others = (_WEIGHT, _PERIOD, _MODES)
+    also, rest = _taken(table, where, *others)
+    return _with_mass(also, read_table(Plan, rest, where, also=tuple(one.key for one in others)), where)
 
 
 def _taken(
@@ -227,7 +234,8 @@ def _types(
     return found
 
 
-def _storeys(value: Any, whole: Place) -> tuple[Storey, ...]:
+def _storeys(value: Any, whole: Place, *, stiff: bool) -> tuple[Storey, ...]:
+    """Return the storeys; `stiff` ones must say their stiffness."""
     listed: list[Any] = cast("list[Any]", value) if isinstance(value, list) else [None]
     found: list[Storey] = []
     for i, one in enumerate(listed):
@@ -242,7 +250,11 @@ def _storeys(value: Any, whole: Place) -> tuple[Storey, ...]:
         if also:
             msg = f"{where.of('weight')}: give either weight or mass, not both."
             raise InputError(msg)
-        found += [Storey.from_table(rest, where)] * count
+        storey = Storey.from_table(rest, where)
+        if stiff and storey.stiffness is None:
+            msg = f"{where}: stiffness is missing: give it in x and y [kN/mm], or the modes of the building."
+            raise InputError(msg)
+        found += [storey] * count
     return tuple(found)
 
 

@@ -1,6 +1,7 @@
 """Storeys above an isolated slab: rigid floors with x, y and rotation, their modes on a fixed base, and the damping of these."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Annotated
@@ -11,6 +12,7 @@ from dcfp.arrays import FloatArray, freeze
 from dcfp.schema.declared import Declared, declared
 from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import KN_M, KN_PER_MM, METRE, TONNE, TONNE_M2
+from dcfp.system.modes import ModeShapes
 
 #: Kinds of damping: the same ratio in every mode on a fixed base, or in proportion to the stiffness, with the ratio in the first one.
 MODAL, STIFFNESS_PROPORTIONAL = "modal", "stiffness"
@@ -38,9 +40,11 @@ class Storey(Declared):
 
     mass: Annotated[float, Parameter("mass of the floor", TONNE, 0.0, above=True)]
     stiffness: Annotated[
-        tuple[float, ...] | float,
-        Parameter("stiffness in x and in y", KN_PER_MM, 0.0, above=True, counts=(1, 2), repeat=2),
-    ]
+        tuple[float, ...] | float | None,
+        Parameter(
+            "stiffness in x and in y", KN_PER_MM, 0.0, above=True, counts=(1, 2), repeat=2, absent="by the modes of the building",
+        ),
+    ] = None  # fmt: skip
     height: Annotated[float, Parameter("height from the floor below", METRE, 0.0, 100.0)] = 0.0
     torsional_stiffness: Annotated[
         float | None,
@@ -65,8 +69,8 @@ class Storey(Declared):
 
     @property
     def stiffnesses(self) -> tuple[float, float]:
-        """Stiffness in x and y [N/mm]."""
-        one = self.stiffness
+        """Stiffness in x and y [N/mm]; zero where modes say it."""
+        one = 0.0 if self.stiffness is None else self.stiffness
         return (one[0], one[-1]) if isinstance(one, tuple) else (one, one)
 
     def stiffened(self, factor: float) -> "Storey":
@@ -142,6 +146,8 @@ def superstructure(
     angle: float,
     ratio: float,
     kind: str,
+    shapes: ModeShapes | None = None,
+    accident: tuple[float, float] = (0.0, 0.0),
 ) -> Superstructure:
     """Return the superstructure of storeys from below.
 
@@ -157,24 +163,51 @@ def superstructure(
         From x to the first axis of storeys and sides [rad].
     ratio, kind
         Of the damping.
+    shapes, accident
+        Modes of which the stiffness is, in place of storeys; and by how much the centres of mass have been moved from where they are in these [mm].
     """
-    count = len(storeys)
-    mass, stiffness = np.zeros((3 * count, 3 * count)), np.zeros((3 * count, 3 * count))
-    for j, one in enumerate(storeys):
-        own = slice(3 * j, 3 * j + 3)
-        x, y = np.subtract(one.centre or centre, centre)
-        inertia = one.mass * (sides[0] ** 2 + sides[1] ** 2) / 12.0 if one.inertia is None else one.inertia
-        m = one.mass
-        mass[own, own] = [[m, 0.0, -m * y], [0.0, m, m * x], [-m * y, m * x, inertia + m * (x * x + y * y)]]
-        block = _storey_stiffness(one, sides, np.subtract(one.stiffness_centre or middle, centre), angle)
-        stiffness[own, own] += block
-        if j > 0:
-            below = slice(3 * j - 3, 3 * j)
-            stiffness[below, below] += block
-            stiffness[own, below] -= block
-            stiffness[below, own] -= block
+    places = [np.subtract(one.centre or centre, centre) for one in storeys]
+    mass = _masses(storeys, sides, places)
+    if shapes is not None:
+        nominal = [
+            np.subtract(one, accident if storey.centre is None else 0.0)
+            for one, storey in zip(places, storeys, strict=True)
+        ]
+        stiffness = shapes.stiffness(_masses(storeys, sides, nominal), nominal)
+    else:
+        middles = [np.subtract(one.stiffness_centre or middle, centre) for one in storeys]
+        stiffness = _stiffnesses(
+            [_storey_stiffness(one, sides, away, angle) for one, away in zip(storeys, middles, strict=True)]
+        )
     heights = np.cumsum([one.height for one in storeys])
     return Superstructure(mass, stiffness, np.asarray(heights, dtype=np.float64), ratio, kind)
+
+
+def _masses(
+    storeys: tuple[Storey, ...], sides: tuple[float, float], places: Sequence[FloatArray]
+) -> FloatArray:
+    """Return the mass matrix of floors whose centres of mass lie at `places` from the origin."""
+    found = np.zeros((3 * len(storeys), 3 * len(storeys)))
+    for j, (one, (x, y)) in enumerate(zip(storeys, places, strict=True)):
+        own = slice(3 * j, 3 * j + 3)
+        inertia = one.mass * (sides[0] ** 2 + sides[1] ** 2) / 12.0 if one.inertia is None else one.inertia
+        m = one.mass
+        found[own, own] = [[m, 0.0, -m * y], [0.0, m, m * x], [-m * y, m * x, inertia + m * (x * x + y * y)]]
+    return found
+
+
+def _stiffnesses(blocks: Sequence[FloatArray]) -> FloatArray:
+    """Return the stiffness matrix of storeys whose own ones are `blocks`, from below."""
+    found = np.zeros((3 * len(blocks), 3 * len(blocks)))
+    for j, block in enumerate(blocks):
+        own = slice(3 * j, 3 * j + 3)
+        found[own, own] += block
+        if j > 0:
+            below = slice(3 * j - 3, 3 * j)
+            found[below, below] += block
+            found[own, below] -= block
+            found[below, own] -= block
+    return found
 
 
 def _storey_stiffness(

@@ -7,18 +7,15 @@ import numpy as np
 
 from dcfp.analysis.rig.measurement import (
     FORCES,
-    LENGTHS,
-    TIMES,
-    Columns,
     check_motion,
     check_no_tension,
-    names_of,
-    read_columns,
+    read_histories,
     read_text,
 )
 from dcfp.analysis.rig.plane_path import ComplexArray
 from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
+from dcfp.schema.columns import LENGTHS, TIMES, Columns, names_of
 
 #: What a column may be called: by hand, and in a file that `dcfp test --out` wrote.
 _NAMES = (("x", "y"), ("displacement_x", "displacement_y"))
@@ -63,7 +60,7 @@ def read_path(path: str | Path) -> MeasuredPath:
             msg = f"{where}: the first line names a column '{other}' and none '{one} [mm]'; a path in the plane needs both."
             raise InputError(msg)
     columns: Columns = {"time": TIMES, **dict.fromkeys(directions, LENGTHS), "load": FORCES}
-    known, lines = read_columns(text, where, columns, ("time", *directions))
+    known, lines = read_histories(text, where, columns, ("time", *directions))
     position: ComplexArray = np.asarray(known[directions[0]] + 1j * known[directions[1]])
     check_motion(known["time"], position, lines, where)
     check_no_tension(known.get("load"), lines, where)

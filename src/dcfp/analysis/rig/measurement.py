@@ -1,15 +1,11 @@
 """A measured test: histories from a CSV file whose head names each column and its unit."""
 
-import csv
 import hashlib
-import io
-import math
-import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,53 +14,26 @@ from dcfp.analysis.rig.measures import Cycle, cycles_of, zero_crossings
 from dcfp.analysis.rig.waveform import cycle_bounds
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
+from dcfp.schema.columns import LENGTHS, TIMES, Columns, named, read_columns
 from dcfp.schema.notebook import fields_card
 from dcfp.schema.reading import read_bytes
-from dcfp.schema.units import (
-    CM,
-    DEGC,
-    INCH,
-    KIP,
-    KN,
-    MEGANEWTON,
-    METRE,
-    MILLISECOND,
-    MM,
-    NEWTON,
-    SECOND,
-    Unit,
-)
+from dcfp.schema.units import DEGC, KIP, KN, MEGANEWTON, NEWTON
 
-#: Columns that a file may have, each with its units by their names.
-Columns: TypeAlias = Mapping[str, Mapping[str, Unit]]
-
-
-def _named(*units: Unit) -> dict[str, Unit]:
-    return {name: unit for unit in units for name in (unit.text, unit.name)}
-
-
-#: Units of times, lengths and forces, by their names.
-TIMES, LENGTHS = _named(SECOND, MILLISECOND), _named(MM, CM, METRE, INCH)
-FORCES = _named(NEWTON, KN, MEGANEWTON, KIP)
+#: Units of forces, by their names.
+FORCES = named(NEWTON, KN, MEGANEWTON, KIP)
 _COLUMNS: Columns = {
     "time": TIMES,
     "displacement": LENGTHS,
     "force": FORCES,
     "load": FORCES,
-    "temperature": _named(DEGC, replace(DEGC, typed="C")),
+    "temperature": named(DEGC, replace(DEGC, typed="C")),
 }
 _NEEDED = ("time", "displacement")
-_HEAD = re.compile(r"\s*(?P<name>[^\[\](]+?)\s*[\[(]\s*(?P<unit>[^\])]*?)\s*[\])]\s*")
 #: A step so much longer than the usual one is a gap.
 _GAP = 10.0
 _FEWEST_SAMPLES = 20
-#: Beginnings of lines that are no data: a note, and how a spreadsheet names its separator.
-_NOTES = ("#", "sep=")
 #: Part of the largest force times the largest displacement that the work may fall below zero by rounding and noise [-].
 _BACKWARD_WORK = 0.1
-#: Size beyond which a number is no measured value, and characters of one that a sentence repeats.
-_LARGEST_NUMBER = 1e30
-_LONGEST_WORD = 40
 #: Peaks that a wrong unit would pass: displacement [mm], mean velocity between samples [mm/s], force over load [-].
 _DISPLACEMENTS = (0.5, 5000.0)
 _VELOCITIES = (0.01, 10_000.0)
@@ -141,7 +110,7 @@ def read_measurement(path: str | Path) -> Measurement:
         a quantity is so large or small that its unit must be wrong.
     """
     content, text = read_text(path)
-    known, lines = read_columns(text, str(path), _COLUMNS, _NEEDED)
+    known, lines = read_histories(text, str(path), _COLUMNS, _NEEDED)
     measurement = Measurement(
         name=Path(path).stem,
         time=known["time"],
@@ -165,98 +134,14 @@ def read_text(path: str | Path) -> tuple[bytes, str]:
         raise InputError(msg) from error
 
 
-def names_of(text: str) -> set[str]:
-    """Return the names in the head of measured columns, without their units."""
-    return {_name(cell) for row in csv.reader([_head(text)], delimiter=_separator(text)) for cell in row}
-
-
-def read_columns(
+def read_histories(
     text: str, where: str, columns: Columns, needed: Sequence[str]
 ) -> tuple[dict[str, FloatArray], list[int]]:
-    """Return those of the `columns` that there are, in N, mm, s, degC, time from zero, and the number of the line of each sample."""
-    separator = _separator(text)
-    reader = csv.reader(io.StringIO(text, newline=None), delimiter=separator)
-    try:
-        rows = [
-            (reader.line_num, row)
-            for row in reader
-            if any(cell.strip() for cell in row) and not row[0].lstrip().startswith(_NOTES)
-        ]
-    except csv.Error as error:
-        msg = f"{where}, line {reader.line_num}: this is not a line of a CSV file ({error})."
-        raise InputError(msg) from error
-    if not rows:
-        msg = f"{where}: the file is empty; its first line must name the columns, such as 'time [s],displacement [mm],load [kN]'."
-        raise InputError(msg)
-    places = _places(rows[0][1], where, columns, needed)
-    if len(rows) - 1 < _FEWEST_SAMPLES:
-        msg = f"{where}: there are {len(rows) - 1} samples; at least {_FEWEST_SAMPLES} are needed."
-        raise InputError(msg)
-    values = {
-        name: np.array([_number(row, place, name, number, where, separator) for number, row in rows[1:]])
-        * factor
-        for name, (place, factor) in places.items()
-    }
+    """Return measured columns in N, mm, s, degC, time from zero, and the number of the line of each sample."""
+    example = "time [s],displacement [mm],load [kN]"
+    values, lines = read_columns(text, where, columns, needed, _FEWEST_SAMPLES, "samples", example)
     values["time"] = values["time"] - values["time"][0]
-    known = {name: freeze(one) for name, one in values.items()}
-    return known, [number for number, _ in rows[1:]]
-
-
-def _head(text: str) -> str:
-    lines = (line for line in text.splitlines() if line.strip() and not line.lstrip().startswith(_NOTES))
-    return next(lines, "")
-
-
-def _separator(text: str) -> str:
-    """Return what stands between the columns of the head: a comma, a semicolon or a tab."""
-    return max(",;\t", key=_head(text).count)
-
-
-def _name(cell: str) -> str:
-    found = _HEAD.fullmatch(cell)
-    return (found["name"] if found else cell.strip()).lower()
-
-
-def _places(
-    head: list[str], where: str, columns: Columns, needed: Sequence[str]
-) -> dict[str, tuple[int, float]]:
-    """Return for each known column its place and the factor of its unit."""
-    places: dict[str, tuple[int, float]] = {}
-    for place, cell in enumerate(head):
-        found, name = _HEAD.fullmatch(cell), _name(cell)
-        if name not in columns:
-            continue
-        units = columns[name]
-        if found is None:
-            msg = f"{where}: the column {name!r} has no unit; write it in brackets, such as '{name} [{next(iter(units))}]'."
-            raise InputError(msg)
-        if found["unit"] not in units:
-            msg = f"{where}: the unit {found['unit'][:_LONGEST_WORD]!r} of the column {name!r} is not known; the choices are {', '.join(units)}."
-            raise InputError(msg)
-        if name in places:
-            msg = f"{where}: there are two columns {name!r}; leave one."
-            raise InputError(msg)
-        places[name] = (place, units[found["unit"]].size)
-    for name in needed:
-        if name not in places:
-            unit = next(iter(columns[name]))
-            msg = f"{where}: the first line names no column '{name} [{unit}]'; it must name the columns with their units."
-            raise InputError(msg)
-    return places
-
-
-def _number(row: list[str], place: int, name: str, line: int, where: str, separator: str) -> float:
-    cell = row[place].strip() if place < len(row) else ""
-    try:
-        value = float(cell if separator == "," else cell.replace(",", "."))  # a decimal comma
-    except ValueError:
-        value = math.nan
-    if not abs(value) < _LARGEST_NUMBER:
-        shown = cell if len(cell) <= _LONGEST_WORD else f"{cell[:_LONGEST_WORD]}..."
-        what = f"is {shown!r}, not a number" if cell else "is missing"
-        msg = f"{where}, line {line}: the {name} {what}."
-        raise InputError(msg)
-    return value
+    return {name: freeze(one) for name, one in values.items()}, lines
 
 
 def _refuse(found: bool, where: str, words: str, line: int | None = None) -> None:

@@ -44,14 +44,14 @@ def plot_plan(
     axes = style.new_axes(height=3.2) if axes is None else axes
     plan, places = response.plan, response.plan.places / 1e3
     norm = _norm([response]) if norm is None else norm
-    colours = style.colours_of("temperature")
+    colours: Any = style.colours_of("temperature")
     outline = np.vstack((plan.corners, plan.corners[:1])) / 1e3
     style.draw_line(axes, outline[:, 0], outline[:, 1], style.GREY, 0.8)
     furthest = float(response.peak_bearing_displacement.max())
     magnified = _magnification(places, furthest)
     paths = magnified * response.bearing_displacement / 1e3
     for i, ((x, y), hot) in enumerate(zip(places.tolist(), response.peak_temperature.tolist(), strict=True)):
-        colour: Any = colours(norm(hot))
+        colour = colours(norm(hot))
         style.draw_line(axes, x + paths[:, i, 0], y + paths[:, i, 1], colour, 0.4)
     style.draw_marks(axes, places[:, 0], places[:, 1], "s", 2.5, style.INK)
     lifted = response.uplift_time > 0.0
