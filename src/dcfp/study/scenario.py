@@ -124,11 +124,18 @@ def read_scenario(path: str | Path) -> Scenario:
         If the file cannot be read, or anything in it cannot be used; the sentence begins with its name.
     """
     study = read_study(path)
+    heading = read_heading(path)
+    with complaints_name(path):
+        return Scenario(study, heading)
+
+
+def read_heading(path: str | Path) -> Heading:
+    """Return what a table ``[report]`` of a TOML file says; raises as `read_scenario`."""
     with complaints_name(path):
         table = table_in(read_toml(path, "a scenario is a TOML file"), "report")
         if isinstance(table.get("date"), date):  # one of TOML stands for its own text
             table["date"] = table["date"].isoformat()
-        return Scenario(study, Heading.from_table(table, "[report]"))
+        return Heading.from_table(table, "[report]")
 
 
 def scenario_toml(

@@ -21,8 +21,8 @@ from dcfp.system.storeys import Storey
 from dcfp.system.system import System
 
 _EXAMPLE, _GRID = '{ x = 0, y = 0, type = "A" }', 'grid = { x = [0, 6], y = [0, 6], type = "A" }'
-#: What a project is made of.
-_PARTS = ("name", "bearing", "plan", "building", "storey")
+#: What a project is made of; of ``[report]`` the report knows what it holds.
+_PARTS = ("name", "bearing", "plan", "building", "storey", "report")
 _WEIGHT = Parameter("weight", KN, 0.0, above=True, key="weight")
 _COUNT = Parameter("number of such storeys", NONE, 1, 200, key="count", kind=int)
 _PERIOD = Parameter("first period on a fixed base", SECOND, 0.01, 10.0, key="fixed_base_period")

@@ -120,6 +120,29 @@ def test_floor_spectra(run, project: Path, tmp_path: Path) -> None:
     assert figure.stat().st_size > 10_000
 
 
+def test_a_report_to_sign(run, project: Path, tmp_path: Path) -> None:
+    project.write_text(
+        TEXT + '[report]\nproject = "Clinic by the river"\nauthor = "A. Name"\ndate = 2026-11-30\n'
+    )
+    page, sheet = tmp_path / "report.html", tmp_path / "report.pdf"
+    words = ("building", project, "P695-FF-2", "--pgv", "0.5", "--tail", "5")
+    assert run(*words, "--out", page).err == ""
+    text = page.read_text()
+    for said in ("Clinic by the river", "A. Name", "2026-11-30", "A corner goes furthest", "Eq. (17.5-3)", "(7.10.4)", "Appendix: project", "fixed_base_period = 0.4", "proportional to the stiffness", "Floor accelerations depend"):  # fmt: skip
+        assert said in text, said
+    assert text.count("<figure>") == 2
+    assert run(*words, "--out", sheet).err == ""
+    assert sheet.read_bytes().startswith(b"%PDF")
+
+
+def test_a_report_with_another_heading_is_refused(run, project: Path, tmp_path: Path) -> None:
+    project.write_text(TEXT + '[report]\nauthr = "A. Name"\n')
+    outcome = run("building", project, "P695-FF-2", "--tail", "0", "--out", tmp_path / "r.html")
+    assert (outcome.status, outcome.err.count("\n")) == (2, 1)
+    assert "'author'" in outcome.err
+    assert not (tmp_path / "r.html").exists()
+
+
 def test_options_of_bearings_change_every_type(run, project: Path) -> None:
     words = ("building", project, "P695-FF-2", "--pgv", "0.5", "--tail", "0", "--json")
     (rough,) = json.loads(run(*words, "--friction", "constant", "--mu", "0.1", "--heating", "none").out)

@@ -48,6 +48,21 @@ class BesideOthers:
         return self.response.input_velocity / rigid if rigid > 0.0 else None
 
     @property
+    def remarks(self) -> tuple[str, ...]:
+        """Sentences that a reader must know."""
+        response = self.response
+        still = not response.motion.y.acceleration.any()
+        alone = (f"{response.name}: one component alone moves the building, in x.",) if still else ()
+        spring = (self.spring_remark,) if response.plan.storeys else ()
+        return (*alone, *response.remarks, *spring)
+
+    @property
+    def document(self) -> dict[str, Any]:
+        """What is told of it, ready for JSON."""
+        beside = {"V_E_ratio": self.velocity_ratio} if self.response.plan.storeys else {}
+        return {**self.response.summary(), **beside}
+
+    @property
     def spring_remark(self) -> str:
         """What the floors owe to the stiffness of spring (b), with its size."""
         own, other = (float(one.peak_floor_acceleration.max()) / 1e3 for one in (self.response, self.softer))
@@ -55,11 +70,6 @@ class BesideOthers:
             f"{self.response.name}: floor accelerations depend on the stiffness kf of spring (b), which tests hardly show: the largest is {own:.2f} m/s2,"
             f" and {other:.2f} m/s2 with kf {SOFTER:g} times softer."
         )
-
-
-def beside_others(response: PlanResponse, **settings: Any) -> BesideOthers:
-    """Return a response with what it may be put beside; `settings` are those of `respond_plan`."""
-    return BesideOthers(response, lambda plan: respond_plan(plan, response.motion, **settings))
 
 
 class Cause(NamedTuple):

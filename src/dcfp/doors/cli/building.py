@@ -25,7 +25,7 @@ def run(chosen: argparse.Namespace) -> Answer:
 
         return building_in_plan.run(chosen)
     kind = Path(chosen.out or "").suffix.lower()
-    if kind == ".nc":
+    if kind not in ("", ".csv"):
         msg = f"{chosen.out}: without a project the lines of all analyses are written, as .csv."
         raise InputError(msg)
     system = inputs.system(chosen)

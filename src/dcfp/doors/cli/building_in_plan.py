@@ -3,6 +3,7 @@
 import argparse
 from collections.abc import Sequence
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from dcfp.analysis.integration import Integration
@@ -10,7 +11,8 @@ from dcfp.analysis.plan import PlanResponse, respond_plan
 from dcfp.analysis.plan.beside import BesideOthers, Cause, separate_causes
 from dcfp.analysis.plan.quantities import bearing_table, level_table, worst_corner
 from dcfp.doors.cli import inputs
-from dcfp.doors.cli.console import Block, Page, each_that_can, grid, grouped
+from dcfp.doors.cli.commands import REPORTS
+from dcfp.doors.cli.console import Block, Page, each_that_can, grid, grouped, progress
 from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.errors import AnalysisError, InputError
 from dcfp.methods.spectra.of_floors import FLOOR_ORDINATES, floor_ordinates, floor_spectra
@@ -20,6 +22,7 @@ from dcfp.motion.station import Station
 from dcfp.present.tables import write_responses
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
+from dcfp.study.scenario import read_heading
 from dcfp.system.plan import Plan
 from dcfp.system.project import read_plan
 
@@ -44,6 +47,10 @@ def run(chosen: argparse.Namespace) -> Answer:
     if chosen.causes:
         return _causes(plan, motions, chosen.vertical, settings)
     settings["vertical"] = chosen.vertical
+    if Path(chosen.out or "").suffix.lower() == REPORTS[0]:
+        from dcfp.present.report import check_typst  # late: few commands need it
+
+        check_typst()
 
     def analysed(motion: Station) -> BesideOthers:
         def analyse(one: Plan) -> PlanResponse:
@@ -60,7 +67,7 @@ def run(chosen: argparse.Namespace) -> Answer:
     return Answer(
         lambda: [_document(one) for one in found],
         lambda: _page(found),
-        lambda part, kind: write_responses(part, responses, kind, alone=alone),
+        lambda part, kind: _write(part, kind, found, chosen, settings, alone=alone),
         figure,
         failures=failures,
     )
@@ -87,20 +94,39 @@ def _station(record: Any) -> Station:
     return Station(record, still, name=record.name)
 
 
+def _write(
+    part: Path,
+    kind: str,
+    found: Sequence[BesideOthers],
+    chosen: argparse.Namespace,
+    settings: dict[str, Any],
+    *,
+    alone: bool,
+) -> str | None:
+    """Write analyses as data or as a report."""
+    if kind not in REPORTS:
+        write_responses(part, [one.response for one in found], kind, alone=alone)
+        return None
+    from dcfp.present.report import page_of, pdf_of  # late: it draws figures
+    from dcfp.present.report.building import build_building_report
+
+    text = Path(chosen.project).read_text(encoding="utf-8")
+    document = build_building_report(found, read_heading(chosen.project), text, settings)
+    with progress("figures", 2 * len(found)) as advance:
+        if kind != REPORTS[0]:
+            return page_of(document, advance)
+        part.write_bytes(pdf_of(document, advance))
+    return None
+
+
 def _document(one: BesideOthers) -> dict[str, Any]:
     response = one.response
     torsion = Table(TORSION, code_torsion(response.plan, response.peak_displacement)).objects()
-    beside = {"V_E_ratio": one.velocity_ratio} if response.plan.storeys else {}
-    return {**response.summary(), **beside, "torsion": torsion, "remarks": _remarks(one)}
+    return {**one.document, "torsion": torsion, "remarks": _remarks(one)}
 
 
 def _remarks(one: BesideOthers) -> list[str]:
-    response = one.response
-    only = " ".join(motion_remarks(response.motion, with_scale=False))
-    still = not response.motion.y.acceleration.any()
-    said = [f"{response.name}: one component alone moves the building, in x."] if still else []
-    spring = [one.spring_remark] if response.plan.storeys else []
-    return [*([only] if only else []), *said, *response.remarks, *spring]
+    return [*motion_remarks(one.response.motion, with_scale=False), *one.remarks]
 
 
 def _page(found: Sequence[BesideOthers]) -> Page:

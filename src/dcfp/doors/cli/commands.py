@@ -44,8 +44,9 @@ ROTATE = Parameter(
 PORT = Parameter("port", NONE, 1, 65535, key="port", kind=int, default=8080)
 
 
-#: Ending of the name of a project.
+#: Ending of the name of a project, and of reports.
 PROJECT = ".toml"
+REPORTS = (".pdf", ".html", ".htm")
 
 
 @dataclass(frozen=True)
@@ -171,9 +172,9 @@ def building(parser: Parser) -> None:
     add_declared(parser.add_argument_group("integration, with a project"), Integration)
     options.add_output(
         parser,
-        "a line for each analysis as CSV (.csv); with a project histories as NetCDF (.nc) or CSV (.csv; of several the peaks)",
+        "a line for each analysis as CSV (.csv); with a project histories as NetCDF (.nc) or CSV (.csv; of several the peaks), or the report of all (.pdf, .html)",
         "with a project: the plan with the paths of its bearings, and the profiles over the height,",
-        DATA_EXTENSIONS,
+        (*DATA_EXTENSIONS, *REPORTS),
     )
 
 
@@ -409,7 +410,7 @@ def report(parser: Parser) -> None:
     words = "a bearing and its ground motions: a study file in which only record and intensity vary, with a table [report]"
     parser.add_argument("scenario", metavar="SCENARIO.toml", help=words)
     words = "the report as .pdf or .html; by default SCENARIO.pdf in the current folder, with --json none"
-    options.add_output(parser, words, kinds=(".pdf", ".html", ".htm"))
+    options.add_output(parser, words, kinds=REPORTS)
     parser.set_defaults(noun="a report")
 
 

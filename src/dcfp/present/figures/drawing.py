@@ -241,7 +241,8 @@ def draw_measured(axes: "Axes", measured: "Measurement") -> tuple[float, float]:
 
 def figure_of(result: "Result", **options: Any) -> "Figure":
     """Draw a result on a new figure: the sheet of an analysis or a test, or else its histories one above the other."""
-    from dcfp.analysis.plane_response import PlaneResponse  # late: the analyses import the kernels
+    from dcfp.analysis.plan import PlanResponse  # late: the analyses import the kernels
+    from dcfp.analysis.plane_response import PlaneResponse
     from dcfp.analysis.response import Response
     from dcfp.analysis.rig import Loops, PlaneLoops
 
@@ -251,6 +252,10 @@ def figure_of(result: "Result", **options: Any) -> "Figure":
         from dcfp.present.figures.plane import plot_plane_response  # late: it draws with what is here
 
         return plot_plane_response(result, **options)
+    if isinstance(result, PlanResponse):
+        from dcfp.present.figures.plan import plot_plan_response  # late: it draws with what is here
+
+        return plot_plan_response(result, **options)
     if isinstance(result, PlaneLoops):
         from dcfp.present.figures.plane_tests import plot_plane_test  # late: it draws with what is here
 

@@ -85,10 +85,10 @@ def inputs_section(calculation: Calculation) -> doc.Section:
 def _bearing(calculation: Calculation) -> doc.Table:
     bearing = calculation.scenario.model.bearing
     unchanged = "unchanged" if bearing == LI_2020 else ""
-    return doc.named_values([*_parameters(bearing), ("Bearing of Li et al. (2020)", unchanged)])
+    return doc.named_values([*parameter_rows(bearing), ("Bearing of Li et al. (2020)", unchanged)])
 
 
-def _parameters(thing: Declared) -> list[tuple[str, str | doc.Parts]]:
+def parameter_rows(thing: Declared) -> list[tuple[str, str | doc.Parts]]:
     """Return words, symbol and value of every parameter, in its declared unit."""
     rows: list[tuple[str, str | doc.Parts]] = []
     for parameter, value in thing.rows():
@@ -112,7 +112,7 @@ def _friction(calculation: Calculation) -> tuple[doc.Block, ...]:
         ("Law", law.name),
         ("Source", citation(law.citation) if law.citation else ""),
         ("Speed in it", f"{speed}, in mm/s; pressure in N/mm², temperature in °C"),
-        *_parameters(law),
+        *parameter_rows(law),
         ("Tests behind it", _tests(law)),
         ("Caution", law.caution),
         ("Nominal coefficient", (doc.Maths("mu_n"), f" = {nominal.value:.4f}: {nominal.source}")),
@@ -136,7 +136,7 @@ def _heating(calculation: Calculation) -> tuple[doc.Block, ...]:
     table = doc.named_values(
         [
             ("Model", f"{heating.name}: {heating.description}"),
-            *_parameters(heating),
+            *parameter_rows(heating),
             ("Rise under 1 N/(mm s) for 1 s", f"{float(constant_flux_rise(heating, 1.0, 1.0)):.4f} °C"),
         ]
     )
@@ -156,12 +156,12 @@ def _heating(calculation: Calculation) -> tuple[doc.Block, ...]:
 
 
 def _motions(calculation: Calculation) -> tuple[doc.Block, ...]:
-    records = [_record(motion) for motion in calculation.scenario.study.motions]
+    records = [record_table(motion) for motion in calculation.scenario.study.motions]
     rows = [
         doc.cells(
             results.label_of(one),
-            _scale(one.motion),
-            *_peaks(one.motion),
+            scale_of(one.motion),
+            *peaks_of(one.motion),
             f"{one.motion.duration:.2f}",
         )
         for one in calculation.results
@@ -172,18 +172,19 @@ def _motions(calculation: Calculation) -> tuple[doc.Block, ...]:
     return (*records, doc.Table(head, tuple(rows), "lrrrr", widths, title))
 
 
-def _peaks(motion: GroundMotion | Station) -> tuple[str, str]:
+def peaks_of(motion: GroundMotion | Station) -> tuple[str, str]:
     """Return PGA and PGV."""
     pga, pgv = M_PER_S2.shown(motion.peak_acceleration), M_PER_S.shown(motion.peak_velocity)
     return doc.written("pga_m_s2", pga), doc.written("pgv_m_s", pgv)
 
 
-def _record(motion: GroundMotion | Station) -> doc.Table:
+def record_table(motion: GroundMotion | Station) -> doc.Table:
+    """Return where a ground motion came from, and what it was before it was scaled."""
     origin, values = motion.origin, len(motion.acceleration)
     of_station = isinstance(motion, Station)
 
     def strength(one: GroundMotion | Station) -> str:
-        pga, pgv = _peaks(one)
+        pga, pgv = peaks_of(one)
         return f"PGA {pga} m/s², PGV {pgv} m/s"
 
     components = motion.components if of_station else ()
@@ -209,7 +210,8 @@ def _record(motion: GroundMotion | Station) -> doc.Table:
     )
 
 
-def _scale(motion: GroundMotion | Station) -> str:
+def scale_of(motion: GroundMotion | Station) -> str:
+    """Return the factor by which a ground motion was scaled."""
     steps = [step for step in motion.treatment if step.startswith("scaled by ")]
     return steps[-1].removeprefix("scaled by ") if steps else "1"
 
