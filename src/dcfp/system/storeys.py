@@ -73,6 +73,17 @@ class Storey(Declared):
         one = 0.0 if self.stiffness is None else self.stiffness
         return (one[0], one[-1]) if isinstance(one, tuple) else (one, one)
 
+    def inertia_over(self, sides: tuple[float, float]) -> float:
+        """Return the rotational inertia of the floor about its centre of mass [t mm2], over `sides` [mm] where none is given."""
+        spread = self.mass * (sides[0] ** 2 + sides[1] ** 2) / 12.0
+        return spread if self.inertia is None else self.inertia
+
+    def twist_over(self, sides: tuple[float, float]) -> float:
+        """Return the torsional stiffness about the centre of stiffness [N mm], over `sides` [mm] where none is given."""
+        kx, ky = self.stiffnesses
+        spread = (ky * sides[0] ** 2 + kx * sides[1] ** 2) / 12.0
+        return spread if self.torsional_stiffness is None else self.torsional_stiffness
+
     def stiffened(self, factor: float) -> "Storey":
         """Return the storey with all stiffnesses times a factor."""
         twist = self.torsional_stiffness
@@ -190,7 +201,7 @@ def _masses(
     found = np.zeros((3 * len(storeys), 3 * len(storeys)))
     for j, (one, (x, y)) in enumerate(zip(storeys, places, strict=True)):
         own = slice(3 * j, 3 * j + 3)
-        inertia = one.mass * (sides[0] ** 2 + sides[1] ** 2) / 12.0 if one.inertia is None else one.inertia
+        inertia = one.inertia_over(sides)
         m = one.mass
         found[own, own] = [[m, 0.0, -m * y], [0.0, m, m * x], [-m * y, m * x, inertia + m * (x * x + y * y)]]
     return found
@@ -215,14 +226,11 @@ def _storey_stiffness(
 ) -> FloatArray:
     """Return the stiffness of a storey about the origin, from which its centre of stiffness is `away`."""
     kx, ky = storey.stiffnesses
-    twist = storey.torsional_stiffness
-    if twist is None:
-        twist = (ky * sides[0] ** 2 + kx * sides[1] ** 2) / 12.0
     cosine, sine = math.cos(angle), math.sin(angle)
     turn = np.array([[cosine, sine], [-sine, cosine]])
     plane = turn.T @ np.diag([kx, ky]) @ turn
     # displacement at the centre of stiffness of x, y and rotation about the origin
     there = np.array([[1.0, 0.0, -away[1]], [0.0, 1.0, away[0]]])
     found = there.T @ plane @ there
-    found[2, 2] += twist
+    found[2, 2] += storey.twist_over(sides)
     return found

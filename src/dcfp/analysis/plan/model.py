@@ -38,7 +38,7 @@ class PlanModel:
 def plan_model(plan: Plan, interval: float) -> PlanModel:
     """Return the kernels' view of a plan at rest and cold, for a sample interval [s]."""
     linear, building, modes = linear_part(plan, interval)
-    behind = np.array([_behind(one) for one in plan.systems])
+    behind = np.array([left_behind(one) for one in plan.systems])
     arms, static = plan.arms, plan.static_loads
     slab = Slab(
         weight=math.fsum(static),
@@ -68,7 +68,7 @@ def plan_model(plan: Plan, interval: float) -> PlanModel:
     return PlanModel(kernel, room, building, modes)
 
 
-def _behind(system: System) -> float:
+def left_behind(system: System) -> float:
     """Return the part of the slab's displacement that the slider stays behind it: the share of the upper plate; the plate of a single one lies below."""
     shares = system.bearing.shares
     return shares[1] if len(shares) == 2 else 0.0

@@ -38,8 +38,9 @@ _ELEMENT_HEAT_FACTOR = (
 _FEWEST_SAMPLES = 10
 #: Within which the constants are looked for: coefficient over that of the law [-], rate over that of the law [-], factor of the rise [-].
 _LOWEST, _HIGHEST = (0.2, 0.05, 0.05), (5.0, 20.0, 20.0)
-_UNEQUAL = "it has one sliding surface, so that two different plates become two equal ones"
-_OF_LOAD = "its friction does not change with the pressure, which the vertical motion changes"
+#: Why an element is not a model.
+UNEQUAL = "it has one sliding surface, so that two different plates become two equal ones"
+OF_LOAD = "its friction does not change with the pressure, which the vertical motion changes"
 
 
 class Kind(Enum):
@@ -83,14 +84,8 @@ def element_for(motion: GroundMotion | Station, model: System, *, vertical: bool
     InputError
         If OpenSees has nothing like the friction law, or its element heats and the vertical force changes.
     """
-    law = model.friction.at_pressure(model.bearing.pressure)
-    if law.form != EXPONENTIAL:
-        msg = (
-            f"OpenSees has no element that comes near the friction law {model.friction.name};"
-            " choose another, for example kumar2015 or constant."
-        )
-        raise InputError(msg)
-    heats = law.heat_scale * law.heat_rate != 0.0 and model.heating.name != "none"
+    law = exported_law(model, model.bearing.pressure)
+    heats = is_heated(model, law)
     if heats and vertical:
         msg = (
             f"{motion.name}: the element of OpenSees that heats is exported under a constant vertical force;"
@@ -102,23 +97,61 @@ def element_for(motion: GroundMotion | Station, model: System, *, vertical: bool
 
 def _cold(model: System, law: Law, vertical: bool) -> Element:
     """Return an element whose friction knows no temperature but that at the start."""
-    ambient = model.heating.ambient
-    fast = law.reference * (law.heat_scale * math.exp(-law.heat_rate * ambient) + law.heat_floor)
-    slow = fast * (1.0 - law.speed_drop)
-    kind, rate = (Kind.VELOCITY, law.speed_rate * _share(model)) if law.speed_drop else (Kind.COULOMB, 0.0)
+    element = at_temperature(law, model, model.heating.ambient)
     differs = {
-        _UNEQUAL: rate > 0.0 and model.friction.speed_is_of_surface and _unequal(model),
-        _OF_LOAD: vertical and _knows_pressure(model),
+        UNEQUAL: is_unequal(model, element),
+        OF_LOAD: vertical and knows_pressure(model),
     }
     reasons = tuple(words for words, found in differs.items() if found)
-    element = Element(kind, fast, slow, rate)
     if not reasons:
         return element
-    stand_in = replace(model, friction=ElementFriction(fast, law.speed_drop, rate, heated=False))
-    return replace(element, stand_in=stand_in, reasons=reasons)
+    return replace(element, stand_in=replace(model, friction=friction_of(element)), reasons=reasons)
 
 
-def _knows_pressure(model: System) -> bool:
+def at_temperature(law: Law, model: System, temperature: float) -> Element:
+    """Return the element with the friction of an exponential law at a temperature [degC]."""
+    fast = law.reference * (law.heat_scale * math.exp(-law.heat_rate * temperature) + law.heat_floor)
+    slow = fast * (1.0 - law.speed_drop)
+    kind, rate = (Kind.VELOCITY, law.speed_rate * _share(model)) if law.speed_drop else (Kind.COULOMB, 0.0)
+    return Element(kind, fast, slow, rate)
+
+
+def friction_of(element: Element) -> "ElementFriction":
+    """Return the friction of an element that does not heat up as a law."""
+    return ElementFriction(
+        element.friction, 1.0 - element.slow / element.friction, element.rate, heated=False
+    )
+
+
+def is_unequal(model: System, element: Element) -> bool:
+    """Whether two plates that differ are not one with the sum of their radii, for each has a speed of its own."""
+    return element.rate > 0.0 and model.friction.speed_is_of_surface and _unequal(model)
+
+
+def exported_law(model: System, pressure: float) -> Law:
+    """Return the constants of a law at a pressure [N/mm2].
+
+    Raises
+    ------
+    InputError
+        If OpenSees has nothing like it.
+    """
+    law = model.friction.at_pressure(pressure)
+    if law.form != EXPONENTIAL:
+        msg = (
+            f"OpenSees has no element that comes near the friction law {model.friction.name};"
+            " choose another, for example kumar2015 or constant."
+        )
+        raise InputError(msg)
+    return law
+
+
+def is_heated(model: System, law: Law) -> bool:
+    """Whether the coefficient of friction falls as the bearing heats up."""
+    return law.heat_scale * law.heat_rate != 0.0 and model.heating.name != "none"
+
+
+def knows_pressure(model: System) -> bool:
     """Whether the coefficient at twice the pressure is another."""
     pressure = model.bearing.pressure
     once, twice = (model.friction.at_pressure(times * pressure).reference for times in (1.0, 2.0))
@@ -143,7 +176,7 @@ def _differences(model: System, law: Law) -> tuple[str, ...]:
         "it heats one point of the plate": heating.name != "simplified",
         "its plate is endlessly thick": heating.thickness is not None,
         f"it begins at {ELEMENT_AMBIENT:g} degC, not {heating.ambient:g}": heating.ambient != ELEMENT_AMBIENT,
-        _UNEQUAL: _unequal(model),
+        UNEQUAL: _unequal(model),
     }
     return tuple(words for words, differs in found.items() if differs)
 

@@ -1,11 +1,12 @@
 """The head of a script for OpenSees: what it is, of what, and what is different from the analysis of this package."""
 
 import textwrap
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import fields
-from typing import Any
+from typing import Any, Protocol
 
 from dcfp.exchange.opensees.element import Analysis, Element, Kind
+from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.station import Station
 from dcfp.schema.citations import citations_of
 from dcfp.version import version
@@ -14,9 +15,46 @@ from dcfp.version import version
 _WIDTH = 110
 
 
+class HasPeak(Protocol):
+    """An analysis that has a peak displacement."""
+
+    @property
+    def peak_displacement(self) -> float:
+        """The peak displacement [mm]."""
+        ...
+
+
 def head(response: Analysis, element: Element, other: Analysis | None) -> list[str]:
     """Return the lines of comment at the top of a script."""
-    title = f"{response.bearing.name} under {response.motion.name}: a rigid structure on a friction pendulum bearing"
+    return comments(
+        f"{response.bearing.name} under {response.motion.name}: a rigid structure on a friction pendulum bearing",
+        _inputs(response),
+        f"In OpenSees this is the element {element.kind.value}.",
+        _representation(response, element),
+        _differences(response, element, other),
+        response.remarks,
+    )
+
+
+def comments(
+    title: str,
+    inputs: Iterable[tuple[str, str]],
+    element: str,
+    representation: Iterable[str],
+    differences: Iterable[str],
+    remarks: Sequence[str] = (),
+) -> list[str]:
+    """Return the comment at the top of a script.
+
+    Parameters
+    ----------
+    title, inputs
+        What is analysed, and what it is given by, each under a label.
+    element, representation
+        What it is in OpenSees, in one sentence and in several.
+    differences, remarks
+        From the analysis of this package, and what that remarks itself.
+    """
     return [
         *_comment(title),
         "#",
@@ -29,15 +67,15 @@ def head(response: Analysis, element: Element, other: Analysis | None) -> list[s
         "#",
         *_comment("Units: N, mm, s and so t, N/mm2, mm/s2; temperatures in degC."),
         "#",
-        *(line for label, text in _inputs(response) for line in _comment(text, f"{label:<16}")),
+        *(line for label, text in inputs for line in _comment(text, f"{label:<16}")),
         "#",
-        *_comment(f"In OpenSees this is the element {element.kind.value}."),
-        *_bullets(_representation(response, element)),
+        *_comment(element),
+        *_bullets(representation),
         "#",
         "# What is different from the analysis of dcfp:",
-        *_bullets(_differences(response, element, other)),
-        *(["#", "# What dcfp remarks on its analysis:"] if response.remarks else []),
-        *_bullets(response.remarks),
+        *_bullets(differences),
+        *(["#", "# What dcfp remarks on its analysis:"] if remarks else []),
+        *_bullets(remarks),
     ]
 
 
@@ -46,31 +84,35 @@ def _bullets(sentences: Iterable[str]) -> list[str]:
 
 
 def _inputs(response: Analysis) -> list[tuple[str, str]]:
-    motion, bearing = response.motion, response.bearing
-    origin = motion.origin
-    source = ", ".join(
-        part for part in (origin.event, origin.station, origin.component, origin.source) if part
-    )
-    treatment = "; ".join(motion.treatment) or "as it is"
+    bearing = response.bearing
     radii = " and ".join(f"{radius:g}" for radius in bearing.radii)
     return [
-        (
-            "Ground motion",
-            f"{motion.name}{f' ({source})' if source else ''}; {treatment}; PGV {motion.peak_velocity:.6g} mm/s,"
-            f" PGA {motion.peak_acceleration:.6g} mm/s2; SHA-256 {motion.digest}",
-        ),
+        ("Ground motion", told_of(response.motion)),
         (
             "Bearing",
             f"{bearing.name}: radius {radii} mm, slider {bearing.slider_diameter:g} mm, pressure {bearing.pressure:g} N/mm2,"
             f" stiffness before sliding {bearing.elastic_stiffness:g} N/mm",
         ),
-        ("Friction law", _parameters(response.friction_law)),
-        ("Heating", _parameters(response.heating)),
+        ("Friction law", parameters_of(response.friction_law)),
+        ("Heating", parameters_of(response.heating)),
         *(("Source", line) for line in citations_of(response.friction_law.citation)),
     ]
 
 
-def _parameters(thing: Any) -> str:
+def told_of(motion: GroundMotion | Station) -> str:
+    """Return where a ground motion comes from, what was done to it, its peaks and its digest."""
+    origin = motion.origin
+    source = ", ".join(
+        part for part in (origin.event, origin.station, origin.component, origin.source) if part
+    )
+    treatment = "; ".join(motion.treatment) or "as it is"
+    return (
+        f"{motion.name}{f' ({source})' if source else ''}; {treatment}; PGV {motion.peak_velocity:.6g} mm/s,"
+        f" PGA {motion.peak_acceleration:.6g} mm/s2; SHA-256 {motion.digest}"
+    )
+
+
+def parameters_of(thing: Any) -> str:
     """Return a law or a heating model with its constants."""
     known = [f"{item.name} {getattr(thing, item.name)}" for item in fields(thing) if item.init]
     return f"{thing.name}: {', '.join(known)}" if known else thing.name
@@ -150,7 +192,7 @@ def _comment(text: str, first: str = "") -> list[str]:
     return [f"# {line}".rstrip() for line in wrapped]
 
 
-def difference_in_words(response: Analysis, other: Analysis) -> str:
+def difference_in_words(response: HasPeak, other: HasPeak) -> str:
     """Return by how much the peak displacement of another analysis is more or less."""
     if response.peak_displacement == 0.0:
         return "where nothing moves"

@@ -1,6 +1,7 @@
 """A script for OpenSeesPy: what is analysed, on which element, with which constants, and by how much that differs."""
 
 import math
+from collections.abc import Sequence
 from importlib.resources import files
 from string import Template
 
@@ -20,11 +21,11 @@ from dcfp.system import Bearing, FrictionLaw, Heating, SystemLike
 #: Longest step of a script by default [s].
 STEP = 0.001
 #: The same over the time step of the motion, where the friction turns with the velocity [-].
-_PART_IN_PLANE = 0.1
+PART_IN_PLANE = 0.1
 #: What the history of a script has for each horizontal direction, with its unit.
 _HISTORY = (("displacement", "mm"), ("velocity", "mm/s"), ("force", "N"))
 #: Largest displacement over the effective radius for which a pendulum of OpenSees is asked [-].
-_FURTHEST = 0.9
+FURTHEST = 0.9
 #: Values of the ground motion in a line.
 _IN_A_LINE = 5
 #: How often a whole analysis is repeated in half the step, where a step that cannot be divided does not converge.
@@ -72,7 +73,7 @@ def opensees_script(
     """
     motion = record_of(motion)
     if step is None:
-        step = min(STEP, _PART_IN_PLANE * motion.time_step) if isinstance(motion, Station) else STEP
+        step = min(STEP, PART_IN_PLANE * motion.time_step) if isinstance(motion, Station) else STEP
     Integration(step=step)  # refuses a step out of range
     interval = motion.time_step / parts_in(motion.time_step, step)
     response = respond(motion, bearing, friction, heating, vertical=vertical)
@@ -80,13 +81,13 @@ def opensees_script(
     element = element_for(motion, response.system, vertical=vertical)
     # the analysis with what the element is, where that is not the model itself
     other = None if element.stand_in is None else respond(motion, element.stand_in, vertical=vertical)
-    return "\n".join([*head(response, element, other), "", _body(response, element, other, interval)])
+    return "\n".join([*head(response, element, other), "", _body(response, element, other, interval), ""])
 
 
 def _refuse(response: Analysis) -> None:
     """Refuse what a model of OpenSees does not do as this package does."""
     name, radius = response.motion.name, response.bearing.effective_radius
-    if response.peak_displacement > _FURTHEST * radius:
+    if response.peak_displacement > FURTHEST * radius:
         msg = (
             f"{name}: the displacement of {response.peak_displacement:.0f} mm is too near to the effective radius of"
             f" {radius:.0f} mm, at which the pendulum of OpenSees ends."
@@ -119,22 +120,19 @@ def _body(response: Analysis, element: Element, other: Analysis | None, step: fl
     heated, lifted = element.kind is Kind.HEATED, _is_lifted(response)
     form = "heated" if heated else "cold"
     components, directions = _components(response), _directions(response)
-    numbered = list(enumerate(components, 1))
     columns = [f"{name}{one} [{unit}]" for name, unit in _HISTORY for one in directions]
     heads = ["time [s]", *columns, *(["temperature [degC]"] if heated else [])]
-    return _template("script_body").substitute(
+    return template("script_body").substitute(
         constants="\n".join(_constants(response, element, step)),
         model=_model(element, plane=len(directions) > 1, lifted=lifted),
         excite=_EXCITE_VERTICALLY if lifted else _EXCITE,
-        advance=_template(f"advance_{form}").template.rstrip("\n"),
+        advance=text_of(f"advance_{form}"),
         state_words=" and temperature" if heated else "",
         state_value="\n        temperature()," if heated else "",
         csv_head=", ".join(f'"{one}"' for one in heads),
         reports="\n".join(_reports(response, element, other)),
-        directions=", ".join(f"{number} is {_NAMES[number - 1]}" for number, _ in numbered),
-        digests="\n".join(f'    {number}: "{one.digest}",' for number, one in numbered),
-        interval=repr(response.motion.time_step),
-        values="\n".join(f"    {number}: (\n{_values(one)}\n    )," for number, one in numbered),
+        record=text_of("record"),
+        ground=ground_of(components),
     )
 
 
@@ -149,21 +147,34 @@ def model_script(element: Element, bearing: Bearing, heating: Heating, *, plane:
 def _model(element: Element, plane: bool, lifted: bool = False) -> str:
     """Return the functions that build the model and choose its solver; `lifted` where its vertical force changes."""
     form = "heated" if element.kind is Kind.HEATED else "cold"
-    added = _template(f"element_{form}").substitute(model=_COLD.get(element.kind, "")).rstrip("\n")
-    return (
-        _template("model")
-        .substitute(
-            element=added,
-            vertical_mass="1e-6" if lifted else "MASS",
-            fixed="0, 0, 0" if plane else "0, 1, 0",
-            free="in the plane (x, y)" if plane else "along the motion (x)",
-        )
-        .rstrip("\n")
+    return template("model").substitute(
+        element=template(f"element_{form}").substitute(model=_COLD.get(element.kind, "")),
+        vertical_mass="1e-6" if lifted else "MASS",
+        fixed="0, 0, 0" if plane else "0, 1, 0",
+        free="in the plane (x, y)" if plane else "along the motion (x)",
     )
 
 
-def _template(name: str) -> Template:
-    return Template(files("dcfp.exchange.opensees").joinpath(f"{name}.txt").read_text(encoding="utf-8"))
+def template(name: str) -> Template:
+    """Return a part of a script, with names that begin with a dollar where something is to be put in."""
+    return Template(text_of(name))
+
+
+def text_of(name: str) -> str:
+    """Return a part of a script as it stands, without the end of its last line."""
+    path = files("dcfp.exchange.opensees").joinpath(f"{name}.txt")
+    return path.read_text(encoding="utf-8").rstrip("\n")
+
+
+def ground_of(components: Sequence[GroundMotion]) -> str:
+    """Return the components of the ground motion in the directions from 1 on, with their digests."""
+    numbered = list(enumerate(components, 1))
+    return template("ground").substitute(
+        directions=", ".join(f"{number} is {_NAMES[number - 1]}" for number, _ in numbered),
+        digests="\n".join(f'    {number}: "{one.digest}",' for number, one in numbered),
+        interval=repr(components[0].time_step),
+        values="\n".join(f"    {number}: (\n{_values(one)}\n    )," for number, one in numbered),
+    )
 
 
 def _reports(response: Analysis, element: Element, other: Analysis | None) -> list[str]:
