@@ -1,32 +1,17 @@
 """A script for OpenSeesPy of an isolated building: every bearing of its plan, the slab and the storeys on them."""
 
-from dataclasses import replace
-
-import numpy as np
-
 from dcfp.analysis.integration import Integration
 from dcfp.analysis.plan import PlanResponse, respond_plan
 from dcfp.analysis.plan.model import left_behind
-from dcfp.arrays import FloatArray
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
-from dcfp.exchange.opensees.element import (
-    Element,
-    at_temperature,
-    exported_law,
-    friction_of,
-    is_heated,
-    is_unequal,
-    knows_pressure,
-)
+from dcfp.exchange.opensees.plan_friction import as_exported, elements_of, reasons_of
 from dcfp.exchange.opensees.plan_head import Exported, plan_head
 from dcfp.exchange.opensees.script import FURTHEST, PART_IN_PLANE, STEP, ground_of, template, text_of
 from dcfp.kernels import plan_integrate as k
 from dcfp.motion.ground_motion import parts_in
 from dcfp.motion.station import Station
-from dcfp.system import NoHeating, System
 from dcfp.system.plan import Plan
-from dcfp.system.storeys import MODAL, STIFFNESS_PROPORTIONAL
 
 
 def plan_script(
@@ -59,15 +44,15 @@ def plan_script(
         step = min(STEP, PART_IN_PLANE * motion.time_step)
     Integration(step=step)  # refuses a step out of range
     interval = motion.time_step / parts_in(motion.time_step, step)
-    response = respond_plan(plan, motion, vertical=vertical, overturning=overturning, tail=tail)
+
+    def analyse(building: Plan) -> PlanResponse:
+        return respond_plan(building, motion, vertical=vertical, overturning=overturning, tail=tail)
+
+    response = analyse(plan)
     _refuse(response)
-    elements = _elements(response)
-    changes = vertical or overturning
-    reasons = _reasons(response, elements, changes)
-    other = None
-    if reasons:
-        same = _as_exported(plan, elements)
-        other = respond_plan(same, motion, vertical=vertical, overturning=overturning, tail=tail)
+    elements = elements_of(response)
+    reasons = reasons_of(plan, elements, changes=vertical or overturning)
+    other = analyse(as_exported(plan, elements)) if reasons else None
     exported = Exported(elements, response, other, reasons, overturning, vertical, interval)
     return "\n".join([*plan_head(exported), "", _body(exported), ""])
 
@@ -85,57 +70,6 @@ def _refuse(response: PlanResponse) -> None:
     if response.tallies[k.ALL_LIFTED] > 0.0:
         msg = f"{name}: all bearings lift off at once, where OpenSees has nothing that holds the building; scale the motion down, or leave its vertical part out."
         raise InputError(msg)
-
-
-def _elements(response: PlanResponse) -> tuple[Element, ...]:
-    """Return the friction of each bearing at its static pressure, and at the temperature that it has on average over its path and load."""
-    plan = response.plan
-    temperatures = _mean_temperatures(response)
-    found: list[Element] = []
-    for i, system in enumerate(plan.systems):
-        law = exported_law(system, float(plan.static_loads[i]) / system.bearing.slider_area)
-        temperature = float(temperatures[i]) if is_heated(system, law) else system.heating.ambient
-        found.append(at_temperature(law, system, temperature))
-    return tuple(found)
-
-
-def _mean_temperatures(response: PlanResponse) -> FloatArray:
-    """Return the mean of each bearing's temperature, weighted with the energy of friction [degC]."""
-    arms, (vx, vy, turn) = response.plan.arms, response.slab_velocity.T[:, :, np.newaxis]
-    speed = np.hypot(vx - turn * arms[:, 1], vy + turn * arms[:, 0])
-    power = response.bearing_friction * response.bearing_load * speed
-    total = power.sum(axis=0)
-    mean = (power * response.bearing_temperature).sum(axis=0) / np.where(total > 0.0, total, 1.0)
-    return np.asarray(np.where(total > 0.0, mean, response.bearing_temperature[0]), dtype=np.float64)
-
-
-def _reasons(response: PlanResponse, elements: tuple[Element, ...], changes: bool) -> tuple[str, ...]:
-    """Return why what is exported is not what was analysed."""
-    plan = response.plan
-    systems = list(zip(plan.systems, elements, strict=True))
-    laws = [exported_law(one, one.bearing.pressure) for one in plan.systems]
-    found = {
-        "its friction knows no heat, and is that at the mean temperature of each bearing": any(
-            map(is_heated, plan.systems, laws)
-        ),
-        "its friction does not change with the pressure, and is that at the static load": changes
-        and any(map(knows_pressure, plan.systems)),
-        "two different plates are one with the sum of their radii": any(is_unequal(*one) for one in systems),
-        "its damping is in proportion to the stiffness, with the same ratio in the first mode on a fixed base": bool(
-            plan.storeys
-        )
-        and plan.damping_kind == MODAL,
-    }
-    return tuple(words for words, differs in found.items() if differs)
-
-
-def _as_exported(plan: Plan, elements: tuple[Element, ...]) -> Plan:
-    """Return the plan with the friction and the damping of the script."""
-    types = tuple(
-        System(one.bearing, friction_of(element), NoHeating(one.heating.ambient))
-        for one, element in zip(plan.systems, elements, strict=True)
-    )
-    return replace(plan, types=types, damping_kind=STIFFNESS_PROPORTIONAL)
 
 
 def _body(exported: Exported) -> str:
