@@ -17,6 +17,7 @@ from dcfp import LI_2020, ConstantFriction, Li2020, NoHeating, SimplifiedHeating
 from dcfp.analysis.plan import respond_plan
 from dcfp.errors import InputError
 from dcfp.exchange import plan_script
+from dcfp.system.modes import ModeShapes
 from dcfp.system.plan import Plan, grid
 from dcfp.system.storeys import MODAL, STIFFNESS_PROPORTIONAL, Storey
 
@@ -224,6 +225,7 @@ def test_what_is_the_same_is_not_called_different() -> None:
         (building(System(dcfp.Bearing((300.0,), 400.0, 60.0, 1.5e6), ConstantFriction(0.01), NoHeating())), 0.0, "too near to its effective radius"),
         (building(), 1.5, "all bearings lift off at once"),
         (building(), None, "has no vertical component"),
+        (building(storeys=(Storey(MASS / 4),), modes=ModeShapes(np.array([0.5]), np.ones((1, 1, 3)))), 0.0, "give the stiffnesses of the storeys"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_exported_gets_one_sentence(plan, vertical, words) -> None:

@@ -38,8 +38,11 @@ def plan_script(
     Raises
     ------
     InputError
-        If OpenSees has no element that comes near, a bearing goes too far for it, all bearings lift off at once, or a value is out of range.
+        If OpenSees has no element that comes near, modes stand in place of storeys, a bearing goes too far for it, all bearings lift off at once, or a value is out of range.
     """
+    if plan.modes is not None:
+        msg = f"{plan.name}: modes in place of storeys are no springs between floors, of which a model of OpenSees is made; give the stiffnesses of the storeys."
+        raise InputError(msg)
     if step is None:
         step = min(STEP, PART_IN_PLANE * motion.time_step)
     Integration(step=step)  # refuses a step out of range
