@@ -31,6 +31,7 @@ SLOW = (
     "Plain explicit integration: peak temperature",
     "OpenSees: peak temperature",
     "OpenSees: in the plane",
+    "OpenSees: building",
     "brute force",
     "Plain explicit integration: peak displacement",
     "Prediction: pulse method",

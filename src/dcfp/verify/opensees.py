@@ -105,9 +105,14 @@ def analyse(**job: Any) -> dict[str, Any]:
     CannotCheckError
         If OpenSees cannot be imported or does not finish.
     """
-    if find_spec("openseespy") is None:  # also where its results are at hand
-        raise _missing()
+    require()  # also where its results are at hand
     return run_job(tuple(job.items()))
+
+
+def require() -> None:
+    """Raise a CannotCheckError if OpenSees is not installed."""
+    if find_spec("openseespy") is None:
+        raise _missing()
 
 
 @cache
@@ -125,15 +130,26 @@ def run_job(given: tuple[tuple[str, Any], ...]) -> dict[str, Any]:
         job.write_text(json.dumps(job_of), encoding="utf-8")
         model = model_script(element, SINGLE_CONCAVE, _STEEL, plane=plane)
         Path(folder, "model.py").write_text(model, encoding="utf-8")
-        command = [sys.executable, str(_PROGRAM), str(job), str(result)]
-        try:
-            done = subprocess.run(command, capture_output=True, text=True, timeout=_PATIENCE, check=False)
-        except (OSError, subprocess.TimeoutExpired) as error:
-            raise _missing(str(error)) from error
-        if not result.exists():
-            last = (done.stderr.strip() or done.stdout.strip() or "no message").splitlines()[-1]
-            raise _missing(last)
+        run_apart(_PROGRAM, job, result)
         return dict(json.loads(result.read_text(encoding="utf-8")))
+
+
+def run_apart(*words: Path) -> None:
+    """Run a Python program with arguments in a process of its own; the last one is the file that it writes.
+
+    Raises
+    ------
+    CannotCheckError
+        If it does not write it.
+    """
+    command = [sys.executable, *map(str, words)]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=_PATIENCE, check=False)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise _missing(str(error)) from error
+    if not words[-1].exists():
+        last = (done.stderr.strip() or done.stdout.strip() or "no message").splitlines()[-1]
+        raise _missing(last)
 
 
 def coulomb(record: str) -> Found:
