@@ -31,8 +31,11 @@ def freeze(array: NDArray[np.floating[Any]]) -> FloatArray:
 
 def integral(values: FloatArray, step: float) -> FloatArray:
     """Return the integral from the first sample to each one by the trapezoidal rule; samples are rows."""
-    found = np.zeros_like(values)
-    np.cumsum(0.5 * step * (values[1:] + values[:-1]), axis=0, out=found[1:])
+    found = np.empty_like(values)
+    found[0], rest = 0.0, found[1:]
+    np.add(values[1:], values[:-1], out=rest)
+    rest *= 0.5 * step
+    np.cumsum(rest, axis=0, out=rest)
     return found
 
 

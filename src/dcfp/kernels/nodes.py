@@ -16,15 +16,30 @@ START, END, WAITING_SIZE = range(3)
 #: Columns of what the fit works in: main diagonal and the one beside it; or the velocities at both ends of a leg's own straight line.
 _DIAGONAL, _BESIDE, FIT_SIZE = range(3)
 _FROM, _TO = _DIAGONAL, _BESIDE
-#: Intervals in a block whose range of velocities is known, and columns of that.
+#: Intervals in a block of which the whole is known: how far the velocity is from a straight line there, and its integrals.
 BLOCK = 16
-_LOW, _HIGH, RANGE_SIZE = range(3)
 #: How far a parabola is from its chord at most, over the change of its rate [-].
 BEYOND = 0.125
-#: Points and weights of Gauss's rule, over half of an interval.
-_GAUSS = ((-math.sqrt(0.6), 5.0 / 9.0), (0.0, 8.0 / 9.0), (math.sqrt(0.6), 5.0 / 9.0))
+#: Part of a distance that is more than rounding.
+ALMOST = 1.0 - 1e-9
+#: Columns of the integrals from the start of a block to the end of an interval: of the velocity, of it times the place from there, and of its square.
+WHOLE, RISING, SQUARE, SUMS = range(4)
+# a multiplication is quicker than a division
+_SIXTH, _EIGHTH = 1.0 / 6.0, 1.0 / 8.0
 #: How far a node is moved at once, over the leg that becomes shorter [-].
 FURTHEST_MOVE = 0.25
+
+
+@kernel
+def moving(acceleration: NDArray[np.float64]) -> tuple[int, int]:
+    """Return the last sample at which the ground has not begun to accelerate, and the first at which it has ceased; the other way round where it is never."""
+    size = acceleration.size
+    first, last = 0, size - 1
+    while first < size and acceleration[first] == 0.0:
+        first += 1
+    while last >= 0 and acceleration[last] == 0.0:
+        last -= 1
+    return max(first - 1, 0), min(last + 1, size - 1)
 
 
 @kernel
@@ -48,43 +63,48 @@ def choose_nodes(
     first: int,
     last: int,
     tolerance: float,
+    bows: NDArray[np.float64],
     waiting: NDArray[np.float64],
     places: NDArray[np.float64],
 ) -> int:
     """Write the places of the nodes between two samples, ends included, counted in samples; return their number.
 
     A leg is cut where the velocity is furthest from it, until nowhere is by more than `tolerance` [mm/s]. Accelerations are in mm/s per sample.
-    `waiting` and `places` need as many rows as there can be nodes; nothing is cut any more where they are full.
+    `waiting` and `places` need as many rows as there can be nodes; nothing is cut any more where they are full. `bows`, one for each block, is worked in.
     """
+    _write_bows(acceleration, velocity, bows)
     places[0] = first
     count, open_legs = 1, 1
     waiting[0, START], waiting[0, END] = first, last
     while open_legs > 0:
         start, end = waiting[open_legs - 1, START], waiting[open_legs - 1, END]
-        place = _furthest(acceleration, velocity, start, end, tolerance)
+        place = _furthest(acceleration, velocity, bows, start, end, tolerance)
         count, open_legs = cut_or_keep(place, waiting, open_legs, places, count)
     return count
 
 
 @kernel
-def write_ranges(
-    acceleration: NDArray[np.float64], velocity: NDArray[np.float64], ranges: NDArray[np.float64]
+def _write_bows(
+    acceleration: NDArray[np.float64], velocity: NDArray[np.float64], bows: NDArray[np.float64]
 ) -> None:
-    """Write between which velocities every block of intervals stays [mm/s]."""
-    intervals = velocity.size - 1
-    for block in range(ranges.shape[0]):
-        low, high = math.inf, -math.inf
-        for i in range(block * BLOCK, min((block + 1) * BLOCK, intervals)):
-            beyond = BEYOND * abs(acceleration[i + 1] - acceleration[i])
-            low = min(low, min(velocity[i], velocity[i + 1]) - beyond)
-            high = max(high, max(velocity[i], velocity[i + 1]) + beyond)
-        ranges[block, _LOW], ranges[block, _HIGH] = low, high
+    """Write how far the velocity is at most from the chord of every block of intervals [mm/s]."""
+    for block in range(bows.size):
+        first, last = block * BLOCK, min((block + 1) * BLOCK, velocity.size - 1)
+        rate = (velocity[last] - velocity[first]) / (last - first)
+        away, bend, place = 0.0, 0.0, 0.0
+        for i in range(first, last):
+            away = max(away, abs(velocity[i] - velocity[first] - rate * place))
+            place += 1.0
+            bend = max(bend, abs(acceleration[i + 1] - acceleration[i]))
+        bows[block] = away + BEYOND * bend
 
 
 @kernel
-def most_within(ranges: NDArray[np.float64], block: int, start: float, end: float) -> float:
-    """Return how far the velocities of a block are at most from a leg with these velocities at its start and end [mm/s]."""
-    return max(ranges[block, _HIGH] - min(start, end), max(start, end) - ranges[block, _LOW])
+def bow_between(bows: NDArray[np.float64], first: int, last: int) -> float:
+    """Return how far the velocity is at most from its chord between two samples of one block [mm/s]."""
+    bow = bows[first // BLOCK]
+    # the ends of the chord of a part may be beside that of the whole
+    return bow if last - first == BLOCK else 2.0 * bow
 
 
 @kernel
@@ -106,6 +126,7 @@ def cut_or_keep(
 def _furthest(
     acceleration: NDArray[np.float64],
     velocity: NDArray[np.float64],
+    bows: NDArray[np.float64],
     start: float,
     end: float,
     tolerance: float,
@@ -113,17 +134,30 @@ def _furthest(
     """Return where the velocity is furthest from the straight leg between two places; not a number where it is nowhere by more than the tolerance."""
     from_velocity = velocity_at(acceleration, velocity, start)
     slope = (velocity_at(acceleration, velocity, end) - from_velocity) / (end - start)
+    low, high = int(start), min(math.ceil(end), velocity.size - 1)
+    # what is closer than the end of a block is not where it is furthest
+    least = tolerance
+    for i in range((low // BLOCK + 1) * BLOCK, high, BLOCK):
+        least = max(least, ALMOST * abs(velocity[i] - from_velocity - slope * (i - start)))
     found, furthest = math.nan, tolerance
-    for i in range(int(start), min(math.ceil(end), velocity.size - 1)):
-        # it is extreme where the acceleration is the slope of the leg
-        here, there = acceleration[i] - slope, acceleration[i + 1] - slope
-        distance = velocity[i] - from_velocity - slope * (i - start)
-        if abs(distance) + 0.5 * abs(here) <= furthest or here * there > 0.0:
-            continue
-        share = here / (here - there) if here != there else 0.0
-        distance = abs(distance + 0.5 * here * share)
-        if start < i + share < end and distance > furthest:
-            found, furthest = i + share, distance
+    first = low
+    while first < high:
+        last = min((first // BLOCK + 1) * BLOCK, high)
+        before = abs(velocity[first] - from_velocity - slope * (first - start))
+        after = abs(velocity[last] - from_velocity - slope * (last - start))
+        if max(before, after) + bow_between(bows, first, last) > least:
+            for i in range(first, last):
+                # it is extreme where the acceleration is the slope of the leg
+                here, there = acceleration[i] - slope, acceleration[i + 1] - slope
+                distance = velocity[i] - from_velocity - slope * (i - start)
+                if abs(distance) + 0.5 * abs(here) <= least or here * there > 0.0:
+                    continue
+                share = here / (here - there) if here != there else 0.0
+                distance = abs(distance + 0.5 * here * share)
+                if start < i + share < end and distance > furthest:
+                    found, furthest = i + share, distance
+                    least = max(least, ALMOST * distance)
+        first = last
     return found
 
 
@@ -149,15 +183,37 @@ def velocity_at(acceleration: NDArray[np.float64], velocity: NDArray[np.float64]
 
 
 @kernel
+def write_sums(
+    acceleration: NDArray[np.float64], velocity: NDArray[np.float64], sums: NDArray[np.float64]
+) -> None:
+    """Write the integrals of the velocity from the start of its block to the end of every interval, shape (intervals, SUMS) [mm/s times samples].
+
+    They begin anew with every block, so that differences of them keep their digits.
+    """
+    for origin in range(0, velocity.size - 1, BLOCK):
+        whole, rising, square, place = 0.0, 0.0, 0.0, 0.0
+        for i in range(origin, min(origin + BLOCK, velocity.size - 1)):
+            # of a parabola from sample to sample, and of it times the place
+            v, a, b = velocity[i], acceleration[i], acceleration[i + 1]
+            part = v + (_SIXTH * b + 2.0 * _SIXTH * a)
+            whole += part
+            rising += place * part + (0.5 * v + (_EIGHTH * b + 5.0 / 3.0 * _EIGHTH * a))
+            square += _square_of(v, a, b - a)
+            place += 1.0
+            sums[i, WHOLE], sums[i, RISING], sums[i, SQUARE] = whole, rising, square
+
+
+@kernel
 def move_nodes(
     acceleration: NDArray[np.float64],
     velocity: NDArray[np.float64],
+    sums: NDArray[np.float64],
     places: NDArray[np.float64],
     work: NDArray[np.float64],
 ) -> None:
     """Move the nodes between the ends to where the straight lines meet that are closest to the velocity along each leg by itself."""
     for k in range(places.size - 1):
-        work[k, _FROM], work[k, _TO] = leg_line(acceleration, velocity, places[k], places[k + 1])
+        work[k, _FROM], work[k, _TO] = leg_line(acceleration, velocity, sums, places[k], places[k + 1])
     start = places[0]  # of the leg before, as its line was fitted
     for k in range(1, places.size - 1):
         here = places[k]
@@ -173,6 +229,7 @@ def move_nodes(
 def fit_nodes(
     acceleration: NDArray[np.float64],
     velocity: NDArray[np.float64],
+    sums: NDArray[np.float64],
     places: NDArray[np.float64],
     work: NDArray[np.float64],
     fitted: bool,
@@ -191,7 +248,7 @@ def fit_nodes(
         ordinates[k] = work[k, _DIAGONAL] = work[k, _BESIDE] = 0.0
     for k in range(count - 1):
         length = places[k + 1] - places[k]
-        left, right = _moments(acceleration, velocity, places[k], places[k + 1])
+        left, right, _ = _moments(acceleration, velocity, sums, places[k], places[k + 1])
         ordinates[k] += left
         ordinates[k + 1] += right
         work[k, _DIAGONAL] += length / 3.0
@@ -209,75 +266,93 @@ def fit_nodes(
 
 @kernel
 def leg_line(
-    acceleration: NDArray[np.float64], velocity: NDArray[np.float64], start: float, end: float
+    acceleration: NDArray[np.float64],
+    velocity: NDArray[np.float64],
+    sums: NDArray[np.float64],
+    start: float,
+    end: float,
 ) -> tuple[float, float]:
     """Return the velocities at both ends of the straight line that is closest to the velocity along a leg by itself [mm/s]."""
-    left, right = _moments(acceleration, velocity, start, end)
+    left, right, _ = _moments(acceleration, velocity, sums, start, end)
     over = 2.0 / (end - start)
     return over * (2.0 * left - right), over * (2.0 * right - left)
 
 
 @kernel
 def _moments(
-    acceleration: NDArray[np.float64], velocity: NDArray[np.float64], start: float, end: float
-) -> tuple[float, float]:
-    """Return the integrals of the velocity along a leg, weighted by what falls and what rises along it from 0 to 1 [mm/s times samples]."""
+    acceleration: NDArray[np.float64],
+    velocity: NDArray[np.float64],
+    sums: NDArray[np.float64],
+    start: float,
+    end: float,
+) -> tuple[float, float, float]:
+    """Return the integrals of the velocity along a leg, weighted by what falls and what rises along it from 0 to 1 [mm/s times samples], and of its square."""
     low, high = math.ceil(start), int(end)
     if low > high:
-        whole, rising = _part(acceleration, velocity, start, end, start)
+        whole, rising, square = _part(acceleration, velocity, start, end, start)
     else:
-        whole, rising = _part(acceleration, velocity, start, low, start)
-        for i in range(low, high):
-            # of a parabola from sample to sample, and of it times the place from the first on
-            part = velocity[i] + acceleration[i] / 3.0 + acceleration[i + 1] / 6.0
+        whole, rising, square = _part(acceleration, velocity, start, low, start)
+        first = low
+        while first < high:
+            origin = first // BLOCK * BLOCK
+            last = min(origin + BLOCK, high)
+            part, moment = sums[last - 1, WHOLE], sums[last - 1, RISING]
+            square += sums[last - 1, SQUARE]
+            if first > origin:
+                part, moment = part - sums[first - 1, WHOLE], moment - sums[first - 1, RISING]
+                square -= sums[first - 1, SQUARE]
             whole += part
-            rising += (
-                (i - start) * part
-                + 0.5 * velocity[i]
-                + (5.0 * acceleration[i] + 3.0 * acceleration[i + 1]) / 24.0
-            )
-        part, moment = _part(acceleration, velocity, high, end, start)
+            rising += moment + (origin - start) * part
+            first = last
+        part, moment, rest = _part(acceleration, velocity, high, end, start)
         whole += part
         rising += moment
+        square += rest
     rising /= end - start
-    return whole - rising, rising
+    return whole - rising, rising, square
 
 
 @kernel
 def squares_beside(
     acceleration: NDArray[np.float64],
     velocity: NDArray[np.float64],
+    sums: NDArray[np.float64],
     places: NDArray[np.float64],
     ordinates: NDArray[np.float64],
 ) -> tuple[float, float]:
     """Return the integrals of the square of the velocity beside the legs, and of its own square, from the first node to the last [mm2/s2 times samples]."""
     beside = own = 0.0
     for k in range(places.size - 1):
-        slope = (ordinates[k + 1] - ordinates[k]) / (places[k + 1] - places[k])
-        begin = places[k]
-        while begin < places[k + 1]:
-            end = min(math.floor(begin) + 1.0, places[k + 1])
-            half, middle = 0.5 * (end - begin), 0.5 * (begin + end)
-            # Gauss's rule of three points is exact for the square of a parabola
-            for part, weight in _GAUSS:
-                place = middle + part * half
-                there = velocity_at(acceleration, velocity, place)
-                away = there - ordinates[k] - slope * (place - places[k])
-                beside += weight * half * away * away
-                own += weight * half * there * there
-            begin = end
-    return beside, own
+        left, right, square = _moments(acceleration, velocity, sums, places[k], places[k + 1])
+        begin, end = ordinates[k], ordinates[k + 1]
+        of_leg = (places[k + 1] - places[k]) * (begin * begin + begin * end + end * end) / 3.0
+        beside += square - 2.0 * (begin * left + end * right) + of_leg
+        own += square
+    return max(beside, 0.0), own
+
+
+@kernel
+def _square_of(start: float, rate: float, bend: float) -> float:
+    """Return the integral from 0 to 1 of the square of ``start`` + ``rate`` s + ``bend`` s2 / 2."""
+    return (
+        start * (start + rate)
+        + 2.0 * _SIXTH * (rate * rate + start * bend)
+        + bend * (0.25 * rate + 0.05 * bend)
+    )
 
 
 @kernel
 def _part(
     acceleration: NDArray[np.float64], velocity: NDArray[np.float64], begin: float, end: float, origin: float
-) -> tuple[float, float]:
-    """Return the integrals over a part of an interval of the velocity, and of it times the place from the origin on: by Simpson's rule, exact for a cubic."""
+) -> tuple[float, float, float]:
+    """Return the integrals over a part of an interval of the velocity, of it times the place from the origin on, and of its square."""
     middle = 0.5 * (begin + end)
     first = velocity_at(acceleration, velocity, begin)
     second = 4.0 * velocity_at(acceleration, velocity, middle)
     third = velocity_at(acceleration, velocity, end)
+    # Simpson's rule is exact for a cubic
     whole = first + second + third
     moment = (begin - origin) * first + (middle - origin) * second + (end - origin) * third
-    return (end - begin) / 6.0 * whole, (end - begin) / 6.0 * moment
+    bend = 4.0 * (first + third) - 2.0 * second
+    square = _square_of(first, third - first - 0.5 * bend, bend)
+    return (end - begin) / 6.0 * whole, (end - begin) / 6.0 * moment, (end - begin) * square

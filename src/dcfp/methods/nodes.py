@@ -11,13 +11,15 @@ from dcfp.kernels import plane_nodes as plane
 from dcfp.kernels.nodes import (
     BLOCK,
     FIT_SIZE,
-    RANGE_SIZE,
+    SUMS,
     WAITING_SIZE,
     choose_nodes,
     fit_nodes,
     move_nodes,
+    moving,
     peak_of,
     squares_beside,
+    write_sums,
 )
 from dcfp.methods.pulses import scaled_velocities
 from dcfp.motion.load import Motion, motion_of
@@ -115,52 +117,54 @@ def find_nodes(motion: Motion | Station, tolerance: float = TOLERANCE, *, fitted
     limit = tolerance * peak_of(per_sample, velocity)
     if limit == 0.0:
         return Nodes(np.empty(0), np.empty(0), tolerance)
-    first, last = _moving(per_sample)
-    most = 2 * velocity.size
-    places = np.empty(most)
-    places = places[
-        : choose_nodes(per_sample, velocity, first, last, limit, np.empty((most, WAITING_SIZE)), places)
-    ]
+    first, last = moving(per_sample)
+    bows, waiting, places = _room(velocity.size)
+    places = places[: choose_nodes(per_sample, velocity, first, last, limit, bows, waiting, places)]
     velocities, work = np.empty(places.size), np.empty((places.size, FIT_SIZE))
+    sums = np.empty((velocity.size - 1, SUMS))
+    write_sums(per_sample, velocity, sums)
     for _ in range(MOVES if fitted else 0):
-        move_nodes(per_sample, velocity, places, work)
-    fit_nodes(per_sample, velocity, places, work, fitted, velocities)
+        move_nodes(per_sample, velocity, sums, places, work)
+    fit_nodes(per_sample, velocity, sums, places, work, fitted, velocities)
     return Nodes(
         places * step,
         velocities,
         tolerance,
-        _misfit(squares_beside(per_sample, velocity, places, velocities)),
+        _misfit(squares_beside(per_sample, velocity, sums, places, velocities)),
     )
 
 
-def _moving(acceleration: FloatArray) -> tuple[int, int]:
-    """Return the last sample at which the ground has not begun to accelerate, and the first at which it has ceased."""
-    moving = np.flatnonzero(acceleration)
-    return max(int(moving[0]) - 1, 0), min(int(moving[-1]) + 1, acceleration.size - 1)
+def _room(samples: int) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return the arrays in which nodes are chosen, the last for their places."""
+    most = 2 * samples
+    return np.empty((samples - 2) // BLOCK + 1), np.empty((most, WAITING_SIZE)), np.empty(most)
 
 
 def _of_station(station: Station, tolerance: float, fitted: bool) -> Nodes:
     """Return the nodes of a station."""
     step = station.time_step
-    ground = tuple(
-        np.ascontiguousarray(one) for one in (*(step * station.acceleration.T), *station.velocity.T)
-    )
-    ax, ay, vx, vy = ground
+    vx, vy = station.x.velocity, station.y.velocity
+    ax, ay = station.x.acceleration * step, station.y.acceleration * step
     limit = tolerance * plane.plane_peak_of(ax, ay, vx, vy)
     if limit == 0.0:
         return Nodes(np.empty(0), np.empty((0, 2)), tolerance)
-    first, last = _moving(np.abs(ax) + np.abs(ay))
-    most = 2 * vx.size
-    places = np.empty(most)
-    ranges, waiting = np.empty((2, vx.size // BLOCK + 1, RANGE_SIZE)), np.empty((most, WAITING_SIZE))
-    places = places[: plane.choose_plane_nodes(ax, ay, vx, vy, first, last, limit, ranges, waiting, places)]
-    velocities, work = np.empty((2, places.size)), np.empty((places.size, plane.MOVE_SIZE))
+    begin, cease = zip(moving(ax), moving(ay), strict=True)
+    bows, waiting, places = _room(vx.size)
+    count = plane.choose_plane_nodes(ax, ay, vx, vy, min(begin), max(cease), limit, bows, waiting, places)
+    places = places[:count]
+    velocities, work = np.empty((2, count)), np.empty((count, plane.MOVE_SIZE))
+    sums = np.empty((2, vx.size - 1, SUMS))
+    write_sums(ax, vx, sums[0])
+    write_sums(ay, vy, sums[1])
     for _ in range(MOVES if fitted else 0):
-        plane.move_plane_nodes(ax, ay, vx, vy, places, work)
+        plane.move_plane_nodes(ax, ay, vx, vy, sums, places, work)
     squares = np.zeros(2)
-    for acceleration, velocity, found in ((ax, vx, velocities[0]), (ay, vy, velocities[1])):
-        fit_nodes(acceleration, velocity, places, work, fitted, found)
-        squares += squares_beside(acceleration, velocity, places, found)
+    for acceleration, velocity, of, found in (
+        (ax, vx, sums[0], velocities[0]),
+        (ay, vy, sums[1], velocities[1]),
+    ):
+        fit_nodes(acceleration, velocity, of, places, work, fitted, found)
+        squares += squares_beside(acceleration, velocity, of, places, found)
     return Nodes(places * step, velocities.T, tolerance, _misfit(squares))
 
 
