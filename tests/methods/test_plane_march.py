@@ -9,7 +9,7 @@ import pytest
 
 from dcfp.analysis import respond
 from dcfp.errors import InputError
-from dcfp.kernels.plane_march import _write_coefficients
+from dcfp.kernels.plane_march import _write_row
 from dcfp.kernels.plane_step import COEFFICIENTS, oscillator_rows
 from dcfp.methods import Nodes, find_nodes, march_in_plane
 from dcfp.motion import treatment
@@ -129,9 +129,10 @@ def test_fewer_steps_change_little(near: Station) -> None:
 @pytest.mark.parametrize("stiffness", [1.09, 2470.0])
 @pytest.mark.parametrize("length", [1e-4, 0.01, 0.05, 0.3])
 def test_the_coefficients_of_a_step_are_those_of_an_analysis(stiffness: float, length: float) -> None:
-    row = np.empty(COEFFICIENTS)
-    _write_coefficients(stiffness, length, row)
-    np.testing.assert_allclose(row, oscillator_rows(stiffness, np.array([length]))[0], rtol=1e-12)
+    table, lengths = np.empty((3, COEFFICIENTS)), length / np.array([1.0, 2.0, 4.0])
+    for level in range(3):
+        _write_row(stiffness, length, level, table)
+    np.testing.assert_allclose(table, oscillator_rows(stiffness, lengths), rtol=1e-12)
 
 
 def test_a_slide_beyond_the_first_grid_finds_more() -> None:

@@ -265,5 +265,6 @@ def largest_change(
         Number of directions of half a turn that are looked at.
     """
     angles = np.arange(directions) * (math.pi / directions)
-    work = np.stack([np.cos(angles), np.sin(angles), np.zeros(directions)])
+    work = np.empty((plane_swings.ROWS, directions))
+    work[plane_swings.COSINE], work[plane_swings.SINE] = np.cos(angles), np.sin(angles)
     return plane_swings.largest_change(displacement, velocity, interval, work)

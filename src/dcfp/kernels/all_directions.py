@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.oscillator import furthest, passed, stepped
+from dcfp.kernels.oscillator import angle_of, furthest, passed, stepped
 
 #: Directions in which the furthest points are looked for.
 SECTORS = 6
@@ -94,7 +94,7 @@ def _note_step(
     count = directions.shape[0]
     u, v, w, z = before
     next_u, next_v, next_w, next_z = after
-    low, high = passed(math.atan2(z, v), math.atan2(next_z, next_v), count)
+    low, high = passed(angle_of(v, z), angle_of(next_v, next_z), count)
     if is_last:
         high = low + count
     for place in range(math.ceil(low), math.floor(high) + 1):

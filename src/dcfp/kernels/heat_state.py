@@ -32,10 +32,12 @@ MODE_ROWS = STEP_ROW + STEP_ROWS * (ODD_LENGTH + 1)
 PRESENT, EXPECTED, BETWEEN = 0, 2, 4
 # so many entries after each temperature the cycling parameter, the integral of p v2 over time [N/s], for laws that fall with it
 CYCLING_PARAMETER = 6
+# what of the expected temperatures does not depend on the flux
+COOLED = 12
 # the coefficient of each of two plates over that of the bearing
-RATIO = 12
+RATIO = 14
 # then for each plate: covered width of the right edge cell [mm], position of the slider [mm], left edge cell
-PLATE_ENTRY, PLATE_ENTRIES = 14, 3
+PLATE_ENTRY, PLATE_ENTRIES = 16, 3
 COVERED, POSITION, LEFT_CELL = range(3)
 # then for each prepared step: its length [s], negative if it can only cool, and the sums of its weights
 STEP_ENTRY, STEP_ENTRIES = PLATE_ENTRY + 2 * PLATE_ENTRIES, 3

@@ -192,11 +192,10 @@ def _drag(
     opening = pressure * load.start * mu * s0 if begin.slides else 0.0
     e_m, e_1, mu_m, mu_1, radius_m, radius_1 = e, e, mu, mu, radius, radius
     slid, sliding = begin.slides, True
+    plane_heat.expect_cooling(model.heat, field, system, level, h)
     for _ in range(2):
         closing = pressure * load.end * mu_1 * s_1 if sliding else 0.0
-        mu_m, mu_1 = friction_between(
-            model, field, load, level, h, r0, r1, s_m, s_1, opening, closing, rubbing
-        )
+        mu_m, mu_1 = friction_between(model, load, level, r0, r1, s_m, s_1, opening, closing, rubbing)
         radius_m, radius_1 = mu_m * system.yield_per_mu * load.middle, mu_1 * system.yield_per_mu * load.end
         e_m, slid = elongation_after(e, radius, radius_m, u_m - u, v, v_m)
         e_1, sliding = elongation_after(e_m, radius_m, radius_1, u_1 - u_m, v_m, v_1)

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from dcfp.kernels._jit import called_kernel, kernel
 from dcfp.kernels.heat_state import (
     COMMON,
+    COOLED,
     CYCLING_PARAMETER,
     DISC,
     EXPECTED,
@@ -107,39 +108,46 @@ def crosses_edge(heat: Heat, system: SystemConstants, start: float, end: float) 
 
 
 @kernel
+def expect_cooling(heat: Heat, field: Field, system: SystemConstants, place: int, length: float) -> None:
+    """Store the temperatures to expect at the end of a step without friction, from which `expect` goes on."""
+    factors = STEP_ROW + STEP_ROWS * place
+    for i in range(system.plates):
+        rise = heat.ambient
+        if heat.kind != NO_HEATING:
+            first = PLATE_ROW + i * PLATE_ROWS
+            rise += decayed_total(heat.modes, factors, first + COMMON)
+            if heat.kind == DISC:
+                inside = decayed_total(heat.modes, factors, first + INSIDE)
+                rise += inside / field.tallies[i, COVERED_POINTS] + length * field.tallies[i, SWEEP_RATE]
+        heat.workspace[COOLED + i] = rise
+
+
+@kernel
 def expect(
     heat: Heat,
-    field: Field,
     system: SystemConstants,
     place: int,
-    length: float,
     start: float,
     end: float,
     opening: float,
     closing: float,
     rubbing: float,
 ) -> None:
-    """Store the temperatures and cycling parameters to expect at the end of a step, without taking it.
+    """Store the temperatures and cycling parameters to expect at the end of a step, without taking it, after `expect_cooling`.
 
     Distances from the centre at `start` and `end` [mm], fluxes mu p |v| then [N/(mm s)], `rubbing` the integral of p v2 [N/s].
     """
-    workspace, modes = heat.workspace, heat.modes
-    factors, entry = STEP_ROW + STEP_ROWS * place, STEP_ENTRY + STEP_ENTRIES * place
+    workspace, entry = heat.workspace, STEP_ENTRY + STEP_ENTRIES * place
     for i in range(system.plates):
-        rise = heat.ambient
+        rise = workspace[COOLED + i]
         if heat.kind != NO_HEATING:
-            portion, first = share(system, i), PLATE_ROW + i * PLATE_ROWS
-            rise += decayed_total(modes, factors, first + COMMON)
-            felt = 0.0
+            portion, felt = share(system, i), 0.0
             if _covered_part(heat, portion, start, end) == 1.0:
                 felt = portion * workspace[RATIO + i]
             if felt * closing + opening > 0.0:
                 rise += felt * (
                     workspace[entry + 1] * opening + (workspace[entry + 2] + heat.instant) * closing
                 )
-            if heat.kind == DISC:
-                rise += decayed_total(modes, factors, first + INSIDE) / field.tallies[i, COVERED_POINTS]
-                rise += length * field.tallies[i, SWEEP_RATE]
         workspace[EXPECTED + i] = rise
         workspace[EXPECTED + CYCLING_PARAMETER + i] = (
             workspace[PRESENT + CYCLING_PARAMETER + i] + speed_factor(system, i) ** 2 * rubbing
@@ -225,6 +233,8 @@ def _note_hottest(heat: Heat, field: Field, plate: int, time: float, common: flo
 
     No point differs from the common modes by more, in any mode, than the bound that is kept: all points are looked at only where that could matter.
     """
+    if field.tallies[plate, HOTTEST] == math.inf:  # nobody asks for it
+        return
     tallies, modes, bound = field.tallies, heat.modes, PLATE_ROW + plate * PLATE_ROWS + BOUND
     if tallies[plate, ALWAYS] > 0.0:
         if common > tallies[plate, HOTTEST]:

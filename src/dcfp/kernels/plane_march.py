@@ -15,7 +15,7 @@ from dcfp.kernels.heat_state import MOST_HALVINGS, PRESENT
 from dcfp.kernels.heating import prepare
 from dcfp.kernels.plane_heat import Field
 from dcfp.kernels.plane_slide import Load, PlaneControl, PlaneMotion, PlaneStep, slide, stick
-from dcfp.kernels.plane_step import COEFFICIENTS, dot, length_of
+from dcfp.kernels.plane_step import END, MIDDLE, dot, length_of
 
 #: Columns of the path.
 PATH_TIME, PATH_X, PATH_Y, PATH_VELOCITY_X, PATH_VELOCITY_Y, PATH_SIZE = range(6)
@@ -23,8 +23,9 @@ PATH_TIME, PATH_X, PATH_Y, PATH_VELOCITY_X, PATH_VELOCITY_Y, PATH_SIZE = range(6
 FREE_STEPS = 2400
 #: Parts of the first step of a leg that the shortest step is one of.
 _PARTS = 1 << MOST_HALVINGS
-#: Below this many terms a series for the coefficients of an oscillator is exact, up to this square of an angle.
-_TERMS, _LARGEST_SQUARE = 12, 1.0
+#: With so many terms after the first a series for the coefficients of an oscillator is exact, up to this square of an angle; and what is divided by in it, inverted.
+_TERMS, _LARGEST_SQUARE = 8, 1.0
+_OVER = 1.0 / (np.arange(2.0 * _TERMS + 6.0) * np.arange(1.0, 2.0 * _TERMS + 7.0)).clip(1.0)
 
 
 class PlaneMarchState(NamedTuple):
@@ -88,8 +89,8 @@ def march_in_plane(
             length = base / (1 << level)
             while known < level:
                 known += 1
-                _write_coefficients(system.restoring, base / (1 << known), tables[0, known])
-                _write_coefficients(both, base / (1 << known), tables[1, known])
+                _write_row(system.restoring, base, known, tables[0])
+                _write_row(both, base, known, tables[1])
             prepare(heat, level, length)
             e = motion.elongation
             step = PlaneStep(motion, motion.displacement, 0.0, 0.0, 0.0, 0.0, False, False, True)
@@ -148,32 +149,38 @@ def march_in_plane(
 
 
 @kernel
-def _write_coefficients(stiffness: float, length: float, row: NDArray[np.float64]) -> None:
-    """Write the coefficients of an oscillator over a step, as `oscillator_rows` gives them: h^k phi_k for k = 0 to 6, of half the step and of the step."""
-    for half in range(2):
-        h = 0.5 * length if half == 0 else length
-        first = half * (COEFFICIENTS // 2)
-        z = stiffness * h * h
-        if z < _LARGEST_SQUARE:
-            for k in (5, 6):
-                term = 1.0 / math.gamma(k + 1.0)
-                total = 0.0
-                for n in range(_TERMS):
-                    total += term
-                    term *= -z / ((2 * n + k + 1) * (2 * n + k + 2))
-                row[first + k] = total
-            inverse = 1.0 / 24.0
-            for k in (4, 3, 2, 1, 0):
-                row[first + k] = inverse - z * row[first + k + 2]
-                inverse *= max(k, 1)
-        else:
-            root = math.sqrt(z)
-            row[first], row[first + 1] = math.cos(root), math.sin(root) / root
-            inverse = 1.0
-            for k in range(2, 7):
-                row[first + k] = (inverse - row[first + k - 2]) / z
-                inverse /= k - 1
-        power = 1.0
-        for k in range(7):
-            row[first + k] *= power
-            power *= h
+def _write_row(stiffness: float, base: float, level: int, table: NDArray[np.float64]) -> None:
+    """Write the coefficients of an oscillator over a step of `base` [s] halved `level` times, after those of steps halved less often."""
+    _write_coefficients(stiffness, 0.5 * base / (1 << level), table[level], MIDDLE)
+    if level == 0:
+        _write_coefficients(stiffness, base, table[level], END)
+        return
+    for k in range(END):  # what was half of a step is a whole one
+        table[level, END + k] = table[level - 1, MIDDLE + k]
+
+
+@kernel
+def _write_coefficients(stiffness: float, length: float, row: NDArray[np.float64], first: int) -> None:
+    """Write the coefficients of an oscillator after a `length` [s], as `oscillator_rows` gives them: h^k phi_k for k = 0 to 6, from column `first` on."""
+    z = stiffness * length * length
+    if z < _LARGEST_SQUARE:
+        five, six = 1.0, 1.0
+        for n in range(2 * _TERMS, 0, -2):
+            five = 1.0 - z * _OVER[n + 4] * five
+            six = 1.0 - z * _OVER[n + 5] * six
+        row[first + 5], row[first + 6] = five / 120.0, six / 720.0
+        inverse = 1.0 / 24.0
+        for k in (4, 3, 2, 1, 0):
+            row[first + k] = inverse - z * row[first + k + 2]
+            inverse *= max(k, 1)
+    else:
+        root = math.sqrt(z)
+        row[first], row[first + 1] = math.cos(root), math.sin(root) / root
+        inverse = 1.0
+        for k in range(2, 7):
+            row[first + k] = (inverse - row[first + k - 2]) / z
+            inverse /= k - 1
+    power = 1.0
+    for k in range(7):
+        row[first + k] *= power
+        power *= length

@@ -108,11 +108,11 @@ def begun(model: BearingModel, motion: PlaneMotion) -> PlaneMotion:
 
 @kernel
 def friction_between(
-    model: BearingModel, field: Field, load: Load, place: int, length: float, start: float, end: float,
+    model: BearingModel, load: Load, place: int, start: float, end: float,
     middle_speed: float, end_speed: float, opening: float, closing: float, rubbing: float,
 ) -> tuple[float, float]:  # fmt: skip
     """Coefficients of friction in the middle of a step and at its end, at the temperatures to expect there; arguments as of `plane_heat.expect`."""
-    plane_heat.expect(model.heat, field, model.system, place, length, start, end, opening, closing, rubbing)
+    plane_heat.expect(model.heat, model.system, place, start, end, opening, closing, rubbing)
     interpolate(model.heat, model.system, 0.5, BETWEEN)
     if not load.changes:
         return mean_coefficient(model, middle_speed, BETWEEN), mean_coefficient(model, end_speed, EXPECTED)
@@ -182,8 +182,9 @@ def stick(
             course = advance(row, wf2 + kf, u, v, force)
     middle, end = e + (course.middle - u), e + (course.end - u)
     r0 = length_of(u)
+    plane_heat.expect_cooling(model.heat, field, system, level, h)
     mu_m, mu_1 = friction_between(
-        model, field, load, level, h, r0, r0, length_of(course.middle_velocity), length_of(course.end_velocity), 0.0, 0.0, 0.0
+        model, load, level, r0, r0, length_of(course.middle_velocity), length_of(course.end_velocity), 0.0, 0.0, 0.0
     )  # fmt: skip
     radius_m, radius_1 = mu_m * system.yield_per_mu * load.middle, mu_1 * system.yield_per_mu * load.end
     accepted = dot(middle, middle) <= radius_m * radius_m and dot(end, end) <= radius_1 * radius_1
@@ -244,12 +245,13 @@ def slide(
     lifted, force = Force(0j, 0j, 0j), Force(-ground - f0, -rate - friction.rate, -friction.curvature)
     course = advance(row, wf2, u, v, force)
     rubbing, sliding = 0.0, True
+    plane_heat.expect_cooling(model.heat, field, system, level, h)
     for _ in range(2):
         s_m, s_1 = length_of(course.middle_velocity), length_of(course.end_velocity)
         rubbing = pressure * load.middle * (h / 6.0) * (s0 * s0 + 4.0 * s_m * s_m + s_1 * s_1)
         closing = pressure * load.end * mu_1 * s_1
         mu_m, mu_1 = friction_between(
-            model, field, load, level, h, r0, length_of(course.end), s_m, s_1, opening, closing, rubbing
+            model, load, level, r0, length_of(course.end), s_m, s_1, opening, closing, rubbing
         )
         radius_m, radius_1 = mu_m * system.yield_per_mu * load.middle, mu_1 * system.yield_per_mu * load.end
         e_m, sliding = elongation_after(e, radius, radius_m, course.middle - u, v, course.middle_velocity)

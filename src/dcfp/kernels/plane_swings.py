@@ -6,10 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dcfp.kernels._jit import kernel
-from dcfp.kernels.oscillator import passed
+from dcfp.kernels.oscillator import angle_of, passed
 
-#: Of a row of what `largest_change` works in: the directions' cosine and sine, and the last peak in each [mm].
-COSINE, SINE, LAST_PEAK = range(3)
+#: Rows of what `largest_change` works in: the directions' cosine and sine, and in each the last peak and the largest change so far [mm].
+COSINE, SINE, LAST_PEAK, LARGEST, ROWS = range(5)
 
 
 @kernel
@@ -21,29 +21,56 @@ def largest_change(
 ) -> float:
     """Return the largest change of displacement between two successive peaks in any of the directions [mm].
 
-    Rows of `displacement` [mm] and `velocity` [mm/s] are `interval` [s] apart; `directions`, shape (3, n), are evenly spaced over half a turn.
+    Rows of `displacement` [mm] and `velocity` [mm/s] are `interval` [s] apart; `directions`, shape (ROWS, n), are evenly spaced over half a turn.
     Each interval concerns only those directions that the velocity turns past.
     """
     count = directions.shape[1]
     for k in range(count):
-        directions[LAST_PEAK, k] = _along(directions, k, displacement[0])
-    largest = 0.0
-    angle = math.atan2(velocity[0, 1], velocity[0, 0])
+        directions[LAST_PEAK, k], directions[LARGEST, k] = _along(directions, k, displacement[0]), 0.0
+    angle = angle_of(velocity[0, 0], velocity[0, 1])
     for i in range(displacement.shape[0] - 1):
-        before, angle = angle, math.atan2(velocity[i + 1, 1], velocity[i + 1, 0])
+        before, angle = angle, angle_of(velocity[i + 1, 0], velocity[i + 1, 1])
         low, high = passed(before, angle, count)
-        for place in range(math.ceil(low), math.floor(high) + 1):  # the velocities decide
-            k = place % count
-            v0, v1 = _along(directions, k, velocity[i]), _along(directions, k, velocity[i + 1])
-            if v0 * v1 < 0.0:
-                # the velocity as linear in the interval of the turn
-                peak = _along(directions, k, displacement[i]) + 0.5 * interval * v0 * v0 / (v0 - v1)
-                largest = max(largest, abs(peak - directions[LAST_PEAK, k]))
-                directions[LAST_PEAK, k] = peak
+        first, number = math.ceil(low), math.floor(high) + 1 - math.ceil(low)
+        first %= count
+        _note_peaks(
+            displacement[i],
+            velocity[i],
+            velocity[i + 1],
+            interval,
+            directions,
+            first,
+            min(first + number, count),
+        )
+        _note_peaks(
+            displacement[i], velocity[i], velocity[i + 1], interval, directions, 0, first + number - count
+        )
+    largest = 0.0
     for k in range(count):
         end = _along(directions, k, displacement[-1])
-        largest = max(largest, abs(end - directions[LAST_PEAK, k]))
+        largest = max(largest, directions[LARGEST, k], abs(end - directions[LAST_PEAK, k]))
     return largest
+
+
+@kernel
+def _note_peaks(
+    displacement: NDArray[np.float64],
+    velocity: NDArray[np.float64],
+    later: NDArray[np.float64],
+    interval: float,
+    directions: NDArray[np.float64],
+    first: int,
+    beyond: int,
+) -> None:
+    """Note the peaks in an interval in some of the directions: the velocities decide, and are taken as linear. Without branches, so that it is done for several at once."""
+    for k in range(first, beyond):
+        v0, v1 = _along(directions, k, velocity), _along(directions, k, later)
+        turns = v0 * v1 < 0.0
+        peak = _along(directions, k, displacement) + 0.5 * interval * v0 * v0 / (v0 - v1)
+        last, most = directions[LAST_PEAK, k], directions[LARGEST, k]
+        change = abs(peak - last)
+        directions[LARGEST, k] = change if turns and change > most else most
+        directions[LAST_PEAK, k] = peak if turns else last
 
 
 @kernel

@@ -13,6 +13,7 @@ from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
 from dcfp.kernels import plane_march as k
 from dcfp.kernels.heat_state import MOST_HALVINGS
+from dcfp.kernels.plane_heat import HOTTEST
 from dcfp.kernels.plane_step import COEFFICIENTS
 from dcfp.methods.nodes import Nodes, find_nodes
 from dcfp.methods.pulses import Prediction
@@ -92,8 +93,7 @@ def march_in_plane(
     if not (math.isfinite(state.peak_displacement) and math.isfinite(state.displacement_x)):
         what = "the march in the plane"
         raise system.friction.no_number(what)
-    displacement = np.ascontiguousarray(path[:, k.PATH_X : k.PATH_Y + 1])
-    velocity = np.ascontiguousarray(path[:, k.PATH_VELOCITY_X :])
+    displacement, velocity = freeze(path[:, k.PATH_X : k.PATH_Y + 1]), freeze(path[:, k.PATH_VELOCITY_X :])
     return PlaneMarch(
         prediction=Prediction(
             displacement_change=largest_change(displacement, velocity, 0.0, _DIRECTIONS)
@@ -107,8 +107,8 @@ def march_in_plane(
         nodes=nodes.count,
         rests=bool(state.rests),
         peak_temperature=state.peak_temperature,
-        time=freeze(path[:, k.PATH_TIME].copy()),
-        displacement=freeze(displacement),
+        time=freeze(path[:, k.PATH_TIME]),
+        displacement=displacement,
     )
 
 
@@ -119,6 +119,7 @@ def _marched(nodes: Nodes, system: System, longest: float) -> tuple[k.PlaneMarch
     reach, rows = FIRST_REACH, _FIRST_ROWS
     while True:
         heat = cold_heat(system, reach)
+        heat.field.tallies[:, HOTTEST] = math.inf
         state = np.zeros(1, k.PLANE_MARCH_STATE)
         state["peak_temperature"] = system.heating.ambient
         path = np.empty((rows, k.PATH_SIZE))
