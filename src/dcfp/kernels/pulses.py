@@ -7,6 +7,33 @@ from dcfp.kernels._jit import kernel
 
 
 @kernel
+def find_extremes(
+    acceleration: NDArray[np.float64],
+    velocity: NDArray[np.float64],
+    time_step: float,
+    times: NDArray[np.float64],
+    velocities: NDArray[np.float64],
+) -> int:
+    """Write time [s] and value [mm/s] of every extreme of the velocity, and of its two ends; return their number. There is room for two for each sample.
+
+    Samples are `time_step` [s] apart, between which the acceleration [mm/s2] is linear. A sample of no acceleration counts where it stands, a change of sign
+    where the straight line passes zero.
+    """
+    count, last = 0, velocity.size - 1
+    for i in range(velocity.size):
+        here = acceleration[i]
+        if here == 0.0 or i == 0 or i == last:
+            times[count], velocities[count] = i * time_step, velocity[i]
+            count += 1
+        if i < last and here * acceleration[i + 1] < 0.0:
+            share = here / (here - acceleration[i + 1])
+            times[count] = (i + share) * time_step
+            velocities[count] = velocity[i] + 0.5 * here * share * time_step
+            count += 1
+    return count
+
+
+@kernel
 def find_turning_points(values: NDArray[np.float64], least: float, places: NDArray[np.int64]) -> int:
     """Write the places of the successive peaks of `values`, up and down in turn; return their number.
 

@@ -4,15 +4,13 @@ A method of pulses is put to every horizontal direction by itself, and the one c
 """
 
 import math
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
 from dcfp.methods.method import Information
 from dcfp.methods.prediction import Ground, Methods, prediction_methods
-from dcfp.methods.pulses import NOTHING, Prediction, find_pulses
-from dcfp.motion.ground_motion import GroundMotion
+from dcfp.methods.pulses import NOTHING, Prediction, find_pulses_along
 from dcfp.motion.station import Station
 
 #: Directions over half a turn, the first of which is that of the peak velocity.
@@ -41,7 +39,7 @@ def predict_in_directions(station: Station, methods: Methods) -> list[InDirectio
         if one.knows == (Information.PGV,) and (said := one.predict(pgv, methods)) is not None
     ]
     directions = _directions(station)
-    pulses = [find_pulses(_along(station, angle), methods.threshold) for angle in directions]
+    pulses = [find_pulses_along(station, angle, methods.threshold) for angle in directions]
     for one in known:
         if one.of_pulses is None:
             continue
@@ -53,12 +51,6 @@ def predict_in_directions(station: Station, methods: Methods) -> list[InDirectio
             prediction, direction = (said[most], directions[most]) if moves else (NOTHING, None)
             found.append(InDirections(one.name, Information.BLIND, prediction, direction))
     return found
-
-
-def _along(station: Station, angle: float) -> GroundMotion:
-    """Return the horizontal motion in a direction from x towards y [degrees]."""
-    x, y = math.cos(math.radians(angle)), math.sin(math.radians(angle))
-    return replace(station.x, acceleration=x * station.x.acceleration + y * station.y.acceleration)
 
 
 def _directions(station: Station) -> list[float]:

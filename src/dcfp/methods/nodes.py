@@ -60,7 +60,9 @@ class Nodes:
         if times.ndim != 1 or velocities.shape not in (times.shape, (times.size, 2)):
             msg = f"The nodes need as many times as velocities, not {times.size} and {velocities.shape[0]}."
             raise InputError(msg)
-        if not (np.isfinite(times).all() and np.isfinite(velocities).all() and (np.diff(times) > 0.0).all()):
+        if not (
+            np.isfinite(times).all() and np.isfinite(velocities).all() and (times[1:] > times[:-1]).all()
+        ):
             msg = "The times of the nodes must be finite and increase, and their velocities be finite."
             raise InputError(msg)
         object.__setattr__(self, "times", freeze(times))

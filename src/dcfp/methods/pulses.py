@@ -8,9 +8,10 @@ import numpy as np
 
 from dcfp.arrays import FloatArray, freeze
 from dcfp.errors import InputError
-from dcfp.kernels.pulses import find_turning_points
+from dcfp.kernels.pulses import find_extremes, find_turning_points
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.load import Motion, motion_of
+from dcfp.motion.station import Station
 from dcfp.schema.notebook import card, fields_card
 from dcfp.schema.parameters import Parameter
 from dcfp.schema.quantities import Quantities, Quantity
@@ -59,10 +60,12 @@ class Pulses:
         if times.ndim != 1 or times.shape != velocities.shape:
             msg = f"The peaks need as many times as velocities, not {times.size} and {velocities.size}."
             raise InputError(msg)
-        if not (np.isfinite(times).all() and np.isfinite(velocities).all() and (np.diff(times) > 0.0).all()):
+        if not (
+            np.isfinite(times).all() and np.isfinite(velocities).all() and (times[1:] > times[:-1]).all()
+        ):
             msg = "The times of the peaks must be finite and increase, and their velocities be finite."
             raise InputError(msg)
-        rises = np.diff(velocities)
+        rises = velocities[1:] - velocities[:-1]
         if (rises[1:] * rises[:-1] >= 0.0).any() or (rises == 0.0).any():
             msg = "The peaks must go up and down in turn."
             raise InputError(msg)
@@ -92,7 +95,7 @@ class Pulses:
     @property
     def changes(self) -> FloatArray:
         """Differences dvg_i [mm/s], shape (count,): Eq. (14)."""
-        return np.diff(self.velocities)[: self.count]
+        return self.velocities[1 : 1 + self.count] - self.velocities[: self.count]
 
     @property
     def mean_accelerations(self) -> FloatArray:
@@ -102,7 +105,7 @@ class Pulses:
     @property
     def next_mean_accelerations(self) -> FloatArray:
         """Slopes kg_(i+1) after the peaks [mm/s2], shape (count,): Eq. (18)."""
-        return np.diff(self.velocities)[1 : 1 + self.count] / (self.ends - self.peaks)
+        return (self.velocities[2:] - self.velocities[1 : 1 + self.count]) / (self.ends - self.peaks)
 
     def scaled(self, factor: float) -> "Pulses":
         """Return the pulses of the same motion multiplied by `factor` [-].
@@ -138,8 +141,27 @@ def find_pulses(motion: Motion, threshold: float = THRESHOLD) -> Pulses:
         If the threshold is out of range.
     """
     threshold = TURN.checked(threshold, "The threshold of a pulse")
-    times, velocities = _extremes(motion_of(motion))
-    least = threshold * float(np.abs(velocities).max())
+    return _chosen(*_extremes(motion_of(motion)), threshold)
+
+
+def find_pulses_along(station: Station, angle: float, threshold: float = THRESHOLD) -> Pulses:
+    """Return the velocity pulses of a station in a horizontal direction, from x towards y by an `angle` [degrees]; as `find_pulses` does.
+
+    Raises
+    ------
+    InputError
+        If the threshold is out of range.
+    """
+    threshold = TURN.checked(threshold, "The threshold of a pulse")
+    x, y = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+    acceleration = x * station.x.acceleration + y * station.y.acceleration
+    velocity = x * station.x.velocity + y * station.y.velocity
+    return _chosen(*_extremes_of(acceleration, velocity, station.time_step), threshold)
+
+
+def _chosen(times: FloatArray, velocities: FloatArray, threshold: float) -> Pulses:
+    """Return the pulses among the extremes of a ground velocity."""
+    least = threshold * max(float(velocities.max()), -float(velocities.min()))
     if least == 0.0:
         return Pulses(times[:0], velocities[:0], threshold)
     places = np.empty(velocities.size + 1, dtype=np.int64)
@@ -150,17 +172,15 @@ def find_pulses(motion: Motion, threshold: float = THRESHOLD) -> Pulses:
 @lru_cache(maxsize=1)  # one record is looked at with several thresholds, one after the other
 def _extremes(motion: GroundMotion) -> tuple[FloatArray, FloatArray]:
     """Return time and value of every extreme of the ground velocity, and of its two ends."""
-    a = motion.acceleration
-    first, second = a[:-1], a[1:]
-    # a sample of no acceleration counts where it stands, a change of sign where the straight line passes zero
-    inside = np.flatnonzero(first * second < 0.0)
-    share = first[inside] / (first[inside] - second[inside])
-    at_sample = np.unique(np.concatenate(([0], np.flatnonzero(a == 0.0), [a.size - 1])))
-    times = np.concatenate((inside + share, at_sample)) * motion.time_step
-    reached = motion.velocity[inside] + 0.5 * first[inside] * share * motion.time_step
-    velocities = np.concatenate((reached, motion.velocity[at_sample]))
-    order = np.argsort(times, kind="stable")
-    return times[order], velocities[order]
+    return _extremes_of(motion.acceleration, motion.velocity, motion.time_step)
+
+
+def _extremes_of(
+    acceleration: FloatArray, velocity: FloatArray, time_step: float
+) -> tuple[FloatArray, FloatArray]:
+    times, velocities = np.empty((2, 2 * velocity.size))
+    count = find_extremes(acceleration, velocity, time_step, times, velocities)
+    return times[:count], velocities[:count]
 
 
 @dataclass(frozen=True)

@@ -55,8 +55,8 @@ def predict_from_pulses(pulses: Pulses, constants: Constants = LI_2020) -> Pulse
 
     A pulse with ku/kg above 1 moves nothing: the paper says nothing of that case; with straight lines the structure keeps up with the ground.
     """
-    sign = np.sign(pulses.mean_accelerations)
-    k_g = sign * pulses.mean_accelerations
+    slope = pulses.mean_accelerations
+    sign, k_g = np.sign(slope), np.abs(slope)
     k_u = np.full_like(k_g, constants.friction_deceleration)  # Eq. (19), with the sign of kg
     factor = amplification(k_u / k_g, constants)
     slides = k_u <= k_g
