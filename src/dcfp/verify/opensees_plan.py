@@ -5,7 +5,7 @@ Both have one friction coefficient and the same steps for what is looked at from
 * the friction of OpenSees follows the direction of the velocity to the first order of its step: the displacement is 0.10 % more with 1 ms, 0.04 % with half of it;
 * its pendulum's force is (u/R)^2 more, and its friction is that of the force normal to the surface, 0.1 % more at the peak;
 * its friction acts where the slider is, which stays behind the slab where the loads follow the overturning moment, and here at the bearing's place in the slab: the rotation is
-  0.9 % more for it, and up to 7 % where bearings lift off. Loads that follow the sliders' place without that turn a building that constant friction does not turn. With sliders
+  0.9 % more for it, and 6 % where bearings lift off. Loads that follow the sliders' place without that turn a building that constant friction does not turn. With sliders
   that stay under the slab, the plate of a single concave bearing being below, neither is there, and the rotation is the same to 0.1 %;
 * springs that stand for what is rigid let a tall building rock, in 14 ms where they have 1e10 N/mm, which takes 5 % from the largest load; with 1e12 N/mm it is the same to 0.1 %.
 """
