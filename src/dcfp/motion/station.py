@@ -260,3 +260,10 @@ def one_direction(name: str, choices: Sequence[str]) -> InputError:
     return InputError(
         f"{name} is a station with two horizontal components, and this takes one direction; choose {' or '.join(choices)}."
     )
+
+
+def in_plane(record: GroundMotion | Station) -> Station:
+    """Return a station; a single component is one whose other direction stands still."""
+    if isinstance(record, Station):
+        return record
+    return Station(record, replace(record, acceleration=0.0 * record.acceleration), name=record.name)

@@ -43,12 +43,17 @@ def read_bytes(path: str | Path, what: str, *, most: int = -1) -> bytes:
 
 def read_toml(path: str | Path, what: str) -> dict[str, Any]:
     """Return the content of a TOML file; arguments and errors as for `read_bytes`."""
-    return read_toml_with_lines(path, what)[0]
+    return parse_toml(read_bytes(path, what), path)[0]
 
 
-def read_toml_with_lines(path: str | Path, what: str) -> tuple[dict[str, Any], dict[Way, int]]:
-    """Return the content of a TOML file and the line of each of its values; arguments and errors as for `read_bytes`."""
-    content = read_bytes(path, what)
+def parse_toml(content: bytes, path: str | Path) -> tuple[dict[str, Any], dict[Way, int]]:
+    """Return what a TOML file holds, and the line of each of its values.
+
+    Raises
+    ------
+    InputError
+        If it is not TOML.
+    """
     try:
         text = content.decode("utf-8")
         return tomllib.loads(text), lines_of(text)

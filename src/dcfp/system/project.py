@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from importlib.resources import files
 from pathlib import Path
 from typing import Annotated, Any, TypeAlias, cast
 
@@ -12,7 +13,7 @@ from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
 from dcfp.schema.declared import Declared, build, declared, parameters, read_table
 from dcfp.schema.parameters import Parameter, other, table_in, unknown
-from dcfp.schema.reading import read_toml_with_lines
+from dcfp.schema.reading import parse_toml, read_bytes
 from dcfp.schema.toml_places import Place
 from dcfp.schema.units import KN, METRE, NONE, SECOND
 from dcfp.system.modes import read_modes
@@ -61,9 +62,13 @@ def read_plan(path: str | Path) -> Plan:
     InputError
         If the file cannot be read, or says what no building is.
     """
-    content, lines = read_toml_with_lines(
-        path, "a project is TOML with tables [bearing.NAME], [plan] and [building]"
-    )
+    content = read_bytes(path, "a project is TOML with tables [bearing.NAME], [plan] and [building]")
+    return plan_of(content, path, Path(path).parent)
+
+
+def plan_of(project: bytes, path: str | Path, folder: Path | None) -> Plan:
+    """Return the building of a project that is at hand; its `path` is for complaints, and the `folder` is that of the files that it names, None where there are none; raises as `read_plan`."""
+    content, lines = parse_toml(project, path)
     whole = Place(str(path), lines)
     for key in content:
         if key not in _PARTS:
@@ -97,7 +102,10 @@ def read_plan(path: str | Path) -> Plan:
         "name": name,
     }
     if modes is not None:
-        own["modes"] = read_modes(Path(path).parent / modes, storeys)
+        if folder is None:
+            msg = f"{where.of('modes')}: the file of the modes is not at hand here; say the stiffness of the storeys."
+            raise InputError(msg)
+        own["modes"] = read_modes(folder / modes, storeys)
     plan = _told(where, supports, lambda: Plan(**own))
     plan = replace(plan, types=_at_their_loads(plan, supports, types, whole))
     return plan if period is None else _told(where, supports, lambda: plan.with_first_period(period))
@@ -273,3 +281,8 @@ def _at_their_loads(
         bearing = build(system.bearing.changed, {"pressure": pressure}, where)
         made[name] = replace(system, bearing=bearing)
     return tuple(made[one.type] for one, _ in supports)
+
+
+def example_project() -> str:
+    """Return the text of a project to start from: a hospital of nine storeys on 24 bearings."""
+    return files("dcfp.system").joinpath("hospital.toml").read_text(encoding="utf-8")

@@ -105,6 +105,29 @@ def test_the_test_machine(shared_page):
     table.locator("tbody tr").nth(3).filter(has_text=expected).wait_for()
 
 
+def test_a_building_in_plan(page):
+    from dcfp.system.project import plan_of
+
+    show(page, "Building")
+    table = page.get_by_role("region", name="Peaks of every bearing")
+    table.locator("tbody tr").nth(23).wait_for(timeout=60_000)
+    motion = dcfp.load_station("P695-FF-2").scaled_to_pgv(500.0)
+    area = page.get_by_label("PROJECT.toml")
+    text = area.input_value().replace("count = 8", "count = 1").replace('"120 MN"', '"40 MN"')
+    area.fill(text)
+    response = dcfp.respond_plan(plan_of(text.encode(), "project", None), motion)
+    last = table.locator("tbody tr").nth(23)
+    last.filter(has_text=f"{response.largest_load[-1] / 1e3:.0f}").wait_for(timeout=60_000)
+    levels = page.get_by_role("region", name="Peaks of slab and floors")
+    assert levels.locator("tbody tr").count() == 3
+    assert (
+        f"{response.peak_floor_acceleration[2] / 1e3:.2f}" in levels.locator("tbody tr").nth(2).inner_text()
+    )
+    assert page.locator("img[alt^='Plan with the paths']").get_attribute("src").startswith("data:image/png")
+    area.fill(text.replace("grid", "grit"))
+    page.get_by_role("alert").filter(has_text="line 10").wait_for()
+
+
 @pytest.mark.slow
 def test_the_design_chart(shared_page):
     from dcfp.inference.design_space import RADII, survey

@@ -85,6 +85,21 @@ class Task:
             one.rotated(self.rotate) if self.rotate and isinstance(one, Station) else one for one in found
         ]
 
+    def scaled(self) -> list[GroundMotion | Station]:
+        """Return the motions with their treatment, stations turned, and scaled.
+
+        Raises
+        ------
+        InputError
+            If one cannot be scaled.
+        """
+        motions = self.treated()
+        if self.pgv is None:
+            return motions
+        for motion in motions:
+            refuse_a_drift(motion)
+        return [motion.scaled_to_pgv(self.pgv) for motion in motions]
+
     def analysed(self) -> list[Response] | list[PlaneResponse]:
         """Analyse every motion; with precise heating the temperature of the plates is kept.
 
@@ -93,11 +108,7 @@ class Task:
         InputError
             If one cannot be scaled, or there are stations and single components.
         """
-        motions = self.treated()
-        if self.pgv is not None:
-            for motion in motions:
-                refuse_a_drift(motion)
-            motions = [motion.scaled_to_pgv(self.pgv) for motion in motions]
+        motions = self.scaled()
         if self.in_plane:
             return [
                 respond(one, self.model, vertical=self.vertical, keep=PLATES) for one in stations_of(motions)

@@ -56,7 +56,7 @@ class ResponseTab(Tab):
         RecordsPanel(self.session, self._ask_again)
 
     def _ask_again(self) -> None:
-        self._bearing.refresh()  # stations have another usual heating model
+        self.refresh_bearing()  # stations have another usual heating model
         self.ask()
 
     def add_results(self) -> None:

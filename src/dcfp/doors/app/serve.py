@@ -17,6 +17,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from dcfp.analysis import Response
 from dcfp.doors.app.analysis import Task, predict
+from dcfp.doors.app.building_tab import BuildingTab
 from dcfp.doors.app.design_tab import DesignTab, Surveys
 from dcfp.doors.app.elements import CHOICES, Text, Units
 from dcfp.doors.app.machine_tab import MachineTab
@@ -144,13 +145,14 @@ async def _build_page(surveys: Surveys) -> None:
 
 
 class _Pages:
-    """The three pages, each built when it is first seen, and their buttons."""
+    """The pages, each built when it is first seen, and their buttons."""
 
     def __init__(self, session: Session, surveys: Surveys, buttons: ui.element) -> None:
         self._makers: dict[str, Callable[[], Tab]] = {
             "Response": lambda: ResponseTab(session),
             "Test machine": lambda: MachineTab(session),
             "Design chart": lambda: DesignTab(session, surveys),
+            "Building": lambda: BuildingTab(session),
         }
         self._tabs: dict[str, Tab] = {}
         self._seen = ""

@@ -3,7 +3,7 @@
 import asyncio
 from abc import ABC, abstractmethod
 from collections.abc import Awaitable, Callable, Collection, Iterable
-from typing import Any
+from typing import Any, ClassVar
 
 from nicegui import background_tasks, ui
 
@@ -33,7 +33,9 @@ class Latest:
 
 
 class Tab(ABC):
-    """One of the pages: `asks` says what its fields are, `title` is of the results before there are any, and it `varies` some fields of the bearing itself."""
+    """One of the pages: `asks` says what its fields are, `title` is of the results before there are any, and it `varies` some fields of the bearing itself, if it is of one bearing."""
+
+    of_one_bearing: ClassVar[bool] = True
 
     def __init__(self, session: Session, asks: str, title: str, varies: Collection[str] = ()) -> None:
         self.session, self._client, self.is_seen = session, ui.context.client, False
@@ -41,7 +43,9 @@ class Tab(ABC):
         with ui.element("div").classes("body"):
             with ui.element("aside").classes("side").props(f'aria-label="{asks}"'):
                 self.add_fields()
-                self._bearing = BearingPanel(session.bearing, self.ask, varies)
+                self._bearing = (
+                    BearingPanel(session.bearing, self.ask, varies) if self.of_one_bearing else None
+                )
             with ui.element("div").classes("results"):
                 self._alert = Alert()
                 with ui.element("div").classes("head-row"):
@@ -71,8 +75,13 @@ class Tab(ABC):
     def open(self) -> None:
         """Show the fields as another page may have left them, and calculate."""
         self.is_seen = True
-        self._bearing.refresh()
+        self.refresh_bearing()
         self.ask()
+
+    def refresh_bearing(self) -> None:
+        """Show the fields of the bearing as they are."""
+        if self._bearing is not None:
+            self._bearing.refresh()
 
     def close(self) -> None:
         """Be seen no longer."""

@@ -11,6 +11,7 @@ from dcfp.doors.cli.console import each
 from dcfp.doors.cli.outputs import Answer
 from dcfp.errors import InputError
 from dcfp.schema.table import Table
+from dcfp.system.project import example_project
 
 _LEGEND = (
     "rigid: the rigid structure of the same mass; V_E: equivalent velocity of the relative input energy at the end, which Akiyama (1985) takes to be the same"
@@ -20,6 +21,8 @@ _LEGEND = (
 
 def run(chosen: argparse.Namespace) -> Answer:
     """Analyse the building under every record at every PGV."""
+    if chosen.example is not None:
+        return Answer.of_file(chosen.example, lambda part, kind: example_project())
     if chosen.project is not None:
         from dcfp.doors.cli import building_in_plan  # late: the other one needs none of it
 

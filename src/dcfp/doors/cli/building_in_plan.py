@@ -14,11 +14,12 @@ from dcfp.doors.cli import inputs
 from dcfp.doors.cli.commands import REPORTS
 from dcfp.doors.cli.console import Block, Page, each_that_can, grid, grouped, progress
 from dcfp.doors.cli.outputs import Answer, drawn
+from dcfp.doors.cli.respond import SCRIPT
 from dcfp.errors import AnalysisError, InputError
 from dcfp.methods.spectra.of_floors import FLOOR_ORDINATES, floor_ordinates, floor_spectra
 from dcfp.methods.torsion import TORSION, code_torsion
 from dcfp.motion.measures import motion_remarks
-from dcfp.motion.station import Station
+from dcfp.motion.station import Station, in_plane
 from dcfp.present.tables import write_responses
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
@@ -36,7 +37,7 @@ _SHOWN = 12
 def run(chosen: argparse.Namespace) -> Answer:
     """Analyse the building of a project under every station at every PGV."""
     plan = _changed(read_plan(chosen.project), chosen)
-    stations = [_station(one) for one in inputs.load_records(chosen)]
+    stations = [in_plane(one) for one in inputs.load_records(chosen)]
     if chosen.rotate is not None:
         stations = [one.rotated(chosen.rotate) for one in stations]
     motions = inputs.scaled(stations, chosen.pgv, allow_drift=True)
@@ -47,6 +48,11 @@ def run(chosen: argparse.Namespace) -> Answer:
     if chosen.causes:
         return _causes(plan, motions, chosen.vertical, settings)
     settings["vertical"] = chosen.vertical
+    if Path(chosen.out or "").suffix.lower() == SCRIPT and len(motions) != 1:
+        msg = (
+            f"{chosen.out}: a script is of one station at one PGV, not of {len(motions)} analyses; give one."
+        )
+        raise InputError(msg)
     if Path(chosen.out or "").suffix.lower() == REPORTS[0]:
         from dcfp.present.report import check_typst  # late: few commands need it
 
@@ -86,14 +92,6 @@ def _changed(plan: Plan, chosen: argparse.Namespace) -> Plan:
     )
 
 
-def _station(record: Any) -> Station:
-    """Return a station; a single component is one whose other direction stands still."""
-    if isinstance(record, Station):
-        return record
-    still = replace(record, acceleration=0.0 * record.acceleration)
-    return Station(record, still, name=record.name)
-
-
 def _write(
     part: Path,
     kind: str,
@@ -103,7 +101,12 @@ def _write(
     *,
     alone: bool,
 ) -> str | None:
-    """Write analyses as data or as a report."""
+    """Write analyses as data, a script for OpenSees, or a report."""
+    if kind == SCRIPT:
+        from dcfp.exchange import plan_script  # late: scripts are rare
+
+        given = {key: value for key, value in settings.items() if key in ("vertical", "overturning", "tail")}
+        return plan_script(found[0].response.plan, found[0].response.motion, **given)
     if kind not in REPORTS:
         write_responses(part, [one.response for one in found], kind, alone=alone)
         return None

@@ -115,6 +115,16 @@ def app(parser: Parser) -> None:
 
 
 def _check_building(chosen: argparse.Namespace) -> None:
+    if chosen.example is not None:
+        if chosen.records or chosen.out is not None:
+            msg = "--example writes a project to start from, and analyses nothing; give it alone."
+            raise InputError(msg)
+        chosen.out, chosen.kinds, chosen.noun, chosen.needs_records = (
+            chosen.example,
+            (PROJECT,),
+            "a project",
+            False,
+        )
     projects = [one for one in chosen.records if Path(one).suffix.lower() == PROJECT]
     chosen.project = projects[0] if projects else None
     chosen.records = [one for one in chosen.records if one not in projects]
@@ -162,6 +172,8 @@ def building(parser: Parser) -> None:
     for one in BUILDING:
         add_parameter(group, one)
     group = parser.add_argument_group("with a project")
+    words = "instead of an analysis: write a project to start from"
+    group.add_argument("--example", metavar="FILE.toml", help=words)
     add_parameter(group, ROTATE)
     add_switch(group, "--vertical", "let the weight follow the vertical component of the station")
     add_switch(group, "--no-overturning", "keep the loads of the bearings as they are at rest")
@@ -172,9 +184,9 @@ def building(parser: Parser) -> None:
     add_declared(parser.add_argument_group("integration, with a project"), Integration)
     options.add_output(
         parser,
-        "a line for each analysis as CSV (.csv); with a project histories as NetCDF (.nc) or CSV (.csv; of several the peaks), or the report of all (.pdf, .html)",
+        "a line for each analysis as CSV (.csv); with a project histories as NetCDF (.nc) or CSV (.csv; of several the peaks), the report of all (.pdf, .html), or one analysis as a script that runs with openseespy alone (.py)",
         "with a project: the plan with the paths of its bearings, and the profiles over the height,",
-        (*DATA_EXTENSIONS, *REPORTS),
+        (*DATA_EXTENSIONS, *REPORTS, ".py"),
     )
 
 

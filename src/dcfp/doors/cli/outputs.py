@@ -165,6 +165,6 @@ def _inputs(chosen: argparse.Namespace) -> Iterator[Path]:
         alone = isinstance(several, str) or not isinstance(several, Iterable)
         words = cast("Iterable[Any]", [value] if alone else several)
         for word in words:
-            if isinstance(word, str) and name not in ("out", "plot"):
+            if isinstance(word, str) and name not in ("out", "plot", "example"):
                 yield Path(word)
                 yield Path(word.rpartition("::")[0] or word)
