@@ -105,9 +105,10 @@ def test_the_test_machine(shared_page):
     table.locator("tbody tr").nth(3).filter(has_text=expected).wait_for()
 
 
-def test_a_building_in_plan(page):
+def test_a_building_in_plan(open_page):
     from dcfp.system.project import plan_of
 
+    page = open_page()
     show(page, "Building")
     table = page.get_by_role("region", name="Peaks of every bearing")
     table.locator("tbody tr").nth(23).wait_for(timeout=60_000)
