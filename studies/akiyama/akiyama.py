@@ -28,7 +28,9 @@ def building(period: float) -> dcfp.Plan:
 def main(names: list[str]) -> None:
     """Print mean, least and largest ratio of V_E, and in brackets of the displacement of the centre."""
     stations = load_records(names or ["P695-stations"])
-    print(f"{len(stations)} stations; V_E over that of the rigid structure: mean (least to largest); y_max likewise")
+    print(
+        f"{len(stations)} stations; V_E over that of the rigid structure: mean (least to largest); y_max likewise"
+    )
     for period in PERIODS:
         plan = building(period)
         for pgv in PGVS:
@@ -37,7 +39,10 @@ def main(names: list[str]) -> None:
                 motion = station.scaled_to_pgv(pgv)
                 one, rigid = (dcfp.respond_plan(each, motion, tail=0.0) for each in (plan, plan.rigid))
                 found.append(
-                    (one.input_velocity / rigid.input_velocity, one.peak_displacement / rigid.peak_displacement)
+                    (
+                        one.input_velocity / rigid.input_velocity,
+                        one.peak_displacement / rigid.peak_displacement,
+                    )
                 )
             ratios = np.array(found).T
             told = [f"{row.mean():.3f} ({row.min():.2f} to {row.max():.2f})" for row in ratios]

@@ -135,6 +135,29 @@ def test_a_report_to_sign(run, project: Path, tmp_path: Path) -> None:
     assert sheet.read_bytes().startswith(b"%PDF")
 
 
+def test_a_script_for_opensees_and_links_for_sap2000(run, project: Path, tmp_path: Path) -> None:
+    script, links = tmp_path / "building.py", tmp_path / "links.s2k"
+    words = ("building", project, "P695-FF-2", "--pgv", "0.5", "--tail", "0", "--friction", "constant", "--heating", "none")  # fmt: skip
+    assert run(*words, "--out", script).err == ""
+    compile(script.read_text(), "building.py", "exec")
+    assert "singleFPBearing" in script.read_text()
+    assert run(*words, "--out", links, "--link-temperature", "80").err == ""
+    assert 'LinkType="Friction Isolator"' in links.read_text()
+    assert "80 degC" in links.read_text()
+    outcome = run(*words, "P695-FF-3", "--out", tmp_path / "other.py")
+    assert (outcome.status, outcome.err.count("\n")) == (2, 1)
+    assert "one station at one PGV" in outcome.err
+
+
+def test_a_project_to_start_from(run, tmp_path: Path) -> None:
+    path = tmp_path / "hospital.toml"
+    assert run("building", "--example", path).status == 0
+    assert read_plan(path).count == 24
+    again = run("building", "--example", path)
+    assert (again.status, again.err.count("\n")) == (2, 1)
+    assert "the file exists" in again.err
+
+
 def test_a_report_with_another_heading_is_refused(run, project: Path, tmp_path: Path) -> None:
     project.write_text(TEXT + '[report]\nauthr = "A. Name"\n')
     outcome = run("building", project, "P695-FF-2", "--tail", "0", "--out", tmp_path / "r.html")
@@ -171,6 +194,8 @@ def test_one_component_alone_moves_it_in_x(run, project: Path) -> None:
         (("--heating", "precise"), "heated at one point each"),
         (("other.toml",), "name one project"),
         (("--out", "x.xlsx"), ".nc"),
+        (("--link-temperature", "80"), "is for links of SAP2000"),
+        (("--example", "y.toml"), "give it alone"),
     ],
 )
 def test_what_does_not_go_together(run, project: Path, words: tuple[str, ...], said: str) -> None:

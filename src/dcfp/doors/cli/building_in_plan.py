@@ -11,7 +11,7 @@ from dcfp.analysis.plan import PlanResponse, respond_plan
 from dcfp.analysis.plan.beside import BesideOthers, Cause, separate_causes
 from dcfp.analysis.plan.quantities import bearing_table, level_table, worst_corner
 from dcfp.doors.cli import inputs
-from dcfp.doors.cli.commands import REPORTS
+from dcfp.doors.cli.commands import LINKS, REPORTS
 from dcfp.doors.cli.console import Block, Page, each_that_can, grid, grouped, progress
 from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.doors.cli.respond import SCRIPT
@@ -101,7 +101,12 @@ def _write(
     *,
     alone: bool,
 ) -> str | None:
-    """Write analyses as data, a script for OpenSees, or a report."""
+    """Write analyses as data, a script for OpenSees, links for SAP2000, or a report."""
+    if kind == LINKS:
+        from dcfp.exchange import sap2000_text  # late: links are rare
+
+        furthest = max(one.response.peak_displacement for one in found)
+        return sap2000_text(found[0].response.plan, chosen.link_temperature, furthest)
     if kind == SCRIPT:
         from dcfp.exchange import plan_script  # late: scripts are rare
 

@@ -13,7 +13,7 @@ from dcfp.errors import InputError
 from dcfp.files import DATA_EXTENSIONS
 from dcfp.schema.declared import parameters
 from dcfp.schema.parameters import PGV, Parameter
-from dcfp.schema.units import DEGREE, FRACTION, MM, NONE, SECOND
+from dcfp.schema.units import DEGC, DEGREE, FRACTION, MM, NONE, SECOND
 
 if TYPE_CHECKING:
     from dcfp.doors.cli.outputs import Answer
@@ -41,11 +41,12 @@ PART = Parameter("percentage", NONE, 1.0, 99.0)
 ROTATE = Parameter(
     "angle by which the motion of a station is turned from x towards y", DEGREE, -360.0, 360.0, key="rotate"
 )
+LINK_TEMPERATURE = Parameter("temperature of the contact at which links for SAP2000 take the friction", DEGC, -100.0, 1000.0, key="link_temperature", more="default that of the start")  # fmt: skip
 PORT = Parameter("port", NONE, 1, 65535, key="port", kind=int, default=8080)
 
 
-#: Ending of the name of a project, and of reports.
-PROJECT = ".toml"
+#: Endings of the names of a project, of link properties for SAP2000 and of reports.
+PROJECT, LINKS = ".toml", ".s2k"
 REPORTS = (".pdf", ".html", ".htm")
 
 
@@ -156,6 +157,9 @@ def _check_building(chosen: argparse.Namespace) -> None:
         if getattr(chosen, name) is not None:
             msg = f"--{name}: the types of bearings and their loads are those of {projects[0]}; leave the option out."
             raise InputError(msg)
+    if chosen.link_temperature is not None and Path(chosen.out or "").suffix.lower() != LINKS:
+        msg = f"--link-temperature is for links of SAP2000; write them with --out FILE{LINKS}."
+        raise InputError(msg)
     if chosen.causes and chosen.floor_spectra:
         msg = "--causes and --floor-spectra answer different questions; give one of the two."
         raise InputError(msg)
@@ -177,6 +181,7 @@ def building(parser: Parser) -> None:
     add_parameter(group, ROTATE)
     add_switch(group, "--vertical", "let the weight follow the vertical component of the station")
     add_switch(group, "--no-overturning", "keep the loads of the bearings as they are at rest")
+    add_parameter(group, LINK_TEMPERATURE)
     add_switch(group, "--causes", "instead: the causes of torsion and of changing loads one by one")
     add_switch(group, "--floor-spectra", "instead: response spectra of slab and floors, also broadened")
     options.add_treatment(parser)
@@ -184,9 +189,9 @@ def building(parser: Parser) -> None:
     add_declared(parser.add_argument_group("integration, with a project"), Integration)
     options.add_output(
         parser,
-        "a line for each analysis as CSV (.csv); with a project histories as NetCDF (.nc) or CSV (.csv; of several the peaks), the report of all (.pdf, .html), or one analysis as a script that runs with openseespy alone (.py)",
+        "a line for each analysis as CSV (.csv); with a project histories as NetCDF (.nc) or CSV (.csv; of several the peaks), the report of all (.pdf, .html), one analysis as a script that runs with openseespy alone (.py), or the bearings as links for SAP2000 and ETABS (.s2k)",
         "with a project: the plan with the paths of its bearings, and the profiles over the height,",
-        (*DATA_EXTENSIONS, *REPORTS, ".py"),
+        (*DATA_EXTENSIONS, *REPORTS, ".py", LINKS),
     )
 
 
