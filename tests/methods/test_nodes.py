@@ -40,6 +40,36 @@ def test_before_the_fit_no_leg_is_left_by_more_than_the_tolerance(tolerance: flo
     np.testing.assert_allclose(nodes.velocities, at, atol=1e-3 * motion.peak_velocity)
 
 
+@pytest.mark.parametrize("tolerance", [0.05, 0.1, 0.3])
+@pytest.mark.parametrize("motion", [*calibration_set()[::16], named_motion("NCC")], ids=lambda one: one.name)
+def test_blocks_leave_out_no_node(motion: GroundMotion, tolerance: float) -> None:
+    """Against a search that looks at every interval for every leg."""
+    a, v = motion.acceleration * motion.time_step, motion.velocity
+    found = find_nodes(motion, tolerance, fitted=False)
+    peak = np.abs(fine_velocity(motion)).max()
+
+    def at(place: np.ndarray) -> np.ndarray:
+        i = np.minimum(place.astype(int), v.size - 2)
+        share = place - i
+        return v[i] + share * (a[i] + 0.5 * share * (a[i + 1] - a[i]))
+
+    def between(start: float, end: float) -> list[float]:
+        slope = float(np.diff(at(np.array([start, end])))[0]) / (end - start)
+        here, there = a[:-1] - slope, a[1:] - slope
+        i = np.flatnonzero((here * there <= 0.0) & (here != there))
+        places = i + here[i] / (here[i] - there[i])
+        places = places[(start < places) & (places < end)]
+        away = np.abs(at(places) - at(np.array([start])) - slope * (places - start))
+        if not away.size or away.max() <= tolerance * peak:
+            return []
+        cut = float(places[away.argmax()])
+        return [*between(start, cut), cut, *between(cut, end)]
+
+    first, *_, last = found.times / motion.time_step
+    expected = np.array([first, *between(first, last), last]) * motion.time_step
+    np.testing.assert_allclose(found.times, expected, rtol=0.0, atol=1e-9)
+
+
 def test_the_fit_is_that_of_least_squares() -> None:
     """Against the dense solution with hat functions at many points; and no change of a node makes it better."""
     motion = named_motion("KNA")

@@ -9,7 +9,9 @@ import pytest
 
 from dcfp.analysis import respond
 from dcfp.errors import InputError
+from dcfp.kernels.nodes import BLOCK, WAITING_SIZE
 from dcfp.kernels.plane_march import _write_row
+from dcfp.kernels.plane_nodes import _furthest, choose_plane_nodes
 from dcfp.kernels.plane_step import COEFFICIENTS, oscillator_rows
 from dcfp.methods import Nodes, find_nodes, march_in_plane
 from dcfp.motion import treatment
@@ -81,6 +83,34 @@ def test_before_the_fit_no_leg_is_left_by_more_than_the_tolerance(near: Station)
     assert fitted.count == nodes.count
     again = np.stack([np.interp(time, fitted.times, one) for one in fitted.velocities.T])
     assert np.sum((again - near.velocity.T) ** 2) < 0.7 * np.sum((legs - near.velocity.T) ** 2)
+
+
+@pytest.mark.parametrize("name", ["P695-FF-2", "P695-FF-7", "P695-NF-9"])
+def test_a_leg_is_cut_where_the_velocity_is_furthest_from_it(name: str) -> None:
+    """Of random legs, against the distances at fifty points of each interval."""
+    motion, random = station(name), np.random.default_rng(0)
+    vx, vy = motion.x.velocity, motion.y.velocity
+    ax, ay = motion.x.acceleration * motion.time_step, motion.y.acceleration * motion.time_step
+    bows = np.empty(vx.size // BLOCK + 1)
+    choose_plane_nodes(ax, ay, vx, vy, 0, vx.size - 1, 1e9, bows, np.empty((9, WAITING_SIZE)), np.empty(9))
+    share = np.arange(0.0, 1.0, 0.02)
+    fine = [
+        (v[:-1, None] + share * (a[:-1, None] + 0.5 * share * np.diff(a)[:, None])).ravel()
+        for a, v in ((ax, vx), (ay, vy))
+    ]
+    places = (np.arange(vx.size - 1)[:, None] + share).ravel()
+    for _ in range(200):
+        start, end = np.sort(random.uniform(0.0, vx.size - 1.0, 2))
+        start = max(start, end - random.choice([30.0, 300.0, 3000.0]))
+        inside = (start < places) & (places < end)
+        line = [np.interp(places[inside], (start, end), np.interp((start, end), places, one)) for one in fine]
+        away = np.hypot(fine[0][inside] - line[0], fine[1][inside] - line[1])
+        tolerance = 50.0
+        found = _furthest(ax, ay, vx, vy, bows, start, end, tolerance)
+        if math.isnan(found):
+            assert away.max() < tolerance + 0.1
+        else:
+            assert np.interp(found, places[inside], away) > away.max() - 0.1
 
 
 def test_along_a_line_it_is_the_analysis_of_straight_legs_in_one_direction(straight_legs) -> None:

@@ -207,7 +207,8 @@ def heat_up(
         )
         common += heat.instant * felt * now
         workspace[PRESENT + i] = heat.ambient + common + difference
-        _note_hottest(heat, field, i, time + length, heat.ambient + common, factors)
+        if field.tallies[i, HOTTEST] < math.inf:  # else nobody asks for it
+            _note_hottest(heat, field, i, time + length, heat.ambient + common, factors)
     return fits
 
 
@@ -233,8 +234,6 @@ def _note_hottest(heat: Heat, field: Field, plate: int, time: float, common: flo
 
     No point differs from the common modes by more, in any mode, than the bound that is kept: all points are looked at only where that could matter.
     """
-    if field.tallies[plate, HOTTEST] == math.inf:  # nobody asks for it
-        return
     tallies, modes, bound = field.tallies, heat.modes, PLATE_ROW + plate * PLATE_ROWS + BOUND
     if tallies[plate, ALWAYS] > 0.0:
         if common > tallies[plate, HOTTEST]:
@@ -283,37 +282,55 @@ def _difference(heat: Heat, field: Field, plate: int, row: int, column: int, tim
     return difference
 
 
-@called_kernel
+@kernel
 def sweep(heat: Heat, field: Field, plate: int, time: float, position: complex) -> bool:
     """Move the disc on a plate to a position [mm]; return False where the grid ends."""
-    c, radius = field.spacing, field.radius
     rows, columns = field.points.shape[1], field.points.shape[2]
+    c, tallies = field.spacing, field.tallies[plate]
     x, y = position.real / c + 0.5 * (columns - 1), position.imag / c + 0.5 * (rows - 1)
-    reach = radius / c
+    reach = field.radius / c
     inside = x - reach >= 1.0 and x + reach <= columns - 2.0 and y - reach >= 1.0 and y + reach <= rows - 2.0
     if not inside:  # or not a number
         return False
-    spans, tallies = field.spans, field.tallies
-    gone = complex(x - tallies[plate, DISC_X], y - tallies[plate, DISC_Y])
-    if gone.real * gone.real + gone.imag * gone.imag < _AWAY * _AWAY:
-        return True
-    tallies[plate, DISC_X], tallies[plate, DISC_Y] = x, y
+    gone = complex(x - tallies[DISC_X], y - tallies[DISC_Y])
+    if gone.real * gone.real + gone.imag * gone.imag >= _AWAY * _AWAY:
+        _move_disc(
+            heat.modes, PLATE_ROW + plate * PLATE_ROWS, field.points[plate], field.spans[plate], tallies,
+            time, x, y, reach,
+        )  # fmt: skip
+    return True
+
+
+@called_kernel
+def _move_disc(
+    modes: NDArray[np.float64],
+    first_mode: int,
+    points: NDArray[np.float64],
+    spans: NDArray[np.int64],
+    tallies: NDArray[np.float64],
+    time: float,
+    x: float,
+    y: float,
+    reach: float,
+) -> None:
+    """Move the disc on a plate, whose modes begin with the row `first_mode`; its place and `reach` are in spacings."""
+    tallies[DISC_X], tallies[DISC_Y] = x, y
     lowest, highest = math.ceil(y - reach), math.floor(y + reach)
     # rows that are left, on either side
     row = lowest - 1
-    while row >= 0 and spans[plate, row, 1] > spans[plate, row, 0]:
-        for column in range(spans[plate, row, 0], spans[plate, row, 1]):
-            _leave(heat, field, plate, row, column, time)
-        spans[plate, row, 1] = spans[plate, row, 0]
+    while row >= 0 and spans[row, 1] > spans[row, 0]:
+        for column in range(spans[row, 0], spans[row, 1]):
+            _leave(modes, first_mode, points[row, column], tallies, row, column, time)
+        spans[row, 1] = spans[row, 0]
         row -= 1
     row = highest + 1
-    while row < rows and spans[plate, row, 1] > spans[plate, row, 0]:
-        for column in range(spans[plate, row, 0], spans[plate, row, 1]):
-            _leave(heat, field, plate, row, column, time)
-        spans[plate, row, 1] = spans[plate, row, 0]
+    while row < spans.shape[0] and spans[row, 1] > spans[row, 0]:
+        for column in range(spans[row, 0], spans[row, 1]):
+            _leave(modes, first_mode, points[row, column], tallies, row, column, time)
+        spans[row, 1] = spans[row, 0]
         row += 1
     for row in range(lowest, highest + 1):
-        old_first, old_last = spans[plate, row, 0], spans[plate, row, 1]
+        old_first, old_last = spans[row, 0], spans[row, 1]
         away = row - y
         square = reach * reach - away * away
         # mostly the points at the ends are still inside, and those beyond them outside
@@ -327,22 +344,25 @@ def sweep(heat: Heat, field: Field, plate: int, time: float, position: complex) 
         if old_first >= old_last:
             old_first = old_last = first
         for column in range(old_first, min(old_last, first)):
-            _leave(heat, field, plate, row, column, time)
+            _leave(modes, first_mode, points[row, column], tallies, row, column, time)
         for column in range(max(old_first, last), old_last):
-            _leave(heat, field, plate, row, column, time)
+            _leave(modes, first_mode, points[row, column], tallies, row, column, time)
         for column in range(first, min(last, old_first)):
-            _enter(heat, field, plate, row, column, time)
+            _enter(modes, first_mode, points[row, column], tallies, time)
         for column in range(max(first, old_last), last):
-            _enter(heat, field, plate, row, column, time)
-        spans[plate, row, 0], spans[plate, row, 1] = first, last
-    return True
+            _enter(modes, first_mode, points[row, column], tallies, time)
+        spans[row, 0], spans[row, 1] = first, last
 
 
 @called_kernel
-def _enter(heat: Heat, field: Field, plate: int, row: int, column: int, time: float) -> None:
+def _enter(
+    modes: NDArray[np.float64],
+    first: int,
+    point: NDArray[np.float64],
+    tallies: NDArray[np.float64],
+    time: float,
+) -> None:
     """Cover a point: from its own state to the difference from the common modes."""
-    modes, first = heat.modes, PLATE_ROW + plate * PLATE_ROWS
-    point = field.points[plate, row, column]
     fill_decay(modes, RATES, time - point[MODES], _SCRATCH)
     for j in range(MODES):
         difference = point[j] * modes[_SCRATCH, j] - modes[first + COMMON, j]
@@ -350,25 +370,30 @@ def _enter(heat: Heat, field: Field, plate: int, row: int, column: int, time: fl
         modes[first + INSIDE, j] += difference
         modes[first + BOUND, j] = max(modes[first + BOUND, j], difference)
     point[MODES] = time
-    field.tallies[plate, COVERED_POINTS] += 1.0
+    tallies[COVERED_POINTS] += 1.0
     if point[0] == 0.0:
-        field.tallies[plate, ALWAYS] += 1.0
+        tallies[ALWAYS] += 1.0
 
 
 @called_kernel
-def _leave(heat: Heat, field: Field, plate: int, row: int, column: int, time: float) -> None:
+def _leave(
+    modes: NDArray[np.float64],
+    first: int,
+    point: NDArray[np.float64],
+    tallies: NDArray[np.float64],
+    row: int,
+    column: int,
+    time: float,
+) -> None:
     """Uncover a point: from the difference to a state of its own."""
-    modes, first = heat.modes, PLATE_ROW + plate * PLATE_ROWS
-    point = field.points[plate, row, column]
-    tallies = field.tallies
     if point[0] == 0.0:
-        tallies[plate, ALWAYS] -= 1.0
-        if tallies[plate, ALWAYS] == 0.0 and tallies[plate, PEAK_ROW] < 0.0:  # the last one of these
-            tallies[plate, PEAK_ROW], tallies[plate, PEAK_COLUMN] = row, column
+        tallies[ALWAYS] -= 1.0
+        if tallies[ALWAYS] == 0.0 and tallies[PEAK_ROW] < 0.0:  # the last one of these
+            tallies[PEAK_ROW], tallies[PEAK_COLUMN] = row, column
     fill_decay(modes, RATES, time - point[MODES], _SCRATCH)
     for j in range(MODES):
         difference = point[j] * modes[_SCRATCH, j]
         point[j] = difference + modes[first + COMMON, j]
         modes[first + INSIDE, j] -= difference
     point[MODES] = time
-    tallies[plate, COVERED_POINTS] -= 1.0
+    tallies[COVERED_POINTS] -= 1.0

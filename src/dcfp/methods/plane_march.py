@@ -4,7 +4,7 @@ Of the ground it knows the nodes of `dcfp.methods.nodes` only, in both direction
 """
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -21,7 +21,6 @@ from dcfp.motion.station import Station
 from dcfp.schema.notebook import fields_card
 from dcfp.system import FrictionLaw, Heating, PreciseHeating, System, SystemLike
 from dcfp.system.fields import cold_heat
-from dcfp.system.plates import FIRST_REACH
 
 NAME = "plane march"
 #: Longest step [s], and distance of the friction from its chord in the middle of a step that is allowed, over mu g [-].
@@ -30,8 +29,8 @@ LONGEST_STEP, TOLERANCE = 0.05, 0.1
 _LEFT_OUT = 0.27
 #: Directions in which the largest change is looked for: 2.5 degrees beside it, a thousandth is missing.
 _DIRECTIONS = 36
-#: Rows of the path that there is room for at first.
-_FIRST_ROWS = 4000
+#: Displacement [mm] and rows of the path that there is room for at first.
+_FIRST_REACH, _FIRST_ROWS = 1200.0, 4000
 #: Most points of the field of heat across the slider: with 50 the predictions are the same, for five times the time.
 POINTS = 10
 
@@ -87,8 +86,6 @@ def march_in_plane(
         msg = "A march in the plane needs the nodes of a station, with two velocities each."
         raise InputError(msg)
     system = System.of(bearing, friction, heating, usual=PreciseHeating.name)
-    if isinstance(system.heating, PreciseHeating):
-        system = replace(system, heating=replace(system.heating, points=min(system.heating.points, POINTS)))
     state, path = _marched(nodes, system, longest)
     if not (math.isfinite(state.peak_displacement) and math.isfinite(state.displacement_x)):
         what = "the march in the plane"
@@ -116,9 +113,9 @@ def _marched(nodes: Nodes, system: System, longest: float) -> tuple[k.PlaneMarch
     """Return state and path at the end; again with more room where the slider left the grid or the path its rows."""
     tables = np.empty((2, MOST_HALVINGS + 1, COEFFICIENTS))
     x, y = (np.ascontiguousarray(one) for one in nodes.velocities.T)
-    reach, rows = FIRST_REACH, _FIRST_ROWS
+    reach, rows = _FIRST_REACH, _FIRST_ROWS
     while True:
-        heat = cold_heat(system, reach)
+        heat = cold_heat(system, reach, points=POINTS)
         heat.field.tallies[:, HOTTEST] = math.inf
         state = np.zeros(1, k.PLANE_MARCH_STATE)
         state["peak_temperature"] = system.heating.ambient

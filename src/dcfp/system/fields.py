@@ -99,10 +99,12 @@ class PlaneHeat:
         return np.stack(each)
 
 
-def cold_heat(system: System, reach: float = FIRST_REACH, *, horizon: float = HORIZON) -> PlaneHeat:
+def cold_heat(
+    system: System, reach: float = FIRST_REACH, *, horizon: float = HORIZON, points: int | None = None
+) -> PlaneHeat:
     """Return plates at the ambient temperature with room for a displacement of `reach` [mm]; other heating models than the precise one have no grid.
 
-    The `horizon` [s] is as for `cold_plates`.
+    The `horizon` [s] is as for `cold_plates`; `points` across the slider are those of the heating model unless they are fewer.
 
     Raises
     ------
@@ -117,12 +119,13 @@ def cold_heat(system: System, reach: float = FIRST_REACH, *, horizon: float = HO
             1.0, radius, np.zeros((count, 0, 0, MODES + 1)), np.zeros((count, 0, 2), np.int64), np.zeros((count, k.TALLIES))
         )  # fmt: skip
         return PlaneHeat(plates, empty, math.inf)
-    spacing = bearing.slider_diameter / heating.points
+    points = heating.points if points is None else min(points, heating.points)
+    spacing = bearing.slider_diameter / points
     middle = math.ceil((radius + max(bearing.shares) * reach) / spacing) + 3
     rows = 2 * middle + 1
     if count * rows**2 > MOST_POINTS:
         msg = (
-            f"the slider of {bearing.slider_diameter:g} mm goes further than {0.5 * reach:.0f} mm, too far for the field of heat on {heating.points} points"
+            f"the slider of {bearing.slider_diameter:g} mm goes further than {0.5 * reach:.0f} mm, too far for the field of heat on {points} points"
             " across it; take fewer points, or the simplified heating model."
         )
         raise AnalysisError(msg)
