@@ -12,6 +12,7 @@ import numba
 import numpy as np
 
 from dcfp.arrays import FloatArray
+from dcfp.constants import STANDARD_GRAVITY as GRAVITY
 from dcfp.motion.station import Station
 from dcfp.system import Li2020, NoHeating
 from dcfp.system.plan import Plan
@@ -34,8 +35,8 @@ class PlanOutcome:
     lifted: FloatArray
 
 
-def integrate(plan: Plan, motion: Station, *, step: float = STEP) -> PlanOutcome:
-    """Shake a plan of equal bearings with two equal plates and the law of Li et al. (2020) from rest, with overturning where slab or storeys are high."""
+def integrate(plan: Plan, motion: Station, *, vertical: bool = False, step: float = STEP) -> PlanOutcome:
+    """Shake a plan of equal bearings with two equal plates and the law of Li et al. (2020) from rest, with overturning where slab or storeys are high; `vertical`: the weight follows its component."""
     above, one = plan.structure, plan.systems[0]
     floors, bearing = above.floors, one.bearing
     of_slab = np.diag([plan.slab_mass, plan.slab_mass, plan.slab_inertia])
@@ -55,11 +56,13 @@ def integrate(plan: Plan, motion: Station, *, step: float = STEP) -> PlanOutcome
     heights = np.concatenate(([0.0], above.heights)) + plan.height
     factor = math.sqrt(one.heating.diffusivity / math.pi) / one.heating.conductivity
     tips = plan.height > 0.0 or floors > 0
+    ground = motion.acceleration
+    rising = motion.require_vertical().acceleration if vertical else np.zeros(len(ground))
     found = _march(
-        motion.acceleration, parts, inner, heat_step / inner, np.linalg.inv(mass), stiffness, damping, mass,
+        np.column_stack((ground, rising)), parts, inner, heat_step / inner, np.linalg.inv(mass), stiffness, damping, mass,
         plan.arms, plan.static_loads, plan.elastic_stiffnesses, plan.radii[0], bearing.slider_area, law,
         one.heating.ambient, factor if heats else 0.0, bearing.contact_half_side / bearing.shares[0],
-        heights, tips,
+        heights, tips, vertical,
     )  # fmt: skip
     return PlanOutcome(*found)
 
@@ -73,9 +76,9 @@ def _law(plan: Plan) -> tuple[float, ...]:
 
 
 def _loads_plainly(arms: FloatArray, own: FloatArray, tip_x: float, tip_y: float, loads: FloatArray) -> None:
-    """Write the loads: those that pull are left out, one pull after the other, until none does and none that was left out would press."""
+    """Write the loads: those that pull are left out, one pull after the other, until none does and none that was left out would press; what stands on one line balances nothing."""
     count = own.size
-    presses = np.ones(count, np.bool_)
+    presses = own > 0.0
     for _ in range(100):
         matrix, right = np.zeros((3, 3)), np.zeros(3)
         for i in range(count):
@@ -90,6 +93,9 @@ def _loads_plainly(arms: FloatArray, own: FloatArray, tip_x: float, tip_y: float
                         matrix[a, b] += row[a] * row[b]
         right[1] += tip_x
         right[2] += tip_y
+        if np.linalg.det(matrix) <= 1e-9 * matrix[0, 0] * matrix[1, 1] * matrix[2, 2]:
+            loads[:] = 0.0
+            break
         plane = np.linalg.solve(matrix, right)
         same = True
         for i in range(count):
@@ -109,7 +115,7 @@ _loads: Any = numba.njit(_loads_plainly)
 def _march_plainly(
     ground: FloatArray, parts: int, inner: int, h: float, inverse: FloatArray, stiffness: FloatArray, damping: FloatArray, mass: FloatArray,
     arms: FloatArray, static: FloatArray, kf: FloatArray, radius: float, area: float, law: FloatArray,
-    ambient: float, factor: float, edge: float, heights: FloatArray, tips: bool,
+    ambient: float, factor: float, edge: float, heights: FloatArray, tips: bool, vertical: bool,
 ) -> tuple[float, float, FloatArray, FloatArray, FloatArray, FloatArray, FloatArray, FloatArray]:  # fmt: skip
     count, size = static.size, inverse.shape[0]
     floors = size // 3
@@ -164,14 +170,19 @@ def _march_plainly(
                 v[3 * f] -= h * ax
                 v[3 * f + 1] -= h * ay
             q += 0.5 * h * v
-            if tips:
+            if tips or vertical:
                 # inertia of slab and floors at their heights
                 inertia = -(mass @ a)
                 tip_x, tip_y = lag_x, lag_y
                 for f in range(floors):
                     tip_x += heights[f] * inertia[3 * f]
                     tip_y += heights[f] * inertia[3 * f + 1]
-                _loads(arms, static, tip_x, tip_y, loads)
+                if not tips:
+                    tip_x, tip_y = 0.0, 0.0
+                # at the end of the step
+                along = (part + (j + 1.0) / inner) / parts
+                rising = ground[sample, 2] + along * (ground[sample + 1, 2] - ground[sample, 2])
+                _loads(arms, static * (1.0 + rising / GRAVITY), tip_x, tip_y, loads)
             for i in range(count):
                 least[i], largest[i] = min(least[i], loads[i]), max(largest[i], loads[i])
                 if loads[i] == 0.0:

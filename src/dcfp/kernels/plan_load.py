@@ -10,7 +10,7 @@ from dcfp.kernels.plan_bearing import STATIC, Bearings, X, Y
 
 #: Times that the bearings in contact are looked for.
 _MOST_TRIES = 60
-#: Part of the product of the spreads below which bearings stand on one line.
+#: Part of the square of the sum of the spreads below which bearings stand on one line.
 _ON_A_LINE = 1e-9
 
 
@@ -21,6 +21,7 @@ class Slab(NamedTuple):
     moment_x: float  # sum of static loads times X, Y [N mm]
     moment_y: float
     compliance: NDArray[np.float64]  # (3, 3): from a force and two moments to the plane a + b X + c Y
+    needed_contacts: int  # 3, or 2 of bearings on one line, or 1 where all stand in one point
     height: float  # at which the slab's own inertia acts [mm]
 
 
@@ -56,7 +57,7 @@ def share_loads(b: Bearings, slab: Slab, column: int, ratio: float, tip_x: float
                 n, sx, sy = n + 1.0, sx + x, sy + y
                 xx, xy, yy = xx + x * x, xy + x * y, yy + y * y
                 w, wx, wy = w + own, wx + own * x, wy + own * y
-        if n < 3.0:
+        if n < slab.needed_contacts:
             fits = False
             break
         # about the middle of those in contact
@@ -65,11 +66,17 @@ def share_loads(b: Bearings, slab: Slab, column: int, ratio: float, tip_x: float
         turn_x = ratio * slab.moment_x + tip_x - wx - mx * force
         turn_y = ratio * slab.moment_y + tip_y - wy - my * force
         xx, xy, yy = xx - mx * sx, xy - mx * sy, yy - my * sy
-        det = xx * yy - xy * xy
-        if det <= _ON_A_LINE * (xx + yy) * (xx + yy):
-            fits = False
-            break
-        lean_x, lean_y = (yy * turn_x - xy * turn_y) / det, (xx * turn_y - xy * turn_x) / det
+        det, both = xx * yy - xy * xy, xx + yy
+        lean_x, lean_y = 0.0, 0.0
+        if slab.needed_contacts == 3:
+            if det <= _ON_A_LINE * both * both:
+                fits = False
+                break
+            lean_x, lean_y = (yy * turn_x - xy * turn_y) / det, (xx * turn_y - xy * turn_x) / det
+        elif slab.needed_contacts == 2:
+            # nothing balances what tips across the line
+            lean_x = (xx * turn_x + xy * turn_y) / (both * both)
+            lean_y = (xy * turn_x + yy * turn_y) / (both * both)
         rise = force / n - lean_x * mx - lean_y * my
         changed = False
         for i in range(count):

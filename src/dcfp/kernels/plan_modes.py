@@ -18,8 +18,8 @@ FORCE, GROUND, DRIVES = 0, 9, 13
 INTEGRATED = 5
 #: Rows of the sums of a step: travel, first and second time integral from the start, of what is integrated.
 TRAVELLED, AREA, MOMENT, SUM_ROWS = range(4)
-#: Rows of the storeys' state: velocity and acceleration of the modes on a fixed base, at the start and at the end.
-RATE_0, PUSH_0, RATE_1, PUSH_1, STOREY_ROWS = range(5)
+#: Columns of the slab's acceleration and its change.
+SLAB_COLUMNS = 6
 
 
 class Linear(NamedTuple):
@@ -27,62 +27,91 @@ class Linear(NamedTuple):
 
     roots: NDArray[np.complex128]  # (modes,) [1/s]
     factors: NDArray[np.complex128]  # (levels, 6, modes): h^k phi_k of the whole step
-    outputs: NDArray[
-        np.complex128
-    ]  # (levels, 2 x 8, modes): outputs in the middle and at the end, of the modes at the start
+    # (levels, 2, modes, 2 x 8): real and imaginary part of the outputs in the middle and at the end, of the modes at the start
+    outputs: NDArray[np.float64]
     influence: NDArray[np.float64]  # (levels, 2 x 8, DRIVES): and of what drives the step
     gains: NDArray[
         np.complex128
     ]  # (5, modes): of forces on the slab and of the ground's acceleration on the modes
     integrated: NDArray[np.complex128]  # (INTEGRATED, modes)
-    accelerations: NDArray[np.complex128]  # (3, modes): acceleration of the slab of the modes' derivatives
-    storeys: NDArray[np.complex128]  # (2 x fixed-base modes, modes): their displacement and velocity
+    rates: NDArray[np.complex128]  # (3, modes): velocity of the slab
+    # (2, 2, modes, fixed-base modes): real and imaginary part of the displacement, and of the velocity, of the modes on a fixed base, in groups that move apart
+    storeys: NDArray[np.float64]
     fixed: NDArray[np.float64]  # (fixed-base modes, 5): w2, 2 z w, participation of x, y and rotation
-
-
-@called_kernel
-def outputs_of(lin: Linear, level: int, z: NDArray[np.complex128], found: NDArray[np.float64]) -> None:
-    """Write the outputs in the middle and at the end of a step without any drive."""
-    for j in range(found.size):
-        real = 0.0
-        for m in range(z.size):
-            c = lin.outputs[level, j, m]
-            real += c.real * z[m].real - c.imag * z[m].imag
-        found[j] = real
+    # (groups, 4): first mode and that after the last, first mode on a fixed base and that after the last
+    groups: NDArray[np.int64]
 
 
 @kernel
-def sum_of(row: NDArray[np.complex128], z: NDArray[np.complex128]) -> float:
-    """Real part of a row times the modes."""
-    real = 0.0
+def add_up(parts: NDArray[np.float64], z: NDArray[np.complex128], found: NDArray[np.float64]) -> None:
+    """Write the sum of the modes' rows, of which real and imaginary part are (2, modes, entries)."""
+    for j in range(found.size):
+        found[j] = 0.0
     for m in range(z.size):
-        real += row[m].real * z[m].real - row[m].imag * z[m].imag
-    return real
+        re, im, of_re, of_im = z[m].real, z[m].imag, parts[0, m], parts[1, m]
+        if im == 0.0:  # a mode that does not oscillate
+            for j in range(found.size):
+                found[j] += re * of_re[j]
+        else:
+            for j in range(found.size):
+                found[j] += re * of_re[j] - im * of_im[j]
 
 
 @called_kernel
 def advance_modes(
-    lin: Linear, level: int, length: float, drive: NDArray[np.float64], z: NDArray[np.complex128], sums: NDArray[np.float64]
+    lin: Linear, level: int, length: float, drive: NDArray[np.float64], z: NDArray[np.complex128],
+    half: NDArray[np.complex128], sums: NDArray[np.float64], slab: NDArray[np.float64],
 ) -> None:  # fmt: skip
-    """Advance the modes over a step of `length` [s]; write the `sums` of what is integrated."""
-    f = lin.factors[level]
+    """Advance the modes over a step of `length` [s]; write those in its `half`, the `sums` of what is integrated, and the absolute acceleration of the `slab` and how it changes."""
+    f, g = lin.factors[level], lin.factors[level + 1]
     for r in range(SUM_ROWS):
         for j in range(INTEGRATED):
             sums[r, j] = 0.0
+    _begin_slab(drive, length, slab)
     for m in range(z.size):
         p0, p1, p2 = modal_drive(lin, drive, m)
-        p2 = 2.0 * p2
-        start = z[m]
-        end = f[0, m] * start + f[1, m] * p0 + f[2, m] * p1 + f[3, m] * p2
-        once = f[1, m] * start + f[2, m] * p0 + f[3, m] * p1 + f[4, m] * p2 - length * start
-        twice = f[2, m] * start + f[3, m] * p0 + f[4, m] * p1 + f[5, m] * p2 - 0.5 * length * length * start
+        start, twice_p2 = z[m], 2.0 * p2
+        middle = g[0, m] * start + g[1, m] * p0 + g[2, m] * p1 + g[3, m] * twice_p2
+        end = f[0, m] * start + f[1, m] * p0 + f[2, m] * p1 + f[3, m] * twice_p2
+        once = f[1, m] * start + f[2, m] * p0 + f[3, m] * p1 + f[4, m] * twice_p2 - length * start
+        twice = (
+            f[2, m] * start + f[3, m] * p0 + f[4, m] * p1 + f[5, m] * twice_p2 - 0.5 * length * length * start
+        )
         gone = end - start
         for j in range(INTEGRATED):
             c = lin.integrated[j, m]
             sums[TRAVELLED, j] += c.real * gone.real - c.imag * gone.imag
             sums[AREA, j] += c.real * once.real - c.imag * once.imag
             sums[MOMENT, j] += c.real * twice.real - c.imag * twice.imag
-        z[m] = end
+        _accelerate(lin, m, start, p0, p1, slab[0])
+        time = 0.5 * length
+        _accelerate(lin, m, middle, p0 + time * (p1 + time * p2), p1 + time * twice_p2, slab[1])
+        _accelerate(lin, m, end, p0 + length * (p1 + length * p2), p1 + length * twice_p2, slab[2])
+        half[m], z[m] = middle, end
+
+
+@kernel
+def _begin_slab(drive: NDArray[np.float64], length: float, slab: NDArray[np.float64]) -> None:
+    """Write the ground's acceleration in x, y and rotation, and how it changes, at the start, in the middle and at the end of a step."""
+    for r in range(3):
+        for j in range(2):
+            change = drive[GROUND + 2 + j]
+            slab[r, j] = drive[GROUND + j] + 0.5 * r * length * change
+            slab[r, 3 + j] = change
+        slab[r, 2] = slab[r, 5] = 0.0
+
+
+@kernel
+def _accelerate(
+    lin: Linear, m: int, z: complex, drive: complex, change: complex, row: NDArray[np.float64]
+) -> None:
+    """Add what a mode does to the slab's acceleration and to its change."""
+    first = lin.roots[m] * z + drive
+    second = lin.roots[m] * first + change
+    for j in range(3):
+        c = lin.rates[j, m]
+        row[j] += c.real * first.real - c.imag * first.imag
+        row[3 + j] += c.real * second.real - c.imag * second.imag
 
 
 @kernel
@@ -105,86 +134,3 @@ def work(
     linear = length * travel - area
     square = length * (length * travel - 2.0 * area) + 2.0 * moment
     return drive[first] * travel + drive[first + number] * linear + drive[first + 2 * number] * square
-
-
-@called_kernel
-def _note_storeys(
-    lin: Linear, z: NDArray[np.complex128], drive: NDArray[np.float64], time: float, row: int, storeys: NDArray[np.float64], rates: NDArray[np.float64]
-) -> None:  # fmt: skip
-    """Write how fast the storeys' damping takes energy at a `time` [s] into a step, and the first and second derivative of that, into `rates` from entry `row` on."""
-    ax, ay, at, jx, jy, jt = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    for m in range(z.size):
-        p0, p1, p2 = modal_drive(lin, drive, m)
-        now, change = p0 + time * (p1 + time * p2), p1 + 2.0 * time * p2
-        first = lin.roots[m] * z[m] + now
-        second = lin.roots[m] * first + change
-        cx, cy, ct = lin.accelerations[0, m], lin.accelerations[1, m], lin.accelerations[2, m]
-        ax += cx.real * first.real - cx.imag * first.imag
-        ay += cy.real * first.real - cy.imag * first.imag
-        at += ct.real * first.real - ct.imag * first.imag
-        jx += cx.real * second.real - cx.imag * second.imag
-        jy += cy.real * second.real - cy.imag * second.imag
-        jt += ct.real * second.real - ct.imag * second.imag
-    ax += drive[GROUND] + time * drive[GROUND + 2]
-    ay += drive[GROUND + 1] + time * drive[GROUND + 3]
-    jx += drive[GROUND + 2]
-    jy += drive[GROUND + 3]
-    count = lin.fixed.shape[0]
-    taken, slope, bend = 0.0, 0.0, 0.0
-    for n in range(count):
-        square, damping = lin.fixed[n, 0], lin.fixed[n, 1]
-        y, v = storeys[0, n], storeys[1, n]
-        a = -damping * v - square * y - (lin.fixed[n, 2] * ax + lin.fixed[n, 3] * ay + lin.fixed[n, 4] * at)
-        j = -damping * a - square * v - (lin.fixed[n, 2] * jx + lin.fixed[n, 3] * jy + lin.fixed[n, 4] * jt)
-        taken += damping * v * v
-        slope += 2.0 * damping * v * a
-        bend += 2.0 * damping * (a * a + v * j)
-    rates[row], rates[row + 1], rates[row + 2] = taken, slope, bend
-
-
-@kernel
-def _observe(lin: Linear, z: NDArray[np.complex128], storeys: NDArray[np.float64]) -> None:
-    """Write displacement and velocity of the modes on a fixed base."""
-    count = lin.fixed.shape[0]
-    for n in range(count):
-        storeys[0, n] = sum_of(lin.storeys[n], z)
-        storeys[1, n] = sum_of(lin.storeys[count + n], z)
-
-
-@called_kernel
-def damped_before(
-    lin: Linear, level: int, length: float, drive: NDArray[np.float64], z: NDArray[np.complex128], half: NDArray[np.complex128], storeys: NDArray[np.float64], rates: NDArray[np.float64]
-) -> None:  # fmt: skip
-    """Note how fast the storeys' damping takes energy at the start of a step, as they were observed at the end of the one before, and in the middle; `half` is room for the modes there."""
-    _note_storeys(lin, z, drive, 0.0, 0, storeys, rates)
-    f = lin.factors[level + 1]
-    for m in range(z.size):
-        p0, p1, p2 = modal_drive(lin, drive, m)
-        half[m] = f[0, m] * z[m] + f[1, m] * p0 + f[2, m] * p1 + f[3, m] * (2.0 * p2)
-    _observe(lin, half, storeys)
-    _note_storeys(lin, half, drive, 0.5 * length, 3, storeys, rates)
-
-
-@called_kernel
-def damped_over(
-    lin: Linear, length: float, drive: NDArray[np.float64], z: NDArray[np.complex128], storeys: NDArray[np.float64], rates: NDArray[np.float64]
-) -> float:  # fmt: skip
-    """Energy that the storeys' damping took over a step [N mm], now that the modes are at its end.
-
-    By the rule with first and second derivatives at both ends, over the whole and over the halves: its error falls with the sixth power, and so is left out.
-    """
-    _observe(lin, z, storeys)
-    _note_storeys(lin, z, drive, length, 6, storeys, rates)
-    whole = _between(rates, 0, 6, length)
-    halves = _between(rates, 0, 3, 0.5 * length) + _between(rates, 3, 6, 0.5 * length)
-    return halves + (halves - whole) / 63.0
-
-
-@kernel
-def _between(rates: NDArray[np.float64], first: int, last: int, length: float) -> float:
-    values, slopes, bends = (
-        rates[first] + rates[last],
-        rates[first + 1] - rates[last + 1],
-        rates[first + 2] + rates[last + 2],
-    )
-    return length * (0.5 * values + length * (0.1 * slopes + length * bends / 120.0))

@@ -30,6 +30,8 @@ from dcfp.system.system import System
 _WEIGHT_TOLERANCE = 1e-3
 #: How far outside the slab rounding may put a place [mm].
 _ROUNDING = 1.0
+#: Distance of places and of the centre of mass from a point or a line, over the size of the plan, up to which they lie on it [-].
+_ON_IT = 1e-6
 #: How kf of a bearing follows from that of its type: in proportion to its static load, or the same for all.
 BY_LOAD, EQUAL = "load", "equal"
 
@@ -159,6 +161,19 @@ class Plan(Declared):
         if self.static_loads[lightest] <= 0.0:
             msg = f"With the centre of mass at {_metres(self.mass_centre)} bearing {lightest + 1} at {_metres(self.places[lightest])} would lift off at rest."
             raise InputError(msg, at="centre")
+        self._check_equilibrium()
+
+    def _check_equilibrium(self) -> None:
+        """Refuse bearings on one line or in one point that do not hold what stands on them."""
+        size = max(float(np.abs(self.arms).max()), 1.0)
+        off = np.abs(self.static_loads @ self.arms).max() > _ON_IT * self.weight * size
+        if self.loads is None and self.needed_contacts < 3 and off:
+            under = "one line" if self.needed_contacts == 2 else "one point"
+            msg = f"The bearings stand on {under}, and the centre of mass, {_metres(self.mass_centre)}, is not above it; move it there, or add bearings."
+            raise InputError(msg, at="centre")
+        if self.needed_contacts == 1 and self.structure.twists:
+            msg = "A bearing alone holds no building against rotation, and mass and stiffness of the storeys are not all centred above it; centre them, or add bearings."
+            raise InputError(msg, at="places")
 
     def _check_stiffnesses(self) -> None:
         """Refuse storeys without a stiffness, and modes of other storeys."""
@@ -276,6 +291,12 @@ class Plan(Declared):
     def arms(self) -> FloatArray:
         """Places of the bearings from the centre of mass [mm], shape (n, 2)."""
         return self.places - np.array(self.mass_centre)
+
+    @property
+    def needed_contacts(self) -> int:
+        """Number of bearings that must press for equilibrium: 3, or 2 of bearings on one line, or 1 where all stand in one point."""
+        away = self.places - self.places.mean(axis=0)
+        return 1 + int(np.linalg.matrix_rank(away, tol=_ON_IT * max(float(np.abs(away).max()), 1.0)))
 
     @property
     def slab_inertia(self) -> float:

@@ -12,8 +12,11 @@ from dcfp.arrays import FloatArray, freeze
 from dcfp.schema.declared import Declared, declared
 from dcfp.schema.parameters import Parameter
 from dcfp.schema.units import KN_M, KN_PER_MM, METRE, TONNE, TONNE_M2
+from dcfp.system.coupling import modes_apart
 from dcfp.system.modes import ModeShapes
 
+#: Coupling of translation and rotation, over their own masses or stiffnesses, up to which a storey is centred [-].
+_CENTRED = 1e-9
 #: Kinds of damping: the same ratio in every mode on a fixed base, or in proportion to the stiffness, with the ratio in the first one.
 MODAL, STIFFNESS_PROPORTIONAL = "modal", "stiffness"
 DAMPING_KINDS = (STIFFNESS_PROPORTIONAL, MODAL)
@@ -130,10 +133,18 @@ class Superstructure:
         """Circular frequencies on a fixed base [1/s], lowest first, and shapes as columns, of unit modal mass."""
         if self.floors == 0:
             return np.empty(0), np.empty((0, 0))
-        lower = np.linalg.cholesky(self.mass)
-        half = np.linalg.solve(lower, self.stiffness)
-        squares, vectors = np.linalg.eigh(np.linalg.solve(lower, half.T))
-        return freeze(np.sqrt(squares)), freeze(np.linalg.solve(lower.T, vectors))
+        squares, shapes = modes_apart(self.mass, self.stiffness)
+        return freeze(np.sqrt(squares)), freeze(shapes)
+
+    @property
+    def twists(self) -> bool:
+        """Whether a floor that moves in x or y is turned."""
+        turning = np.arange(len(self.mass)) % 3 == 2
+        own = [np.sqrt(np.diag(one)) for one in (self.mass, self.stiffness)]
+        ratios = [
+            np.abs(one) / np.outer(r, r) for one, r in zip((self.mass, self.stiffness), own, strict=True)
+        ]
+        return any(bool((one[np.ix_(turning, ~turning)] > _CENTRED).any()) for one in ratios)
 
     @property
     def damping(self) -> FloatArray:

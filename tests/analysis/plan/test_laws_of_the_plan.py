@@ -5,12 +5,15 @@ from functools import cache
 
 import numpy as np
 import pytest
+from vertical import with_vertical
 
 import dcfp
 from dcfp import LI_2020, ConstantFriction, Li2020, NoHeating, SimplifiedHeating, Station, System, respond
-from dcfp.analysis.building import ShearBuilding, StiffnessProportional, respond_building
+from dcfp.analysis.building import BuildingResponse, ShearBuilding, StiffnessProportional, respond_building
 from dcfp.analysis.plan import PlanResponse, respond_plan
 from dcfp.constants import STANDARD_GRAVITY
+from dcfp.errors import InputError
+from dcfp.motion.load import Motion
 from dcfp.system.plan import EQUAL, Plan, grid
 from dcfp.system.storeys import MODAL, Storey
 
@@ -102,19 +105,84 @@ def test_one_bearing_is_that_of_the_plane(system: System) -> None:
     assert response.slab_motion[-1, 2] == 0.0
 
 
-@pytest.mark.slow
+@pytest.mark.parametrize("peak", [0.5, 1.3])
 @pytest.mark.parametrize("system", [CONSTANT, HEATED])
-def test_storeys_in_one_direction_are_the_shear_building(system: System) -> None:
-    ground = station().x
+def test_one_bearing_under_a_vertical_component_is_that_of_the_plane(system: System, peak: float) -> None:
+    motion = with_vertical(station(), peak)
+    response = respond_plan(Plan(np.zeros((1, 2)), system), motion, vertical=True, tail=0.0)
+    other = respond(motion, system, vertical=True, tail=0.0)
+    assert response.peak_displacement == pytest.approx(other.peak_displacement, rel=1e-3)
+    assert response.peak_temperature[0] == pytest.approx(other.peak_temperature, abs=0.1)
+    assert response.energy.input[-1] == pytest.approx(other.energy.input[-1], rel=5e-4)
+    assert response.energy.relative_residual < 1e-12
+    assert (response.uplift_time[0] > 0.0) == (peak > 1.0)
+
+
+def in_one_direction(
+    ground: Motion, system: System, places: np.ndarray
+) -> tuple[PlanResponse, BuildingResponse]:
+    """Return a shear building on bearings of a type, shaken along x, and the same on one bearing in one direction."""
+    mass, stiffnesses = len(places) * LI_2020.mass, (150.0, 120.0, 100.0)
     still = replace(ground, acceleration=np.zeros_like(ground.acceleration))
-    building = ShearBuilding((MASS / 4,) * 4, (MASS * 150.0,) * 3, StiffnessProportional(0.02))
-    other = respond_building(ground, building, system, tail=0.0)
-    storeys = tuple(Storey(MASS / 4, MASS * 150.0, 3500.0) for _ in range(3))
-    plan = Plan(PLACES, system, storeys=storeys)
-    response = respond_plan(plan, Station(ground, still), tail=0.0, overturning=False, step=0.001)
-    assert response.peak_displacement == pytest.approx(other.peak_displacement, rel=2e-3)
+    storeys = tuple(Storey(mass / 4, mass * one, 3500.0) for one in stiffnesses)
+    response = respond_plan(
+        Plan(places, system, storeys=storeys, spring=EQUAL),
+        Station(ground, still),
+        tail=0.0,
+        overturning=False,
+    )
+    building = ShearBuilding((0.25,) * 4, stiffnesses, StiffnessProportional(0.02))
+    return response, respond_building(ground, building, system, tail=0.0)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["KNA", "NCC", "LPG", "IVD"])
+@pytest.mark.parametrize("system", [CONSTANT, HEATED])
+@pytest.mark.parametrize("places", [np.zeros((1, 2)), grid(np.arange(3) * 6000.0, [0.0])])
+def test_storeys_in_one_direction_are_the_shear_building(
+    name: str, system: System, places: np.ndarray
+) -> None:
+    response, other = in_one_direction(dcfp.load_motion(name).scaled_to_pgv(500.0), system, places)
+    assert response.peak_displacement == pytest.approx(other.peak_displacement, rel=1e-3)
     np.testing.assert_allclose(response.peak_drift, other.peak_drift, rtol=2e-3)
-    np.testing.assert_allclose(response.peak_floor_acceleration[1:], other.peak_acceleration[1:], rtol=2e-3)
+    np.testing.assert_allclose(response.peak_floor_acceleration, other.peak_acceleration, rtol=2e-3)
+    np.testing.assert_allclose(response.peak_temperature, other.peak_temperature, atol=0.1)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("eccentric", [0.0, 0.05])
+def test_the_energy_of_a_tall_building_closes(eccentric: float) -> None:
+    storeys = tuple(Storey(MASS / 65, (MASS * 1500.0, MASS * 1200.0), 3500.0) for _ in range(64))
+    plan = Plan(PLACES, HEATED, eccentricity=(eccentric, eccentric), storeys=storeys)
+    assert respond_plan(plan, station(), tail=0.0).energy.relative_residual < 1e-9
+
+
+@pytest.mark.parametrize("storeys", [(), STOREYS])
+def test_a_building_comes_to_rest(storeys: tuple[Storey, ...]) -> None:
+    response = respond_plan(eccentric(HEATED, storeys=storeys), station())
+    assert response.rests
+    assert response.time[-1] < len(station().acceleration) * station().time_step + 10.0
+
+
+def test_bearings_on_one_line_hold_what_stands_above_the_line() -> None:
+    line = grid(np.arange(4) * 4000.0, [0.0])
+    response = respond_plan(Plan(line, HEATED, height=70000.0), station(), tail=0.0)
+    assert response.uplift_time.max() > 0.0
+    pressing = response.bearing_load.sum(axis=1)
+    np.testing.assert_allclose(pressing[pressing > 0.0], response.plan.weight, rtol=1e-9)
+    with pytest.raises(InputError, match="stand on one line, and the centre of mass"):
+        Plan(line, HEATED, sides=(12000.0, 6000.0), centre=(6000.0, 500.0))
+
+
+def test_one_bearing_holds_no_building_that_twists() -> None:
+    mass = LI_2020.mass
+    storey = Storey(mass / 2, mass * 100.0, 3000.0, stiffness_centre=(300.0, 0.0))
+    with pytest.raises(InputError, match="A bearing alone holds no building against rotation"):
+        Plan(np.zeros((1, 2)), HEATED, sides=(2000.0, 2000.0), storeys=(storey,))
+    with pytest.raises(InputError, match="stand on one point, and the centre of mass"):
+        Plan(np.zeros((1, 2)), HEATED, sides=(2000.0, 2000.0), eccentricity=(0.05, 0.0))
+    centred = Plan(np.zeros((1, 2)), HEATED, storeys=(replace(storey, stiffness_centre=None),))
+    assert respond_plan(centred, station(), tail=0.0).peak_rotation == 0.0
 
 
 @pytest.mark.parametrize("kind", ["stiffness", MODAL])

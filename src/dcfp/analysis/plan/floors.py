@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from dcfp.analysis.plan.slab import SlabResponse
 from dcfp.arrays import FloatArray, freeze
+from dcfp.kernels import plan_end as e
 from dcfp.kernels import plan_integrate as k
 
 #: Parts of a sample interval at whose ends peaks of the floors are looked for.
@@ -27,52 +28,45 @@ class FloorsResponse(SlabResponse):
         return self._of_levels(self.model.modes.velocity)
 
     def _of_levels(self, rows: NDArray[np.complex128]) -> FloatArray:
-        found = (self.modes @ rows.T).real
-        slab = found[:, np.newaxis, :3]
-        shapes = self.plan.structure.modes[1]
-        floors = (found[:, 3:] @ shapes.T).reshape(len(found), -1, 3)
-        return freeze(np.concatenate((slab, slab + floors), axis=1))
+        above = self.plan.structure
+        floors = above.modes[1] @ rows[3:] + above.rigid @ rows[:3]
+        return self._told(np.concatenate((rows[:3], floors)), self.modes)
+
+    def _told(self, rows: NDArray[np.complex128], modes: NDArray[np.complex128]) -> FloatArray:
+        """Return rows of complex modes times these, in x, y and rotation, shape (n, rows / 3, 3)."""
+        found = modes.real @ rows.real.T - modes.imag @ rows.imag.T
+        return freeze(found.reshape(len(modes), -1, 3))
+
+    @cached_property
+    def _of_floors(self) -> NDArray[np.complex128]:
+        """Absolute accelerations of the floors above the slab by the complex modes, shape (3 floors, modes)."""
+        building, own = self.model.building, self.model.modes
+        square, damping = np.diag(building.stiffness)[3:], np.diag(building.damping)[3:]
+        pushes = square[:, np.newaxis] * own.displacement[3:] + damping[:, np.newaxis] * own.velocity[3:]
+        return -self.plan.structure.modes[1] @ pushes
 
     @cached_property
     def floor_force(self) -> FloatArray:
         """Force of the storeys on each floor above the slab, against its displacement, x, y [N] and torque [N mm], shape (n, floors, 3)."""
-        return freeze(self._of_floors(self.modes))
-
-    def _of_floors(self, modes: NDArray[np.complex128]) -> FloatArray:
-        """Return the forces of the storeys for complex modes, or how they change for the modes' derivatives, shape (n, floors, 3)."""
-        structure, building, own = self.plan.structure, self.model.building, self.model.modes
-        square, damping = np.diag(building.stiffness)[3:], np.diag(building.damping)[3:]
-        rows = square[:, np.newaxis] * own.displacement[3:] + damping[:, np.newaxis] * own.velocity[3:]
-        weighted = structure.mass @ structure.modes[1]
-        return ((modes @ rows.T).real @ weighted.T).reshape(len(modes), -1, 3)
-
-    def _accelerated(self, forces: FloatArray) -> FloatArray:
-        """Return the absolute accelerations of the floors under forces of the storeys, shape (n, floors, 3)."""
-        by_floor = np.linalg.solve(self.plan.structure.mass, -forces.reshape(len(forces), -1).T)
-        return np.asarray(by_floor.T, dtype=np.float64).reshape(forces.shape)
+        return self._told(-self.plan.structure.mass @ self._of_floors, self.modes)
 
     @cached_property
     def floor_acceleration(self) -> FloatArray:
         """Absolute acceleration of slab and floors on the axis through the centre of mass, x, y [mm/s2] and rotation [rad/s2], shape (n, floors + 1, 3)."""
-        plan, forces = self.plan, self.floor_force
-        slab = -(self.base_shear - forces.sum(axis=1)) / np.array(
-            [plan.slab_mass, plan.slab_mass, plan.slab_inertia]
-        )
-        floors = self._accelerated(forces) if plan.storeys else forces
+        plan, above = self.plan, self.plan.structure
+        masses = np.array([plan.slab_mass, plan.slab_mass, plan.slab_inertia])
+        floors = self._told(self._of_floors, self.modes)
+        of_floors = floors.reshape(len(floors), -1) @ (above.mass @ above.rigid)
+        slab = -(self.base_shear + of_floors) / masses
         return freeze(np.concatenate((slab[:, np.newaxis], floors), axis=1))
 
     @cached_property
     def peak_floor_acceleration(self) -> FloatArray:
-        """Largest absolute acceleration of slab and floors on the axis through the centre of mass [mm/s2], shape (floors + 1,): of floors also between the samples."""
-        slab = np.hypot(*self.floor_acceleration[:, 0, :2].T).max(keepdims=True)
-        if not self.plan.storeys:
-            return freeze(slab)
-        slopes = self._accelerated(
-            self._of_floors(self.modes * self.model.kernel.linear.roots + self._pushes)
-        )
-        return freeze(
-            np.concatenate((slab, _largest(self.floor_acceleration[:, 1:], slopes, float(self.time[1]))))
-        )
+        """Largest absolute acceleration of slab and floors on the axis through the centre of mass, also between the samples [mm/s2], shape (floors + 1,)."""
+        slab = np.array([self.tallies[e.ACCELERATION]])
+        changes = self._told(self._of_floors, self.modes * self.model.kernel.linear.roots + self._pushes)
+        floors = _largest(self.floor_acceleration[:, 1:], changes, float(self.time[1]))
+        return freeze(np.concatenate((slab, floors)))
 
     @property
     def _pushes(self) -> NDArray[np.complex128]:
@@ -103,13 +97,14 @@ class FloorsResponse(SlabResponse):
 
 def _largest(values: FloatArray, slopes: FloatArray, interval: float) -> FloatArray:
     """Return the largest resultant of x and y over time, also between samples, by cubics through values and slopes; of arrays (n, m, 3), shape (m,)."""
-    v, d = values[..., :2], interval * slopes[..., :2]
-    found = np.hypot(v[..., 0], v[..., 1]).max(axis=0)
+    v, d = (np.ascontiguousarray(np.moveaxis(one[..., :2], 0, -1)) for one in (values, interval * slopes))
+    before, after, leaving, arriving = v[..., :-1], v[..., 1:], d[..., :-1], d[..., 1:]
+    squares = (v * v).sum(axis=1).max(axis=-1)
     for part in np.arange(1, _PARTS) / _PARTS:
         rest = 1.0 - part
         there = (
-            (1.0 + 2.0 * part) * rest**2 * v[:-1] + part**2 * (3.0 - 2.0 * part) * v[1:]
-            + part * rest**2 * d[:-1] - part**2 * rest * d[1:]
+            (1.0 + 2.0 * part) * rest**2 * before + part**2 * (3.0 - 2.0 * part) * after
+            + part * rest**2 * leaving - part**2 * rest * arriving
         )  # fmt: skip
-        found = np.maximum(found, np.hypot(there[..., 0], there[..., 1]).max(axis=0))
-    return found
+        squares = np.maximum(squares, (there * there).sum(axis=1).max(axis=-1))
+    return np.sqrt(squares)

@@ -7,12 +7,13 @@ import numpy as np
 
 from dcfp.analysis.integration import DEFAULT, LONGEST_STEP, Integration, halvings
 from dcfp.analysis.plan.model import PlanModel, plan_model
-from dcfp.analysis.plan.response import REST, PlanResponse
+from dcfp.analysis.plan.response import PlanResponse, time_to_rest
 from dcfp.analysis.plane_history import PART_OF_PERIOD, TOLERANCE
 from dcfp.arrays import FloatArray, first_rows, freeze
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import AnalysisError, InputError
 from dcfp.kernels import plan_bearing as b
+from dcfp.kernels import plan_end as e
 from dcfp.kernels import plan_integrate as k
 from dcfp.kernels.motion import NO_NUMBER
 from dcfp.kernels.plane_slide import PlaneControl
@@ -20,6 +21,9 @@ from dcfp.motion.ground_motion import parts_in, refined, with_tail
 from dcfp.motion.station import Station
 from dcfp.system import PreciseHeating
 from dcfp.system.plan import Plan
+
+#: Part of the tolerance of a rigid structure with storeys: the acceleration of a slab that carries little of the mass jumps where friction begins to slide.
+_WITH_STOREYS = 0.5
 
 
 def respond_plan(
@@ -43,7 +47,7 @@ def respond_plan(
     vertical
         Whether the weight follows the vertical component, W (1 + a_z / g).
     overturning
-        Whether the loads of the bearings follow the overturning moment: of the floors, of the slab's own height and of the sliders' place.
+        Whether the loads of the bearings follow the overturning moment: of the floors, of the slab's own height and of the sliders' place; of a slab without height and floors there is none.
     step, tail, tolerance
         As of `dcfp.analysis.Integration`.
 
@@ -70,19 +74,21 @@ def respond_plan(
     if vertical:
         ratios = 1.0 + sampled(motion.require_vertical().acceleration) / STANDARD_GRAVITY
     model = plan_model(plan, interval)
-    changes = vertical or (overturning and (plan.height > 0.0 or bool(plan.storeys)))
-    if not overturning:
+    tips = overturning and (plan.height > 0.0 or bool(plan.storeys))
+    changes = vertical or tips
+    if not tips:
         model = _without_moments(model)
     masses = plan.static_loads / STANDARD_GRAVITY
     period = math.tau * math.sqrt(masses.sum() / plan.elastic_stiffnesses.sum())
     fewest = halvings(interval, min(LONGEST_STEP, PART_OF_PERIOD * period))
-    control = PlaneControl(interval, fewest, TOLERANCE * integration.tolerance / DEFAULT.tolerance)
+    finer = integration.tolerance / DEFAULT.tolerance * (_WITH_STOREYS if plan.storeys else 1.0)
+    control = PlaneControl(interval, fewest, TOLERANCE * finer)
     free_from = len(motion.acceleration) * parts if tail is None else len(ground)
     linear = model.kernel.linear
     lines = np.zeros((len(ground), k.LINE))
     modes = np.zeros((len(ground), linear.roots.size), complex)
     kept = np.zeros((len(ground), plan.count, k.KEPT))
-    tallies, state = np.zeros(k.TALLIES), np.zeros(linear.roots.size, complex)
+    tallies, state = np.zeros(e.TALLIES), np.zeros(linear.roots.size, complex)
     done = k.integrate_plan(
         model.kernel,
         ground,
@@ -90,7 +96,7 @@ def respond_plan(
         control,
         changes,
         free_from,
-        REST,
+        time_to_rest(plan),
         state,
         model.room,
         tallies,
@@ -98,7 +104,7 @@ def respond_plan(
         modes,
         kept,
     )
-    if int(tallies[k.STATUS]) == NO_NUMBER:
+    if int(tallies[e.STATUS]) == NO_NUMBER:
         msg = f"{motion.name} at {done * interval:.4g} s: no finite number; look at the friction laws of the plan."
         raise AnalysisError(msg)
     count = done + 1
@@ -123,7 +129,7 @@ def _without_moments(model: PlanModel) -> PlanModel:
     kernel, linear = model.kernel, model.kernel.linear
     outputs, influence = linear.outputs.copy(), linear.influence.copy()
     for first in (b.TIPPING, b.OUTPUTS + b.TIPPING):
-        outputs[:, first : first + 2] = 0.0
+        outputs[..., first : first + 2] = 0.0
         influence[:, first : first + 2] = 0.0
     still = linear._replace(outputs=outputs, influence=influence)
     bearings = kernel.bearings

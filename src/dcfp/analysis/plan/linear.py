@@ -10,12 +10,11 @@ from numpy.typing import NDArray
 from dcfp.arrays import FloatArray
 from dcfp.kernels.heat_state import MOST_HALVINGS
 from dcfp.kernels.plan_modes import Linear
+from dcfp.system.coupling import groups_apart, undamped_modes
 from dcfp.system.plan import Plan
 
 ComplexArray: TypeAlias = NDArray[np.complex128]
 
-#: Coupling of two coordinates, over the roots of their own, below which they move apart [-].
-_APART = 1e-13
 #: Terms of the series of phi.
 _TERMS = 26
 
@@ -74,6 +73,7 @@ class Modes:
     displacement: ComplexArray  # (coordinates, modes)
     velocity: ComplexArray
     gains: ComplexArray  # (modes, coordinates), of accelerations
+    groups: list[tuple[slice, list[int]]]  # modes and coordinates that move apart from all others
 
 
 def modes_of(building: Building) -> Modes:
@@ -84,7 +84,7 @@ def modes_of(building: Building) -> Modes:
     size = mass.shape[0]
     roots: list[ComplexArray] = []
     parts: list[tuple[list[int], ComplexArray, ComplexArray, ComplexArray]] = []
-    for block in _blocks(mass, stiffness):
+    for block in groups_apart(mass, stiffness):
         pick = np.ix_(block, block)
         found = _block_modes(mass[pick], damping[pick], stiffness[pick])
         roots.append(found.roots)
@@ -93,40 +93,24 @@ def modes_of(building: Building) -> Modes:
     displacement, velocity, gains = (
         np.zeros(shape, np.complex128) for shape in ((size, count), (size, count), (count, size))
     )
-    first = 0
+    first, groups = 0, list[tuple[slice, list[int]]]()
     for block, shape, rate, gain in parts:
         columns = slice(first, first + shape.shape[1])
+        groups.append((columns, block))
         displacement[block, columns], velocity[block, columns] = shape, rate
         gains[columns, block] = gain
         first += shape.shape[1]
     scaled = scale[:, np.newaxis]
-    return Modes(np.concatenate(roots), scaled * displacement, scaled * velocity, gains / scale)
-
-
-def _blocks(mass: FloatArray, stiffness: FloatArray) -> list[list[int]]:
-    """Return groups of coordinates that are coupled."""
-    own = np.sqrt(np.outer(np.diag(stiffness), np.diag(stiffness)))
-    coupled = (np.abs(mass) > _APART) | (np.abs(stiffness) > _APART * own)
-    left, groups = set(range(mass.shape[0])), list[list[int]]()
-    while left:
-        group, edge = set[int](), {min(left)}
-        while edge:
-            group |= edge
-            edge = {int(j) for i in edge for j in np.flatnonzero(coupled[i])} - group
-        left -= group
-        groups.append(sorted(group))
-    return groups
+    return Modes(np.concatenate(roots), scaled * displacement, scaled * velocity, gains / scale, groups)
 
 
 def _block_modes(mass: FloatArray, damping: FloatArray, stiffness: FloatArray) -> Modes:
     if not damping.any():
-        lower = np.linalg.cholesky(mass)
-        half = np.linalg.solve(lower, stiffness)
-        squares, vectors = np.linalg.eigh(np.linalg.solve(lower, half.T))
-        shapes = np.linalg.solve(lower.T, vectors).astype(np.complex128)
+        squares, vectors = undamped_modes(mass, stiffness)
+        shapes = vectors.astype(np.complex128)
         turning: ComplexArray = np.sqrt(squares.astype(np.complex128)) * 1j
         gains: ComplexArray = shapes.T @ mass.astype(np.complex128) / turning[:, np.newaxis]
-        return Modes(turning, shapes, shapes * turning, gains)
+        return Modes(turning, shapes, shapes * turning, gains, [])
     size = mass.shape[0]
     first_order = np.zeros((2 * size, 2 * size))
     first_order[:size, size:] = np.eye(size)
@@ -138,7 +122,7 @@ def _block_modes(mass: FloatArray, damping: FloatArray, stiffness: FloatArray) -
     upper = every.imag >= 0.0
     weight = np.where(every.imag > 0.0, 2.0, 1.0)[upper]
     vectors, inverse = vectors[:, upper], inverse[upper]
-    return Modes(every[upper], weight * vectors[:size], weight * vectors[size:], inverse[:, size:])
+    return Modes(every[upper], weight * vectors[:size], weight * vectors[size:], inverse[:, size:], [])
 
 
 def phi_functions(z: ComplexArray) -> ComplexArray:
@@ -164,7 +148,7 @@ def linear_part(plan: Plan, interval: float) -> tuple[Linear, Building, Modes]:
     """Return what the kernels need of the linear part, for a sample interval [s] and its halves."""
     building = Building.of(plan)
     modes = modes_of(building)
-    count, roots = building.mass.shape[0] - 3, modes.roots
+    roots = modes.roots
     inverse_mass = np.linalg.inv(building.mass)
     # the ground's acceleration acts on the slab's coordinates alone, for all is relative to it
     gains = np.concatenate((modes.gains @ inverse_mass[:, :3], -modes.gains[:, :2]), axis=1).T
@@ -185,22 +169,41 @@ def linear_part(plan: Plan, interval: float) -> tuple[Linear, Building, Modes]:
     ]  # fmt: skip
     influence = np.concatenate(drives, axis=3)
     levels = lengths.size
-    participation = building.mass[3:, :3]
+    order, groups = _observed(modes)
+    storeys = np.stack((modes.displacement[3:][order].T, modes.velocity[3:][order].T))
+    fixed = np.column_stack((square, damping, building.mass[3:, :3])).reshape(-1, 5)
     return (
         Linear(
             roots=roots,
             factors=np.ascontiguousarray(wholes),
-            outputs=np.ascontiguousarray(of_start.reshape(levels, -1, roots.size)),
+            outputs=_parts(of_start.reshape(levels, -1, roots.size).swapaxes(1, 2), 1),
             influence=np.ascontiguousarray(influence.reshape(levels, -1, influence.shape[3])),
             gains=np.ascontiguousarray(gains),
             integrated=np.ascontiguousarray(integrated),
-            accelerations=np.ascontiguousarray(rates),
-            storeys=np.ascontiguousarray(np.concatenate((modes.displacement[3:], modes.velocity[3:]))),
-            fixed=np.column_stack((square, damping, participation)).reshape(count, 5),
+            rates=np.ascontiguousarray(rates),
+            storeys=_parts(storeys, 1),
+            fixed=np.ascontiguousarray(fixed[order]),
+            groups=groups,
         ),
         building,
         modes,
     )
+
+
+def _parts(values: ComplexArray, axis: int) -> FloatArray:
+    """Return real and imaginary part along a new axis."""
+    return np.ascontiguousarray(np.stack((values.real, values.imag), axis=axis))
+
+
+def _observed(modes: Modes) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Return the modes on a fixed base in the order of the groups in which they move, and first and last + 1 of both kinds of modes of each group."""
+    order, groups = list[int](), list[tuple[int, int, int, int]]()
+    for columns, coordinates in modes.groups:
+        above = [one - 3 for one in coordinates if one >= 3]
+        if above:
+            groups.append((columns.start, columns.stop, len(order), len(order) + len(above)))
+            order += above
+    return np.array(order, dtype=np.int64), np.array(groups, dtype=np.int64).reshape(-1, 4)
 
 
 def _factors(roots: ComplexArray, lengths: FloatArray) -> ComplexArray:

@@ -9,10 +9,11 @@ from dcfp.analysis.plan.linear import Building, Modes, linear_part, pendulum_sti
 from dcfp.arrays import FloatArray
 from dcfp.kernels import plan_bearing as k
 from dcfp.kernels.heat_state import MOST_HALVINGS
-from dcfp.kernels.plan_integrate import Plan as PlanKernel
-from dcfp.kernels.plan_integrate import Work
+from dcfp.kernels.plan_damping import RATE_COLUMNS
 from dcfp.kernels.plan_load import Slab
-from dcfp.kernels.plan_modes import DRIVES, INTEGRATED, SUM_ROWS
+from dcfp.kernels.plan_modes import DRIVES, INTEGRATED, SLAB_COLUMNS, SUM_ROWS
+from dcfp.kernels.plan_step import Plan as PlanKernel
+from dcfp.kernels.plan_step import Work
 from dcfp.kernels.sum_of_exponentials import MODES
 from dcfp.system import NoHeating, System
 from dcfp.system.plan import Plan, load_compliance
@@ -45,6 +46,7 @@ def plan_model(plan: Plan, interval: float) -> PlanModel:
         moment_x=math.fsum(static * arms[:, 0]),
         moment_y=math.fsum(static * arms[:, 1]),
         compliance=load_compliance(plan),
+        needed_contacts=plan.needed_contacts,
         height=plan.height,
     )
     each = static * behind
@@ -62,7 +64,8 @@ def plan_model(plan: Plan, interval: float) -> PlanModel:
         drive=np.zeros((3, DRIVES)),
         sums=np.zeros((SUM_ROWS, INTEGRATED)),
         storeys=np.zeros((2, len(linear.fixed))),
-        rates=np.zeros(9),
+        rates=np.zeros((3, RATE_COLUMNS)),
+        slab=np.zeros((3, SLAB_COLUMNS)),
         half=np.zeros(linear.roots.size, np.complex128),
     )
     return PlanModel(kernel, room, building, modes)

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dcfp.analysis.plan.model import LEAST_RATIO
-from dcfp.kernels import plan_integrate as k
+from dcfp.kernels import plan_end as e
 
 if TYPE_CHECKING:
     from dcfp.analysis.plan.response import PlanResponse
@@ -52,9 +52,9 @@ def _uplift(response: "PlanResponse") -> list[str]:
     told = [
         f"{response.name}: {int((times > 0.0).sum())} of {len(times)} bearings lift off, bearing {number} longest, {longest:.2f} s in all; the others carry its load, without an impact when it lands."
     ]
-    if response.tallies[k.ALL_LIFTED] > 0.0:
+    if response.tallies[e.ALL_LIFTED] > 0.0:
         told.append(
-            f"{response.name}: for {int(response.tallies[k.ALL_LIFTED])} steps fewer than three bearings could have balanced the loads, and all of them were taken to be lifted."
+            f"{response.name}: for {int(response.tallies[e.ALL_LIFTED])} steps fewer than three bearings could have balanced the loads, and all of them were taken to be lifted."
         )
     return told
 

@@ -15,14 +15,22 @@ from dcfp.analysis.plane_result import add_directions
 from dcfp.analysis.response import Status
 from dcfp.analysis.result import EnergyBalance, equivalent_velocity
 from dcfp.arrays import integral
+from dcfp.kernels import plan_end as e
 from dcfp.kernels import plan_integrate as k
 from dcfp.schema.quantities import Quantities
+from dcfp.system.plan import Plan
 
 if TYPE_CHECKING:
     import xarray
 
-#: Time without any slip after which a building is at rest [s].
-REST = 5.0
+#: Shortest time without any slip after which a building is at rest [s], and how many times the longest period on a fixed base it is at least.
+_LEAST_REST, _PERIODS = 1.0, 2.0
+
+
+def time_to_rest(plan: Plan) -> float:
+    """Return the time without any slip after which a building is at rest [s]."""
+    longest = float(plan.structure.periods[0]) if plan.storeys else 0.0
+    return max(_LEAST_REST, _PERIODS * longest)
 
 
 class PlanResponse(BearingsResponse, FloorsResponse):
@@ -90,7 +98,7 @@ class PlanResponse(BearingsResponse, FloorsResponse):
     @property
     def rests(self) -> bool:
         """Whether it has come to rest."""
-        return float(self.time[-1] - self.tallies[k.LAST_SLIP]) > REST
+        return float(self.time[-1] - self.tallies[e.LAST_SLIP]) > time_to_rest(self.plan)
 
     @property
     def status(self) -> Status:
@@ -143,12 +151,12 @@ class PlanResponse(BearingsResponse, FloorsResponse):
     @property
     def slip_work(self) -> float:
         """Sum of mu N times the slip of all bearings [N mm], which the hysteretic energy of the balance equals but for the error of the steps."""
-        return float(self.tallies[k.RUBBED])
+        return float(self.tallies[e.RUBBED])
 
     @property
     def steps(self) -> int:
         """Number of steps."""
-        return int(self.tallies[k.STEPS])
+        return int(self.tallies[e.STEPS])
 
 
 add_directions(

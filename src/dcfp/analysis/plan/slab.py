@@ -10,6 +10,7 @@ from dcfp.analysis.plan.model import PlanModel
 from dcfp.analysis.plane_response import largest_change
 from dcfp.analysis.result import HistoryResult
 from dcfp.arrays import FloatArray, freeze
+from dcfp.kernels import plan_end as e
 from dcfp.kernels import plan_integrate as k
 from dcfp.motion.station import Station
 from dcfp.system.plan import Plan
@@ -128,7 +129,7 @@ class SlabResponse(HistoryResult):
     @property
     def peak_rotation(self) -> float:
         """Largest rotation of the slab [rad]."""
-        return float(np.abs(self.slab_motion[:, 2]).max())
+        return float(self.tallies[e.ROTATION])
 
     def displacement_at(self, place: tuple[float, float]) -> FloatArray:
         """Return the displacement of a point of the slab [mm], shape (n, 2); `place` in the plan [mm]."""
@@ -146,7 +147,7 @@ class SlabResponse(HistoryResult):
     @property
     def peak_base_shear(self) -> float:
         """Largest resultant of the base shear [N]."""
-        return float(np.hypot(*self.base_shear[:, :2].T).max())
+        return float(self.tallies[e.SHEAR])
 
     @property
     def overturning(self) -> FloatArray:

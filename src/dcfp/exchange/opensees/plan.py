@@ -8,7 +8,7 @@ from dcfp.errors import InputError
 from dcfp.exchange.opensees.plan_friction import as_exported, elements_of, reasons_of
 from dcfp.exchange.opensees.plan_head import Exported, plan_head
 from dcfp.exchange.opensees.script import FURTHEST, PART_IN_PLANE, STEP, ground_of, template, text_of
-from dcfp.kernels import plan_integrate as k
+from dcfp.kernels import plan_end as e
 from dcfp.motion.ground_motion import parts_in
 from dcfp.motion.station import Station
 from dcfp.system.plan import Plan
@@ -70,7 +70,7 @@ def _refuse(response: PlanResponse) -> None:
             f" {response.plan.radii[worst]:.0f} mm, at which the pendulum of OpenSees ends."
         )
         raise InputError(msg)
-    if response.tallies[k.ALL_LIFTED] > 0.0:
+    if response.tallies[e.ALL_LIFTED] > 0.0:
         msg = f"{name}: all bearings lift off at once, where OpenSees has nothing that holds the building; scale the motion down, or leave its vertical part out."
         raise InputError(msg)
 
