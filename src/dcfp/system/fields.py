@@ -129,24 +129,23 @@ def cold_heat(
             " across it; take fewer points, or the simplified heating model."
         )
         raise AnalysisError(msg)
-    spans = np.stack([_disc(middle, spacing, radius)] * count)
+    spans, tallies = _disc(middle, spacing, radius, heating.ambient)
     field = k.Field(
-        spacing, radius, np.zeros((count, rows, rows, MODES + 1)), spans, np.zeros((count, k.TALLIES))
-    )
-    covered = spans[0].sum(axis=0)
-    field.tallies[:, k.COVERED_POINTS] = field.tallies[:, k.ALWAYS] = float(covered[1] - covered[0])
-    field.tallies[:, k.HOTTEST] = heating.ambient
-    field.tallies[:, k.PEAK_ROW] = -1.0
-    field.tallies[:, k.DISC_X : k.DISC_Y + 1] = middle
+        spacing, radius, np.zeros((count, rows, rows, MODES + 1)), spans.repeat(count, axis=0), tallies.repeat(count, axis=0)
+    )  # fmt: skip
     return PlaneHeat(plates, field, reach)
 
 
 @lru_cache(maxsize=16)
-def _disc(middle: int, spacing: float, radius: float) -> NDArray[np.int64]:
-    """Return the first covered column of each row, and the first beyond, of a disc in the middle, shape (rows, 2)."""
+def _disc(middle: int, spacing: float, radius: float, ambient: float) -> tuple[NDArray[np.int64], FloatArray]:
+    """Return for a disc in the middle of a cold plate the first covered column of each row, and the first beyond, shape (1, rows, 2), and what is counted."""
     away = (np.arange(2 * middle + 1) - middle) * spacing
     inside = np.abs(away) <= radius
     half = np.floor(np.sqrt(np.maximum(radius**2 - away**2, 0.0)) / spacing).astype(np.int64)
     spans = np.where(inside[:, np.newaxis], np.column_stack((middle - half, middle + half + 1)), 0)
-    spans.flags.writeable = False
-    return spans
+    tallies = np.zeros(k.TALLIES)
+    tallies[[k.COVERED_POINTS, k.ALWAYS]] = float((spans[:, 1] - spans[:, 0]).sum())
+    tallies[k.HOTTEST], tallies[k.PEAK_ROW] = ambient, -1.0
+    tallies[[k.DISC_X, k.DISC_Y]] = middle
+    spans.flags.writeable = tallies.flags.writeable = False
+    return spans[np.newaxis], tallies[np.newaxis]
