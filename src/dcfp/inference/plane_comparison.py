@@ -16,11 +16,11 @@ from dcfp.inference.plane_forecast import (
     station_lines,
     station_objects,
 )
-from dcfp.inference.statistics import scatter
+from dcfp.inference.statistics import ratio, scatter
 from dcfp.inference.told import SCATTER, Measured
 from dcfp.methods.method import Variant
 from dcfp.methods.prediction import Methods
-from dcfp.methods.pulses import PREDICTION_QUANTITIES, Prediction, value_of
+from dcfp.methods.pulses import PREDICTION_QUANTITIES
 from dcfp.motion.station import Station
 from dcfp.schema.quantities import Quantity
 from dcfp.schema.table import Table
@@ -47,12 +47,6 @@ def compare_station(station: Station, methods: Methods) -> StationComparison:
     return StationComparison(analysed, forecasts, tuple(told))
 
 
-def _ratio(said: Prediction, analysed: Prediction, quantity: Quantity) -> float:
-    """Return prediction over analysis [-]; not a number where one of them is none, or nothing moves."""
-    truth = value_of(analysed, quantity)
-    return value_of(said, quantity) / truth if truth > 0.0 else math.nan
-
-
 class _Line(NamedTuple):
     """A forecast, or the analysis itself, beside the analysis."""
 
@@ -71,7 +65,7 @@ def _of_ratio(quantity: Quantity) -> Quantity:
     def get(one: _Line) -> float | None:
         if one.forecast is one.analysed:
             return None
-        return _ratio(one.forecast.prediction, one.analysed.prediction, quantity)
+        return ratio(one.forecast.prediction, one.analysed.prediction, quantity)
 
     name = quantity.head or quantity.title
     words = f"{name} over that of the analysis"
@@ -91,8 +85,8 @@ def comparison_scatter(cases: Sequence[StationComparison]) -> Table:
     for case in cases:
         for one in case.forecasts:
             for quantity in COMPARED:
-                ratio = _ratio(one.prediction, case.analysed.prediction, quantity)
-                told.setdefault((Variant(one.method, one.basis), quantity), []).append(ratio)
+                of_analysis = ratio(one.prediction, case.analysed.prediction, quantity)
+                told.setdefault((Variant(one.method, one.basis), quantity), []).append(of_analysis)
     rows = [
         Measured(*key, scatter(np.array(ratios)))
         for key, ratios in told.items()
@@ -108,10 +102,10 @@ def comparison_objects(cases: Sequence[StationComparison]) -> list[dict[str, Any
         (told,) = station_objects(case.forecasts)
         del told["interval_from_spectrum"]
         for prediction, one in zip(told["predictions"], case.forecasts, strict=True):
-            ratios = {kind.title: _ratio(one.prediction, case.analysed.prediction, kind) for kind in COMPARED}
+            ratios = {kind.title: ratio(one.prediction, case.analysed.prediction, kind) for kind in COMPARED}
             del prediction["interval"]
             prediction["ratios"] = {
-                name: ratio if math.isfinite(ratio) else None for name, ratio in ratios.items()
+                name: value if math.isfinite(value) else None for name, value in ratios.items()
             }
         (analysis,) = Table(tuple(PREDICTION_QUANTITIES.values()), [case.analysed.prediction]).objects()
         analysis["temperature_max_degC"] = case.analysed.peak_temperature

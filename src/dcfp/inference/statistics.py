@@ -11,7 +11,7 @@ from dcfp.arrays import FloatArray
 from dcfp.errors import InputError
 from dcfp.inference.case import Case
 from dcfp.methods.method import Information, Variant, variants
-from dcfp.methods.pulses import NOTHING, PREDICTION_QUANTITIES, value_of
+from dcfp.methods.pulses import NOTHING, PREDICTION_QUANTITIES, Prediction, value_of
 from dcfp.schema.quantities import Quantity
 
 #: Part of the cases that an interval is to cover [-].
@@ -36,17 +36,21 @@ class Scatter:
     dispersion: float
 
 
+def ratio(predicted: Prediction, analysed: Prediction, quantity: Quantity) -> float:
+    """Return prediction over analysis [-]: zero or not a number where nothing was predicted, not a number where nothing moves."""
+    truth = value_of(analysed, quantity)
+    return value_of(predicted, quantity) / truth if truth > 0.0 else math.nan
+
+
 def ratios(cases: Iterable[Case], variant: Variant, quantity: Quantity) -> FloatArray:
-    """Return prediction over analysis [-], shape (cases,): zero or not a number where nothing was predicted."""
-    pairs = [
-        (
-            value_of(case.predicted.get(variant, NOTHING), quantity),
-            value_of(case.analysed.beside(variant.information), quantity),
-        )
-        for case in cases
-    ]
-    predicted, analysed = np.array(pairs, dtype=np.float64).reshape(-1, 2).T
-    return np.divide(predicted, analysed, out=np.full(predicted.size, np.nan), where=analysed > 0.0)
+    """Return the `ratio` of every case [-], shape (cases,)."""
+    return np.array(
+        [
+            ratio(case.predicted.get(variant, NOTHING), case.analysed.beside(variant.information), quantity)
+            for case in cases
+        ],
+        dtype=np.float64,
+    )
 
 
 def scatter(values: FloatArray, among: NDArray[np.bool_] | None = None) -> Scatter:
