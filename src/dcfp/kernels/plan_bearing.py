@@ -45,6 +45,8 @@ class Bearings(NamedTuple):
     modes: NDArray[np.float64]  # rows of the kinds, then two rows for each bearing
     prepared: NDArray[np.float64]  # (kinds, levels, 3): length of the step, sums of its weights
     first_row: int  # of the modes of the bearings
+    reach: float  # of the furthest bearing from the slab's origin [mm]
+    nearest_edge: float  # least displacement at which the centre of a plate is not covered [mm]
     state: NDArray[np.float64]  # (bearings, STATE)
     trial: NDArray[np.float64]  # (bearings, TRIAL)
 

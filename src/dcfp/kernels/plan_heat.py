@@ -1,5 +1,7 @@
 """Heat at the centres of the plates of bearings under one slab."""
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -27,7 +29,7 @@ from dcfp.kernels.plan_bearing import (
     Y,
     at,
 )
-from dcfp.kernels.plane_step import length_of
+from dcfp.kernels.plane_step import dot, length_of
 from dcfp.kernels.sum_of_exponentials import accumulate, fill_decay, fill_weights, total
 
 
@@ -47,12 +49,20 @@ def prepare_heat(b: Bearings, level: int, length: float) -> None:
 
 
 @kernel
+def _edge(k: NDArray[np.float64], plate: int) -> float:
+    """Displacement of a bearing [mm] at which the centre of a plate comes out from under the slider."""
+    return k[HALF_CONTACT] / k[SHARE + plate]
+
+
+@kernel
 def _covered_part(k: NDArray[np.float64], plate: int, start: float, end: float) -> float:
-    """Part of a step in which the centre of a plate is under the slider, which goes from one distance [mm] to another: Eq. (12) of Li et al. (2020)."""
-    edge = k[HALF_CONTACT] / k[SHARE + plate]
-    before, after = start <= edge, end <= edge
+    """Part of a step in which the centre of a plate is under the slider, between two squares of the displacement [mm2]: Eq. (12) of Li et al. (2020)."""
+    edge = _edge(k, plate)
+    square = edge * edge
+    before, after = start <= square, end <= square
     if before == after:
         return 1.0 if after else 0.0
+    start, end = math.sqrt(start), math.sqrt(end)
     part = (edge - start) / (end - start)
     return part if before else 1.0 - part
 
@@ -60,19 +70,24 @@ def _covered_part(k: NDArray[np.float64], plate: int, start: float, end: float) 
 @called_kernel
 def crosses_edge(b: Bearings, motion: NDArray[np.float64]) -> bool:
     """Whether the centre of any plate comes under its slider or leaves it over a step."""
+    # no bearing goes further than the slab does and what its rotation adds
+    far = max(
+        length_of(complex(motion[START, 0], motion[START, 1])),
+        length_of(complex(motion[END, 0], motion[END, 1])),
+    )
+    if far + b.reach * max(abs(motion[START, 2]), abs(motion[END, 2])) < b.nearest_edge:
+        return False
     for i in range(b.constants.shape[0]):
         c = b.constants[i]
         k = b.kinds[int(c[KIND])]
         if k[HEATED] == 0.0:
             continue
         arm = complex(c[X], c[Y])
-        start, end = (
-            length_of(at(motion[START], DISPLACEMENT, arm)),
-            length_of(at(motion[END], DISPLACEMENT, arm)),
-        )
+        u0, u1 = at(motion[START], DISPLACEMENT, arm), at(motion[END], DISPLACEMENT, arm)
+        start, end = dot(u0, u0), dot(u1, u1)
         for j in range(int(k[PLATES])):
-            edge = k[HALF_CONTACT] / k[SHARE + j]
-            if (start <= edge) != (end <= edge):
+            edge = _edge(k, j)
+            if (start <= edge * edge) != (end <= edge * edge):
                 return True
     return False
 
@@ -81,7 +96,7 @@ def crosses_edge(b: Bearings, motion: NDArray[np.float64]) -> bool:
 def expected(
     b: Bearings, i: int, kind: int, level: int, plate: int, start: float, end: float, opening: float, closing: float
 ) -> float:  # fmt: skip
-    """Temperature of a plate [degC] to expect at the end of a step, between two distances from the centre [mm], under fluxes at its ends [N/(mm s)]."""
+    """Temperature of a plate [degC] to expect at the end of a step, between two squares of the displacement [mm2], under fluxes at its ends [N/(mm s)]."""
     k, ready = b.kinds[kind], b.prepared[kind, level]
     rise = k[AMBIENT] + b.trial[i, LEFT + plate]
     if _covered_part(k, plate, start, end) == 1.0:
@@ -104,7 +119,7 @@ def heat_up(
         felt = k[SHARE + j] * s[RATIO + j]
         part = _covered_part(k, j, start, end) * felt
         rise = accumulate(b.modes, factors, b.first_row + 2 * i + j, part * first, part * last)
-        if k[SHARE + j] * end <= k[HALF_CONTACT]:
+        if end <= _edge(k, j) ** 2:
             rise += k[INSTANT] * felt * closing
         s[TEMPERATURE + j] = k[AMBIENT] + rise
         s[HOTTEST] = max(s[HOTTEST], s[TEMPERATURE + j])

@@ -22,6 +22,7 @@ class Slab(NamedTuple):
     moment_y: float
     compliance: NDArray[np.float64]  # (3, 3): from a force and two moments to the plane a + b X + c Y
     needed_contacts: int  # 3, or 2 of bearings on one line, or 1 where all stand in one point
+    leverage: float  # largest change of a load over the mean of all, of a moment [1/(N mm)]
     height: float  # at which the slab's own inertia acts [mm]
 
 

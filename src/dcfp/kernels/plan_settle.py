@@ -48,7 +48,7 @@ from dcfp.kernels.plan_bearing import (
 )
 from dcfp.kernels.plan_friction import law_at, mean_of_plates
 from dcfp.kernels.plan_heat import heat_up
-from dcfp.kernels.plane_step import length_of
+from dcfp.kernels.plane_step import dot, length_of
 
 
 @called_kernel
@@ -90,7 +90,7 @@ def _settle(
         over_area = 1.0 / c[AREA]
         opening = s[N] * over_area * s[MU] * p.start_speed if t[MOVED] != 0.0 or s[SLIDES] != 0.0 else 0.0
         closing = load_1 * over_area * t[MU_END] * p.end_speed if t[SLIDING] != 0.0 else 0.0
-        start, end = length_of(p.start), length_of(p.end)
+        start, end = dot(p.start, p.start), dot(p.end, p.end)
         heat_up(b, i, kind, level, start, end, slipped * over_area / length, opening, closing)
     if k[PLATES] == 2.0:
         law, pressure = law_at(b, i, kind, load_1, changes)

@@ -49,7 +49,7 @@ from dcfp.kernels.plan_bearing import (
 )
 from dcfp.kernels.plan_friction import law_at, mean_of_plates
 from dcfp.kernels.plan_heat import expected
-from dcfp.kernels.plane_step import dot, elongation_after, length_of, times
+from dcfp.kernels.plane_step import dot, elongation_after, times
 from dcfp.kernels.sum_of_exponentials import decayed_total
 
 
@@ -121,7 +121,7 @@ def _friction(
         over_area = 1.0 / c[AREA]
         opening = s[N] * over_area * s[MU] * p.start_speed
         closing = load_1 * over_area * t[MU_END] * p.end_speed
-        r0, r1 = length_of(p.start), length_of(p.end)
+        r0, r1 = dot(p.start, p.start), dot(p.end, p.end)
         t0 = expected(b, i, kind, level, 0, r0, r1, opening, closing)
         if k[PLATES] == 2.0:
             t1 = expected(b, i, kind, level, 1, r0, r1, opening, closing)

@@ -23,7 +23,7 @@ from dcfp.system.plates import system_constants
 #: Part of the static pressure of a bearing below which its friction law is not asked for less: near lift-off a law of the pressure has no limit.
 LEAST_RATIO = 0.01
 #: Pressures of the table of references, and how many times the largest static one the last is.
-_PRESSURES, _LARGEST_RATIO = 400, 30.0
+_PRESSURES, _LARGEST_RATIO = 200, 30.0
 
 
 @dataclass(frozen=True)
@@ -41,11 +41,14 @@ def plan_model(plan: Plan, interval: float) -> PlanModel:
     linear, building, modes = linear_part(plan, interval)
     behind = np.array([left_behind(one) for one in plan.systems])
     arms, static = plan.arms, plan.static_loads
+    compliance = load_compliance(plan)
+    of_moments = np.column_stack((np.ones(plan.count), arms)) @ compliance[:, 1:]
     slab = Slab(
         weight=math.fsum(static),
         moment_x=math.fsum(static * arms[:, 0]),
         moment_y=math.fsum(static * arms[:, 1]),
-        compliance=load_compliance(plan),
+        compliance=compliance,
+        leverage=float(np.linalg.norm(of_moments, axis=1).max()) * plan.count / plan.weight,
         needed_contacts=plan.needed_contacts,
         height=plan.height,
     )
@@ -114,8 +117,20 @@ def _bearings(plan: Plan, behind: FloatArray) -> k.Bearings:
             kind.heating.ambient
         )
     prepared = np.full((len(kinds), MOST_HALVINGS + 1, 3), math.nan)
+    heated = table[table[:, k.HEATED] != 0.0]
+    shares = np.maximum(heated[:, k.SHARE], np.where(heated[:, k.PLATES] == 2.0, heated[:, k.SHARE + 1], 0.0))
+    edges = heated[:, k.HALF_CONTACT] / shares
     return k.Bearings(
-        constants, table, references, modes, prepared, first_row, state, np.zeros((plan.count, k.TRIAL))
+        constants=constants,
+        kinds=table,
+        references=references,
+        modes=modes,
+        prepared=prepared,
+        first_row=first_row,
+        reach=float(np.hypot(*plan.arms.T).max()),
+        nearest_edge=float(edges.min(initial=math.inf)),
+        state=state,
+        trial=np.zeros((plan.count, k.TRIAL)),
     )
 
 
