@@ -18,6 +18,7 @@ class Slab(NamedTuple):
     """How the slab passes its weight on."""
 
     weight: float  # sum of the static loads [N]
+    own_weight: float  # of the slab without the floors [N]
     moment_x: float  # sum of static loads times X, Y [N mm]
     moment_y: float
     compliance: NDArray[np.float64]  # (3, 3): from a force and two moments to the plane a + b X + c Y

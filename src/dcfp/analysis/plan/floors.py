@@ -12,6 +12,8 @@ from dcfp.kernels import plan_integrate as k
 
 #: Parts of a sample interval at whose ends peaks of the floors are looked for.
 _PARTS = 8
+#: Largest value of s (1 - s)^2, by which a slope moves a cubic.
+_BULGE = 4.0 / 27.0
 
 
 class FloorsResponse(SlabResponse):
@@ -34,8 +36,7 @@ class FloorsResponse(SlabResponse):
 
     def _told(self, rows: NDArray[np.complex128], modes: NDArray[np.complex128]) -> FloatArray:
         """Return rows of complex modes times these, in x, y and rotation, shape (n, rows / 3, 3)."""
-        found = modes.real @ rows.real.T - modes.imag @ rows.imag.T
-        return freeze(found.reshape(len(modes), -1, 3))
+        return freeze(self.of_modes(rows, modes).reshape(len(modes), -1, 3))
 
     @cached_property
     def _of_floors(self) -> NDArray[np.complex128]:
@@ -97,14 +98,18 @@ class FloorsResponse(SlabResponse):
 
 def _largest(values: FloatArray, slopes: FloatArray, interval: float) -> FloatArray:
     """Return the largest resultant of x and y over time, also between samples, by cubics through values and slopes; of arrays (n, m, 3), shape (m,)."""
-    v, d = (np.ascontiguousarray(np.moveaxis(one[..., :2], 0, -1)) for one in (values, interval * slopes))
-    before, after, leaving, arriving = v[..., :-1], v[..., 1:], d[..., :-1], d[..., 1:]
-    squares = (v * v).sum(axis=1).max(axis=-1)
+    v, d = (np.ascontiguousarray(np.moveaxis(one[..., :2], 0, 1)) for one in (values, interval * slopes))
+    far, fast = np.hypot(v[..., 0], v[..., 1]), np.hypot(d[..., 0], d[..., 1])
+    found = far.max(axis=1)
+    # beyond the larger end a cubic goes no further than this
+    reach = np.maximum(far[:, :-1], far[:, 1:]) + _BULGE * (fast[:, :-1] + fast[:, 1:])
+    where, cell = np.nonzero(reach > found[:, np.newaxis])
+    before, after, leaving, arriving = v[where, cell], v[where, cell + 1], d[where, cell], d[where, cell + 1]
     for part in np.arange(1, _PARTS) / _PARTS:
         rest = 1.0 - part
         there = (
             (1.0 + 2.0 * part) * rest**2 * before + part**2 * (3.0 - 2.0 * part) * after
             + part * rest**2 * leaving - part**2 * rest * arriving
         )  # fmt: skip
-        squares = np.maximum(squares, (there * there).sum(axis=1).max(axis=-1))
-    return np.sqrt(squares)
+        np.maximum.at(found, where, np.hypot(there[:, 0], there[:, 1]))
+    return found

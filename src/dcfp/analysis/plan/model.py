@@ -7,6 +7,7 @@ import numpy as np
 
 from dcfp.analysis.plan.linear import Building, Modes, linear_part, pendulum_stiffness
 from dcfp.arrays import FloatArray
+from dcfp.constants import STANDARD_GRAVITY
 from dcfp.kernels import plan_bearing as k
 from dcfp.kernels.heat_state import MOST_HALVINGS
 from dcfp.kernels.plan_damping import RATE_COLUMNS
@@ -45,6 +46,7 @@ def plan_model(plan: Plan, interval: float) -> PlanModel:
     of_moments = np.column_stack((np.ones(plan.count), arms)) @ compliance[:, 1:]
     slab = Slab(
         weight=math.fsum(static),
+        own_weight=plan.slab_mass * STANDARD_GRAVITY,
         moment_x=math.fsum(static * arms[:, 0]),
         moment_y=math.fsum(static * arms[:, 1]),
         compliance=compliance,

@@ -121,15 +121,18 @@ class PlanResponse(BearingsResponse, FloorsResponse):
             :, k.LINE_ENERGIES : k.LINE_ENERGIES + 6
         ].T
         building, modes = self.model.building, self.model.modes
-        coordinates, rates = (self.modes @ modes.displacement.T).real, (self.modes @ modes.velocity.T).real
-        slab, above = coordinates[:, :3], coordinates[:, 3:]
+        of_slab, participation = building.mass[:3, :3], building.mass[3:, :3]
+        above, speeds = (self.of_modes(one[3:], self.modes) for one in (modes.displacement, modes.velocity))
+        slab, rates = self.slab_motion, self.slab_velocity
+        of_floors = speeds @ participation
         ground = integral(self.ground_acceleration, float(self.time[1]))
-        momentum = rates @ building.mass[:, :2]
+        momentum = (rates @ of_slab + of_floors)[:, :2]
         of_ground = (ground * (0.5 * self.plan.total_mass * ground + momentum)).sum(axis=1)
         return EnergyBalance(
             input=put_in,
             absolute_input=put_in + of_ground,
-            kinetic=0.5 * ((rates @ building.mass) * rates).sum(axis=1),
+            kinetic=0.5 * ((rates @ of_slab + 2.0 * of_floors) * rates).sum(axis=1)
+            + 0.5 * (speeds**2).sum(axis=1),
             pendulum=0.5 * ((slab @ self.model.kernel.stiffness) * slab).sum(axis=1),
             spring=stored,
             hysteretic=hysteretic,

@@ -43,6 +43,11 @@ class SlabResponse(HistoryResult):
     tallies: FloatArray
     overturning_counts: bool = True
 
+    def of_modes(self, rows: NDArray[np.complex128], modes: NDArray[np.complex128]) -> FloatArray:
+        """Return what complex modes, shape (n, modes), sum to by `rows`, shape (rows, modes): the real part, shape (n, rows)."""
+        turns = np.flatnonzero(self.model.modes.roots.imag)  # the others have no imaginary part
+        return modes.real @ rows.real.T - modes.imag[:, turns] @ rows.imag[:, turns].T
+
     @property
     def slab_motion(self) -> FloatArray:
         """Displacement x, y [mm] and rotation [rad] of the slab at the centre of mass, shape (n, 3)."""
