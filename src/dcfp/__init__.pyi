@@ -2,8 +2,6 @@ from .analysis import Keep as Keep
 from .analysis import PlaneResponse as PlaneResponse
 from .analysis import Response as Response
 from .analysis import respond as respond
-from .analysis.building import ShearBuilding as ShearBuilding
-from .analysis.building import respond_building as respond_building
 from .analysis.plan import PlanResponse as PlanResponse
 from .analysis.plan import respond_plan as respond_plan
 from .analysis.rig import Loops as Loops

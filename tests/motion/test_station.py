@@ -14,9 +14,7 @@ from dcfp import (
     load_motion,
     load_station,
     respond,
-    respond_building,
 )
-from dcfp.analysis.building import uniform_building
 from dcfp.motion.ground_motion import Origin
 from dcfp.motion.load import load_motions, load_records, seen_from
 from dcfp.motion.station import joined, stations_of
@@ -431,8 +429,6 @@ def test_every_analysis_in_one_direction_says_what_to_choose(tmp_path, text, sen
     for function in (compare, find_pulses, load_motion):
         with pytest.raises(InputError, match=f"and this takes one direction; {sentence}"):
             function(name)
-    with pytest.raises(InputError, match=sentence):
-        respond_building(name, uniform_building(2, 0.5))
     station = load_station(name)
     with pytest.raises(InputError, match="this takes one direction; choose its x or its y"):
         find_pulses(station)

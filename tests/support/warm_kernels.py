@@ -37,7 +37,6 @@ def buildings_and_tests(entry: str) -> None:
     """Analyse a building, and test a bearing."""
     import dcfp
 
-    dcfp.respond_building(dcfp.load_motion("NCC"), dcfp.ShearBuilding((1.0, 1.0), (100.0,)))
     dcfp.run_program(dcfp.load_program("dependency"))
     import_module("dcfp.analysis.rig").run_in_the_plane("plane")
     plan = import_module("dcfp.system.plan").Plan([[0.0, 0.0]])

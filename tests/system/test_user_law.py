@@ -12,6 +12,7 @@ from forked import output
 
 import dcfp
 from dcfp import AnalysisError, UserFriction
+from dcfp.analysis.plan.shear_building import respond_in_one_direction, shear_building
 from dcfp.kernels.friction import coefficient
 from dcfp.kernels.law import Law, law_by_address
 from dcfp.kernels.user_law import CompiledLaw, compile_law
@@ -48,8 +49,8 @@ DOORS = {
     "respond": lambda law: dcfp.respond(dcfp.load_motion("NCC"), friction=law),
     "pulses": lambda law: dcfp.march_through_pulses(dcfp.load_motion("NCC"), friction=law),
     "test": lambda law: dcfp.run_program(dcfp.load_program("asce"), friction=law),
-    "building": lambda law: dcfp.respond_building(
-        dcfp.load_motion("NCC"), dcfp.ShearBuilding((1.0, 1.0), (100.0,)), friction=law
+    "building": lambda law: respond_in_one_direction(
+        shear_building(1, 0.5, dcfp.System(friction=law)), dcfp.load_motion("NCC")
     ),
 }
 

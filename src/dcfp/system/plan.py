@@ -342,6 +342,11 @@ class Plan(Declared):
         )
 
     @property
+    def periods(self) -> FloatArray:
+        """Periods on a fixed base [s], longest first."""
+        return self.structure.periods
+
+    @property
     def without_accident(self) -> "Plan":
         """The plan without accidental eccentricity; given loads stay as they are."""
         return replace(self, eccentricity=(0.0, 0.0))

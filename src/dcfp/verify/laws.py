@@ -8,10 +8,10 @@ from itertools import pairwise
 import numpy as np
 
 from dcfp.analysis import respond
-from dcfp.analysis.building import respond_building, uniform_building
+from dcfp.analysis.plan.shear_building import respond_in_one_direction, shear_building
 from dcfp.motion.ground_motion import GroundMotion
 from dcfp.motion.synthetic import ricker
-from dcfp.system import LI_2020, ConstantFriction, NoHeating, PreciseHeating
+from dcfp.system import LI_2020, ConstantFriction, NoHeating, PreciseHeating, System
 from dcfp.verify.check import Found, hundred_components, scaled_record, sixteen_analyses
 from dcfp.verify.explicit import Peaks
 
@@ -143,18 +143,19 @@ def order(quantity: str) -> Found:
 def stiff_storeys(record: str) -> tuple[float, float]:
     """Return the peak displacement below five storeys of 0.01 s, and that of a rigid structure [mm]."""
     motion = scaled_record(record, 500.0)
-    response = respond_building(motion, uniform_building(5, 0.01))
+    response = respond_in_one_direction(shear_building(5, 0.01, System()), motion)
     return response.peak_displacement, respond(motion).peak_displacement
 
 
 def building_energy(record: str) -> float:
     """Return the residual of the energy balance of five storeys of 0.5 s over the largest input [-]."""
     motion = scaled_record(record, 500.0)
-    response = respond_building(motion, uniform_building(5, 0.5), heating=PreciseHeating())
+    response = respond_in_one_direction(shear_building(5, 0.5, System()), motion)
     return response.energy.relative_residual
 
 
 def building_input_velocity(record: str) -> tuple[float, float]:
     """Return V_E of five storeys of 0.5 s, and that of a rigid structure [mm/s]."""
     motion = scaled_record(record, 1000.0)
-    return respond_building(motion, uniform_building(5, 0.5)).input_velocity, respond(motion).input_velocity
+    building = respond_in_one_direction(shear_building(5, 0.5, System()), motion)
+    return building.input_velocity, respond(motion).input_velocity

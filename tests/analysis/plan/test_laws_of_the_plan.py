@@ -9,11 +9,10 @@ from vertical import with_vertical
 
 import dcfp
 from dcfp import LI_2020, ConstantFriction, Li2020, NoHeating, SimplifiedHeating, Station, System, respond
-from dcfp.analysis.building import BuildingResponse, ShearBuilding, StiffnessProportional, respond_building
 from dcfp.analysis.plan import PlanResponse, respond_plan
+from dcfp.analysis.plan.shear_building import respond_in_one_direction, shear_building
 from dcfp.constants import STANDARD_GRAVITY
 from dcfp.errors import InputError
-from dcfp.motion.load import Motion
 from dcfp.system.plan import EQUAL, Plan, grid
 from dcfp.system.storeys import MODAL, Storey
 
@@ -118,35 +117,53 @@ def test_one_bearing_under_a_vertical_component_is_that_of_the_plane(system: Sys
     assert (response.uplift_time[0] > 0.0) == (peak > 1.0)
 
 
-def in_one_direction(
-    ground: Motion, system: System, places: np.ndarray
-) -> tuple[PlanResponse, BuildingResponse]:
-    """Return a shear building on bearings of a type, shaken along x, and the same on one bearing in one direction."""
-    mass, stiffnesses = len(places) * LI_2020.mass, (150.0, 120.0, 100.0)
-    still = replace(ground, acceleration=np.zeros_like(ground.acceleration))
-    storeys = tuple(Storey(mass / 4, mass * one, 3500.0) for one in stiffnesses)
-    response = respond_plan(
-        Plan(places, system, storeys=storeys, spring=EQUAL),
-        Station(ground, still),
-        tail=0.0,
-        overturning=False,
-    )
-    building = ShearBuilding((0.25,) * 4, stiffnesses, StiffnessProportional(0.02))
-    return response, respond_building(ground, building, system, tail=0.0)
+#: Peaks by the engine of the first edition, exact from event to event by transition matrices in steps of 0.5 ms, of five storeys with 2 % damping: record, PGV [mm/s] and first period
+#: on a fixed base [s]; displacement [mm], largest drift [mm], acceleration of the slab and largest of the floors [mm/s2], V_E [mm/s], temperature [degC].
+FIRST_EDITION = {
+    ("NCC", 250.0, 0.5): (42.335, 2.2103, 2994.2, 2218.3, 537.801, 59.06),
+    ("NCC", 500.0, 0.5): (93.230, 3.0924, 3306.1, 3235.8, 833.724, 95.24),
+    ("NCC", 1000.0, 0.5): (239.337, 4.3376, 5472.8, 4757.0, 1228.802, 142.03),
+    ("KNA", 250.0, 0.5): (36.540, 2.8217, 4151.5, 3459.2, 755.228, 66.46),
+    ("KNA", 500.0, 0.5): (121.442, 3.3082, 4618.8, 3417.0, 1154.138, 110.89),
+    ("KNA", 1000.0, 0.5): (280.232, 4.3653, 4784.0, 4177.2, 1630.305, 169.55),
+    ("LPG", 250.0, 0.5): (40.588, 2.4847, 2804.6, 2695.1, 438.109, 41.36),
+    ("LPG", 500.0, 0.5): (221.489, 2.4939, 3054.3, 2639.9, 883.903, 94.93),
+    ("LPG", 1000.0, 0.5): (435.646, 3.4064, 3816.2, 3028.9, 1361.813, 149.33),
+    ("IVD", 250.0, 0.5): (75.317, 2.5011, 2946.1, 2421.8, 1050.734, 73.22),
+    ("IVD", 500.0, 0.5): (206.357, 2.8353, 3896.9, 3185.3, 1940.922, 140.54),
+    ("IVD", 1000.0, 0.5): (877.016, 3.3646, 4678.4, 3384.2, 3272.370, 239.89),
+    ("NCC", 250.0, 1.0): (37.549, 11.7514, 2840.3, 3083.7, 465.971, 52.03),
+    ("NCC", 500.0, 1.0): (100.401, 15.0345, 4621.2, 4116.9, 773.127, 89.17),
+    ("NCC", 1000.0, 1.0): (234.742, 17.7293, 6410.7, 5774.8, 1241.642, 141.34),
+    ("KNA", 250.0, 1.0): (25.911, 11.7181, 4061.6, 3709.8, 571.960, 42.76),
+    ("KNA", 500.0, 1.0): (113.329, 18.9959, 7050.4, 6058.0, 1092.885, 99.30),
+    ("KNA", 1000.0, 1.0): (272.085, 17.6928, 6547.7, 5162.7, 1646.841, 165.05),
+    ("LPG", 250.0, 1.0): (62.857, 9.0513, 2659.5, 2122.0, 496.163, 53.90),
+    ("LPG", 500.0, 1.0): (193.926, 10.8935, 2806.2, 3241.1, 936.157, 93.34),
+    ("LPG", 1000.0, 1.0): (380.597, 11.6445, 4355.4, 3344.1, 1390.095, 151.10),
+    ("IVD", 250.0, 1.0): (96.879, 9.7135, 2600.3, 2228.3, 1134.920, 76.03),
+    ("IVD", 500.0, 1.0): (216.371, 11.8195, 4987.1, 3075.6, 1958.209, 137.38),
+    ("IVD", 1000.0, 1.0): (865.571, 12.0034, 5854.9, 3404.2, 3246.245, 237.77),
+}
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["KNA", "NCC", "LPG", "IVD"])
-@pytest.mark.parametrize("system", [CONSTANT, HEATED])
-@pytest.mark.parametrize("places", [np.zeros((1, 2)), grid(np.arange(3) * 6000.0, [0.0])])
-def test_storeys_in_one_direction_are_the_shear_building(
-    name: str, system: System, places: np.ndarray
+@pytest.mark.parametrize("case", FIRST_EDITION, ids=str)
+def test_storeys_in_one_direction_are_the_shear_building_of_the_first_edition(
+    case: tuple[str, float, float],
 ) -> None:
-    response, other = in_one_direction(dcfp.load_motion(name).scaled_to_pgv(500.0), system, places)
-    assert response.peak_displacement == pytest.approx(other.peak_displacement, rel=1e-3)
-    np.testing.assert_allclose(response.peak_drift, other.peak_drift, rtol=2e-3)
-    np.testing.assert_allclose(response.peak_floor_acceleration, other.peak_acceleration, rtol=2e-3)
-    np.testing.assert_allclose(response.peak_temperature, other.peak_temperature, atol=0.1)
+    name, pgv, period = case
+    displacement, drift, slab, floor, velocity, temperature = FIRST_EDITION[case]
+    motion = dcfp.load_motion(name).scaled_to_pgv(pgv)
+    response = respond_in_one_direction(shear_building(5, period, System()), motion)
+    assert response.peak_displacement == pytest.approx(displacement, rel=2e-3)
+    assert response.peak_drift.max() == pytest.approx(drift, rel=2e-3)
+    assert response.peak_floor_acceleration[1:].max() == pytest.approx(floor, rel=2e-3)
+    # that of the slab jumps with friction, and was looked for at the ends of steps
+    assert response.peak_floor_acceleration[0] == pytest.approx(slab, rel=3e-3)
+    assert response.input_velocity == pytest.approx(velocity, rel=2e-3)
+    assert response.hottest == pytest.approx(temperature, abs=0.1)
+    assert not response.slab_motion[:, 1:].any()
 
 
 @pytest.mark.slow

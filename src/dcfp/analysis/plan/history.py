@@ -105,7 +105,11 @@ def respond_plan(
         kept,
     )
     if int(tallies[e.STATUS]) == NO_NUMBER:
-        msg = f"{motion.name} at {done * interval:.4g} s: no finite number; look at the friction laws of the plan."
+        laws = dict.fromkeys(one.friction for one in plan.systems)
+        if len(laws) == 1:
+            raise next(iter(laws)).no_number(motion.name, done * interval)
+        named = ", ".join(law.title for law in laws)
+        msg = f"{motion.name} at {done * interval:.4g} s: no finite number; look at the friction laws {named}, of which one may raise there or return nan or infinity."
         raise AnalysisError(msg)
     count = done + 1
     return PlanResponse(

@@ -4,8 +4,12 @@ import argparse
 from pathlib import Path
 
 from dcfp.analysis import respond
-from dcfp.analysis.building import StiffnessProportional, respond_building, uniform_building
-from dcfp.analysis.building.response import BESIDE_RIGID, BesideRigid
+from dcfp.analysis.plan.shear_building import (
+    BESIDE_RIGID,
+    BesideRigid,
+    respond_in_one_direction,
+    shear_building,
+)
 from dcfp.doors.cli import inputs
 from dcfp.doors.cli.console import each
 from dcfp.doors.cli.outputs import Answer
@@ -32,18 +36,17 @@ def run(chosen: argparse.Namespace) -> Answer:
         msg = f"{chosen.out}: without a project the lines of all analyses are written, as .csv."
         raise InputError(msg)
     system = inputs.system(chosen)
-    damping = StiffnessProportional(chosen.damping) if chosen.damping else None
-    building = uniform_building(chosen.storeys, chosen.fixed_base_period, damping=damping)
+    building = shear_building(chosen.storeys, chosen.fixed_base_period, system, chosen.damping)
     found = each(
         "analyses",
         inputs.motions(chosen),
-        lambda motion: BesideRigid(respond_building(motion, building, system), respond(motion, system)),
+        lambda motion: BesideRigid(respond_in_one_direction(building, motion), respond(motion, system)),
     )
-    periods = ", ".join(f"{period:.2f}" for period in building.fixed_base_periods[:3])
+    periods = ", ".join(f"{period:.2f}" for period in building.periods[:3])
     lines = [
         ("Bearing", str(system.bearing)),
         ("Friction", f"{system.friction.name}, heating {system.heating.name}"),
-        ("Building", f"{building.storeys} equal storeys; first periods on a fixed base {periods} s"),
+        ("Building", f"{chosen.storeys} equal storeys; first periods on a fixed base {periods} s"),
     ]
     remarks = [*(remark for one in found for remark in one.remarks), _LEGEND]
-    return Answer.of_table(Table(tuple(BESIDE_RIGID), found), lines, remarks)
+    return Answer.of_table(Table(BESIDE_RIGID, found), lines, remarks)
