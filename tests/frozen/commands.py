@@ -88,7 +88,7 @@ spectrum NCC LPG --pgv 0.5
 spectrum NCC --pgv 0.5 --damping 0.02
 spectrum P695-FF --pgv 0.5 --periods 0.5 1 2 3 5
 spectrum KNA --periods 0.5 1 2 --out spectrum.csv
-building NCC KNA --pgv 0.25 1.0 --heating precise
+building NCC KNA --pgv 0.25 1.0 --heating none
 building LPG --pgv 0.5 --storeys 2 --fixed-base-period 0.3 --damping 0.05 --friction kumar2015
 building IVD --pgv 0.5 --out building.csv
 identify slow.csv middle.csv fast.csv light.csv

@@ -156,4 +156,5 @@ def _kind(system: System, pressures: FloatArray, row: int) -> tuple[FloatArray, 
     )
     found[k.FIRST_LOG], found[k.PER_LOG] = logs[0], 1.0 / (logs[1] - logs[0])
     references = [system.friction.at_pressure(float(one)).reference for one in np.exp(logs)]
-    return found, np.log(np.abs(references))
+    # a function by address has none, and is asked at the pressure itself
+    return found, np.log(np.maximum(np.abs(references), np.finfo(np.float64).tiny))
