@@ -78,12 +78,12 @@ def _advance(
         complex(slab[2, 0], slab[2, 1]),
     )
     if lin.fixed.shape[0] > 0:
+        storeys = room.storeys
         # at the start as they were observed at the end of the step before
-        note_rate(lin, slab[0], room.storeys, rates[0])
-        observe(lin, room.half, room.storeys)
-        note_rate(lin, slab[1], room.storeys, rates[1])
-        observe(lin, z, room.storeys)
-        note_rate(lin, slab[2], room.storeys, rates[2])
+        note_rate(lin, slab[0], storeys[1], rates[0])
+        observe(lin, room.half, z, storeys)
+        note_rate(lin, slab[1], storeys[0], rates[1])
+        note_rate(lin, slab[2], storeys[1], rates[2])
         tallies[DAMPED] += taken_over(rates, length)
 
 

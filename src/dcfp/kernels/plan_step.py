@@ -38,7 +38,9 @@ class Work(NamedTuple):
     carried: NDArray[np.float64]  # (2 x 3, FORCE_COLUMNS): friction, then lifting
     drive: NDArray[np.float64]  # (3, DRIVES): whole, friction alone, lifting alone
     sums: NDArray[np.float64]  # (SUM_ROWS, INTEGRATED)
-    storeys: NDArray[np.float64]  # (2, fixed-base modes)
+    storeys: NDArray[
+        np.float64
+    ]  # (2, 2, fixed-base modes): displacement and velocity, in the middle and at the end
     rates: NDArray[np.float64]  # (3, RATE_COLUMNS): at the start, in the middle, at the end
     slab: NDArray[np.float64]  # (3, SLAB_COLUMNS): at the start, in the middle, at the end
     half: NDArray[np.complex128]  # (modes,)

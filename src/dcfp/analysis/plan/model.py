@@ -68,7 +68,7 @@ def plan_model(plan: Plan, interval: float) -> PlanModel:
         carried=np.zeros((6, k.FORCE_COLUMNS)),
         drive=np.zeros((3, DRIVES)),
         sums=np.zeros((SUM_ROWS, INTEGRATED)),
-        storeys=np.zeros((2, len(linear.fixed))),
+        storeys=np.zeros((2, 2, len(linear.fixed))),
         rates=np.zeros((3, RATE_COLUMNS)),
         slab=np.zeros((3, SLAB_COLUMNS)),
         half=np.zeros(linear.roots.size, np.complex128),
