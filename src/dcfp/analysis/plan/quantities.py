@@ -94,14 +94,15 @@ def level_peaks(response: "PlanResponse") -> list[LevelPeaks]:
     shears, tipping = _storey_forces(response)
     storeys = np.array([one.height for one in plan.storeys])
     drifts, corners = response.peak_drift, _at_corners(response, response.drift)
+    accelerations = _accelerations(response)
     slab = LevelPeaks(
-        0, 0.0, *_accelerations(response)[0], None, None, None, shears[0], shears[0] / plan.weight, tipping[0]
+        0, 0.0, *accelerations[0], None, None, None, shears[0], shears[0] / plan.weight, tipping[0]
     )  # fmt: skip
     floors = [
         LevelPeaks(
             i + 1,
             float(heights[i + 1]),
-            *_accelerations(response)[i + 1],
+            *accelerations[i + 1],
             float(drifts[i]),
             _over(float(drifts[i]), float(storeys[i])),
             _over(float(corners[i]), float(storeys[i])),

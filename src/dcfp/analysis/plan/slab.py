@@ -46,7 +46,9 @@ class SlabResponse(HistoryResult):
     def of_modes(self, rows: NDArray[np.complex128], modes: NDArray[np.complex128]) -> FloatArray:
         """Return what complex modes, shape (n, modes), sum to by `rows`, shape (rows, modes): the real part, shape (n, rows)."""
         turns = np.flatnonzero(self.model.modes.roots.imag)  # the others have no imaginary part
-        return modes.real @ rows.real.T - modes.imag[:, turns] @ rows.imag[:, turns].T
+        # whole arrays: parts of complex ones are multiplied without the library
+        real, imaginary = np.ascontiguousarray(modes.real), np.ascontiguousarray(modes.imag[:, turns])
+        return real @ rows.real.T - imaginary @ rows.imag[:, turns].T
 
     @property
     def slab_motion(self) -> FloatArray:
