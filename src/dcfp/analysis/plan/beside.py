@@ -1,6 +1,6 @@
 """A building beside the same building without one of its properties: a rigid structure, softer springs, and what each cause does to the corners."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -53,8 +53,7 @@ class BesideOthers:
         response = self.response
         still = not response.motion.y.acceleration.any()
         alone = (f"{response.name}: one component alone moves the building, in x.",) if still else ()
-        spring = (self.spring_remark,) if response.plan.storeys else ()
-        return (*alone, *response.remarks, *spring)
+        return (*alone, *response.remarks)
 
     @property
     def document(self) -> dict[str, Any]:
@@ -70,6 +69,15 @@ class BesideOthers:
             f"{self.response.name}: floor accelerations depend on the stiffness kf of spring (b), which tests hardly show: the largest is {own:.2f} m/s2,"
             f" and {other:.2f} m/s2 with kf {SOFTER:g} times softer."
         )
+
+
+def remarks_on(found: Sequence[BesideOthers]) -> list[tuple[str, ...]]:
+    """Return the remarks on each of several analyses; what the floors owe to spring (b) is said of the one whose floors are accelerated most."""
+    worst = max(found, key=lambda one: float(one.response.peak_floor_acceleration.max()))
+    return [
+        (*one.remarks, one.spring_remark) if one is worst and one.response.plan.storeys else one.remarks
+        for one in found
+    ]
 
 
 class Cause(NamedTuple):

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from dcfp.analysis.integration import Integration
 from dcfp.analysis.plan import PlanResponse, respond_plan
-from dcfp.analysis.plan.beside import BesideOthers, Cause, separate_causes
+from dcfp.analysis.plan.beside import BesideOthers, Cause, remarks_on, separate_causes
 from dcfp.analysis.plan.quantities import bearing_table, level_table, worst_corner
 from dcfp.doors.cli import inputs
 from dcfp.doors.cli.commands import LINKS, REPORTS
@@ -71,7 +71,7 @@ def run(chosen: argparse.Namespace) -> Answer:
     alone = len(motions) == 1
     figure = drawn("plan.plot_plan_response", responses[0]) if alone else drawn("plan.plot_plans", responses)
     return Answer(
-        lambda: [_document(one) for one in found],
+        lambda: [_document(*one) for one in zip(found, _remarks(found), strict=True)],
         lambda: _page(found),
         lambda part, kind: _write(part, kind, found, chosen, settings, alone=alone),
         figure,
@@ -127,14 +127,18 @@ def _write(
     return None
 
 
-def _document(one: BesideOthers) -> dict[str, Any]:
+def _document(one: BesideOthers, remarks: list[str]) -> dict[str, Any]:
     response = one.response
     torsion = Table(TORSION, code_torsion(response.plan, response.peak_displacement)).objects()
-    return {**one.document, "torsion": torsion, "remarks": _remarks(one)}
+    return {**one.document, "torsion": torsion, "remarks": remarks}
 
 
-def _remarks(one: BesideOthers) -> list[str]:
-    return [*motion_remarks(one.response.motion, with_scale=False), *one.remarks]
+def _remarks(found: Sequence[BesideOthers]) -> list[list[str]]:
+    """Return the remarks on each analysis and its motion."""
+    return [
+        [*motion_remarks(one.response.motion, with_scale=False), *remarks]
+        for one, remarks in zip(found, remarks_on(found), strict=True)
+    ]
 
 
 def _page(found: Sequence[BesideOthers]) -> Page:
@@ -143,7 +147,9 @@ def _page(found: Sequence[BesideOthers]) -> Page:
     blocks.append(grid(Table(tuple(first.quantities.values()), [one.response for one in found])))
     if len(found) == 1:
         blocks += _details(found[0])
-    remarks = grouped((one.response.name, remark) for one in found for remark in _remarks(one))
+    remarks = grouped(
+        (one.response.name, remark) for one, own in zip(found, _remarks(found), strict=True) for remark in own
+    )
     return Page(blocks, remarks)
 
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from dcfp.analysis.integration import Integration
 from dcfp.analysis.plan import PlanResponse
-from dcfp.analysis.plan.beside import BesideOthers
+from dcfp.analysis.plan.beside import BesideOthers, remarks_on
 from dcfp.analysis.plan.quantities import bearing_table, level_table, worst_corner
 from dcfp.analysis.response import Status
 from dcfp.kernels._jit import source_digest
@@ -248,8 +248,8 @@ def _akiyama(one: BesideOthers) -> str:
 
 def _remarks(found: Sequence[BesideOthers]) -> doc.Section:
     remarks: list[str] = []
-    for one in found:
-        remarks += [*motion_remarks(one.response.motion, with_scale=False), *one.remarks]
+    for one, own in zip(found, remarks_on(found), strict=True):
+        remarks += [*motion_remarks(one.response.motion, with_scale=False), *own]
     items = tuple((remark,) for remark in dict.fromkeys(remarks))
     return doc.Section(
         "Remarks and limits",
