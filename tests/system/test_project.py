@@ -117,6 +117,7 @@ WRONG = {
     "no such type": (('type = "A"', 'type = "B"'), 9, "there is no type of bearing 'B'; the project has A."),
     "no such law": (('law = "li2020"', 'law = "li2021"'), 5, "[bearing.A.friction]: there is no friction law 'li2021'"),
     "no such parameter of a bearing": (("slider = 400", "slidr = 400"), 4, "did you mean 'slider'?"),
+    "a slider too small": (("slider = 400", "slider = 12"), 3, "under the mean load of its bearings, 5000 kN"),
     "no weight": (('weight = "120 MN"', ""), 11, "give the weight of the building"),
     "weight and mass": (('weight = "120 MN"', 'weight = "120 MN"\nmass = 3'), 12, "give either weight or mass, not both"),
     "not a weight": (('weight = "120 MN"', 'weight = "120 m"'), 12, "with which 'm' is not compatible"),
@@ -138,6 +139,12 @@ def test_whatever_is_wrong_is_said_with_its_line(case: str, tmp_path: Path) -> N
     sentence = str(caught.value)
     assert f"project.toml, line {line}: " in sentence
     assert words in sentence
+
+
+def test_a_mark_of_the_byte_order_and_ends_of_lines_of_windows(tmp_path: Path) -> None:
+    path = tmp_path / "project.toml"
+    path.write_bytes(b"\xef\xbb\xbf" + TEXT.replace("\n", "\r\n").encode())
+    assert read_plan(path).count == 24
 
 
 def test_a_period_without_storeys_is_refused(tmp_path: Path) -> None:

@@ -55,7 +55,7 @@ def parse_toml(content: bytes, path: str | Path) -> tuple[dict[str, Any], dict[W
         If it is not TOML.
     """
     try:
-        text = content.decode("utf-8")
+        text = content.decode("utf-8-sig")  # some editors put a mark of the byte order first
         return tomllib.loads(text), lines_of(text)
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         msg = f"{path}: this is not TOML ({error})."

@@ -276,8 +276,10 @@ def _at_their_loads(
         if has_pressure or not own:
             made[name] = system
             continue
-        pressure = math.fsum(own) / len(own) / system.bearing.slider_area
-        where = whole.of("bearing", name, label=f"[bearing.{name}]")
+        load = math.fsum(own) / len(own)
+        pressure = load / system.bearing.slider_area
+        label = f"[bearing.{name}] under the mean load of its bearings, {load / 1e3:.0f} kN"
+        where = whole.of("bearing", name, label=label)
         bearing = build(system.bearing.changed, {"pressure": pressure}, where)
         made[name] = replace(system, bearing=bearing)
     return tuple(made[one.type] for one, _ in supports)
