@@ -147,6 +147,13 @@ def test_a_mark_of_the_byte_order_and_ends_of_lines_of_windows(tmp_path: Path) -
     assert read_plan(path).count == 24
 
 
+def test_what_is_nested_too_deep_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "project.toml"
+    path.write_text("x = " + "[" * 5000 + "]" * 5000)
+    with pytest.raises(InputError, match="too deep to be read"):
+        read_plan(path)
+
+
 def test_a_period_without_storeys_is_refused(tmp_path: Path) -> None:
     text = TEXT[: TEXT.index("[[storey]]")]
     (tmp_path / "project.toml").write_text(text)

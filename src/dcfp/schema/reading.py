@@ -60,6 +60,9 @@ def parse_toml(content: bytes, path: str | Path) -> tuple[dict[str, Any], dict[W
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         msg = f"{path}: this is not TOML ({error})."
         raise InputError(msg) from error
+    except RecursionError:
+        msg = f"{path}: lists and tables stand in each other too deep to be read."
+        raise InputError(msg) from None
 
 
 @contextmanager

@@ -248,3 +248,12 @@ def test_a_general_plan_balances_its_weight() -> None:
     loads = plan.static_loads
     assert loads.sum() * 1e-3 == pytest.approx(plan.mass * STANDARD_GRAVITY * 1e-3)
     np.testing.assert_allclose(loads @ corner / loads.sum(), (3000.0, 5500.0))
+
+
+def test_what_is_beyond_the_arithmetic_is_said() -> None:
+    storeys = tuple(Storey(MASS / 4, (1.0, 1e12), 3500.0) for _ in range(3))
+    response = respond_plan(eccentric(HEATED, storeys=storeys), station(), tail=0.0)
+    told = any("energy balance closes only" in one for one in response.remarks)
+    assert told == (response.energy.relative_residual > 1e-9)
+    assert told
+    assert not any("energy balance" in one for one in everything().remarks)

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dcfp.analysis.assumptions import LARGEST_RESIDUAL
 from dcfp.analysis.plan.model import LEAST_RATIO
 from dcfp.kernels import plan_end as e
 
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
 def remarks_of(response: "PlanResponse") -> tuple[str, ...]:
     """Return the sentences."""
     found = [
+        *_energy(response),
         *_capacity(response),
         *_rest(response),
         *_uplift(response),
@@ -22,6 +24,15 @@ def remarks_of(response: "PlanResponse") -> tuple[str, ...]:
         *_laws(response),
     ]
     return tuple(found)
+
+
+def _energy(response: "PlanResponse") -> list[str]:
+    residual = response.energy.relative_residual
+    if residual <= LARGEST_RESIDUAL:
+        return []
+    return [
+        f"{response.name}: the energy balance closes only to {residual:.1e} of the input, so that no number here is to be trusted; storeys whose stiffnesses or masses lie many powers of ten apart are beyond the arithmetic."
+    ]
 
 
 def _capacity(response: "PlanResponse") -> list[str]:

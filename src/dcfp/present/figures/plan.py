@@ -151,26 +151,12 @@ def plot_profiles(response: "PlanResponse", panels: Any = None) -> Any:
     ratio = all(one.drift_ratio is not None for one in above)
     drifts = [100.0 * (one.drift_ratio or 0.0) if ratio else one.drift or 0.0 for one in above]
     corner = [100.0 * (one.corner_drift_ratio or 0.0) for one in above] if ratio else []
-    style.draw_line(
-        panels[0],
-        [one.acceleration / 1e3 for one in levels],
-        heights,
-        style.BLUE,
-        1.0,
-        marker="o",
-        markersize=2.5,
-        label="centre",
-    )
-    style.draw_line(
-        panels[0],
-        [one.corner_acceleration / 1e3 for one in levels],
-        heights,
-        style.OCHRE,
-        1.0,
-        marker="o",
-        markersize=2.5,
-        label="corner",
-    )
+    dots: dict[str, Any] = {"marker": "o", "markersize": 2.5}
+    for values, colour, label in (
+        ([one.acceleration for one in levels], style.BLUE, "centre"),
+        ([one.corner_acceleration for one in levels], style.OCHRE, "corner"),
+    ):
+        style.draw_line(panels[0], [one / 1e3 for one in values], heights, colour, 1.0, label=label, **dots)
     for values, colour in ((drifts, style.BLUE), (corner, style.OCHRE)):
         if values:
             # a drift is that of a whole storey
@@ -181,15 +167,7 @@ def plot_profiles(response: "PlanResponse", panels: Any = None) -> Any:
     style.draw_marks(
         panels[2], [levels[0].shear / 1e6], [0.0], "o", 4.0, style.RED, label="base shear", clip_on=False
     )
-    style.draw_line(
-        panels[3],
-        [one.overturning / 1e9 for one in levels],
-        heights,
-        style.BLUE,
-        1.0,
-        marker="o",
-        markersize=2.5,
-    )
+    style.draw_line(panels[3], [one.overturning / 1e9 for one in levels], heights, style.BLUE, 1.0, **dots)
     drift = "drift over height [%]" if ratio else "drift [mm]"
     for panel, label in zip(panels, ("$a$ [m/s²]", drift, "shear [MN]", "overturning [MN m]"), strict=True):
         style.label_axes(panel, label, "", 4, 6)
