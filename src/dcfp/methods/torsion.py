@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 #: Accidental eccentricity of both codes, in parts of a side.
 ACCIDENTAL = 0.05
+#: Distance up to which bearings stand in one place and hold nothing against rotation [mm].
+_ONE_PLACE = 1.0
 
 
 class CodeTorsion(NamedTuple):
@@ -46,7 +48,7 @@ def code_torsion(plan: "Plan", displacement: float) -> tuple[CodeTorsion, ...]:
     """Return what the codes say of the corners of a building that is displaced so far [mm].
 
     The stiffness of a bearing is the effective one at that displacement under its static load, with the centre of mass where it is without accidental eccentricity;
-    to what is left of an eccentricity 5 % of a side is added, as both codes prescribe: ASCE 7 of the longer side, NTC 2018 (whose formulas Eurocode 8 has too) of the side across the shaking.
+    to what is left of an eccentricity 5 % of a side is added, as both codes prescribe: ASCE 7 of the longer side, NTC 2018 (whose formulas Eurocode 8 has too) of the side across the shaking. They say nothing of bearings in one place.
     """
     nominal = plan.without_accident
     stiffness = _effective_stiffnesses(nominal, max(displacement, 1.0))
@@ -55,6 +57,8 @@ def code_torsion(plan: "Plan", displacement: float) -> tuple[CodeTorsion, ...]:
     )
     rigidity = stiffness @ nominal.places / stiffness.sum()
     places = (nominal.places - rigidity) @ turn
+    if not np.abs(places).max() > _ONE_PLACE:
+        return ()
     corners = (nominal.corners - rigidity) @ turn
     own = np.abs((np.array(nominal.mass_centre) - rigidity) @ turn)
     return _asce(plan, places, corners, own), _ntc(plan, places, corners, own, stiffness)

@@ -149,6 +149,21 @@ def test_a_script_for_opensees_and_links_for_sap2000(run, project: Path, tmp_pat
     assert "one station at one PGV" in outcome.err
 
 
+def test_one_bearing_has_no_torsion_of_codes(run, tmp_path: Path) -> None:
+    path = tmp_path / "one.toml"
+    path.write_text(
+        '[bearing.A]\n[plan]\nbearings = [{ x = 0, y = 0, type = "A" }]\n[building]\nweight = "7.5 MN"\n'
+    )
+    words = ("building", path, "P695-FF-2", "--pgv", "0.5", "--tail", "0")
+    (found,) = json.loads(run(*words, "--json").out)
+    (plane,) = json.loads(run("respond", "P695-FF-2", "--pgv", "0.5", "--tail", "0", "--heating", "simplified", "--pressure", str(7.5e6 / (np.pi * 200.0**2)), "--json").out)  # fmt: skip
+    assert found["torsion"] == []
+    assert found["y_max_mm"] == pytest.approx(plane["y_max_mm"], rel=1e-4)
+    outcome = run(*words, "--out", tmp_path / "one.html")
+    assert (outcome.status, outcome.err) == (0, "")
+    assert "Torsion by codes" not in outcome.out
+
+
 def test_a_project_to_start_from(run, tmp_path: Path) -> None:
     path = tmp_path / "hospital.toml"
     assert run("building", "--example", path).status == 0
@@ -191,6 +206,7 @@ def test_one_component_alone_moves_it_in_x(run, project: Path) -> None:
         (("--pressure", "60"), "the types of bearings and their loads are those of"),
         (("--storeys", "3"), "is for a building of equal storeys"),
         (("--causes", "--floor-spectra"), "give one of the two"),
+        (("--causes", "--no-overturning"), "adds overturning as one of them"),
         (("--heating", "precise"), "heated at one point each"),
         (("other.toml",), "name one project"),
         (("--out", "x.xlsx"), ".nc"),

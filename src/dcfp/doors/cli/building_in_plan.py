@@ -181,13 +181,10 @@ def _details(one: BesideOthers) -> list[Block]:
         ("Torque", f"{abs(response.torque).max() / 1e6:.0f} kN m, rotation {response.peak_rotation:.2g} rad"),
         ("Energy", f"V_E {response.input_velocity / 1e3:.3f} m/s{_akiyama(one)}; residual of the balance {response.energy.relative_residual:.1e}"),
     ]  # fmt: skip
-    blocks: list[Block] = [
-        lines,
-        (
-            "Torsion by codes, corner over centre",
-            grid(Table(TORSION, code_torsion(plan, response.peak_displacement))),
-        ),
-    ]
+    blocks: list[Block] = [lines]
+    torsion = code_torsion(plan, response.peak_displacement)
+    if torsion:
+        blocks.append(("Torsion by codes, corner over centre", grid(Table(TORSION, torsion))))
     blocks.append(("Bearings", grid(bearing_table(response))))
     blocks.append(("Slab and floors" if plan.storeys else "Slab", grid(level_table(response))))
     return blocks

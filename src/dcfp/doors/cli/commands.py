@@ -160,6 +160,9 @@ def _check_building(chosen: argparse.Namespace) -> None:
     if chosen.link_temperature is not None and Path(chosen.out or "").suffix.lower() != LINKS:
         msg = f"--link-temperature is for links of SAP2000; write them with --out FILE{LINKS}."
         raise InputError(msg)
+    if chosen.causes and chosen.no_overturning:
+        msg = "--causes adds overturning as one of them; leave out --no-overturning."
+        raise InputError(msg)
     if chosen.causes and chosen.floor_spectra:
         msg = "--causes and --floor-spectra answer different questions; give one of the two."
         raise InputError(msg)

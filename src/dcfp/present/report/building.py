@@ -217,11 +217,15 @@ def _case(place: int, one: BesideOthers) -> doc.Section:
         ("Input energy", f"equivalent velocity {response.input_velocity:.0f} mm/s{_akiyama(one)}"),
         ("Energy balance", f"residual over the largest input {doc.powered(response.energy.relative_residual)}"),
     ]  # fmt: skip
-    torsion = schema.Table(TORSION, code_torsion(response.plan, response.peak_displacement))
+    torsion = code_torsion(response.plan, response.peak_displacement)
     words = f"Plan with the paths of the bearings and their temperatures, histories{', and profiles over the height' if response.plan.storeys else ''}, {_label(response)}"
     blocks: list[doc.Block] = [
         doc.named_values(rows),
-        table_of(torsion, "Corner over centre by the torsion formulas of codes"),
+        *(
+            (table_of(schema.Table(TORSION, torsion), "Corner over centre by the torsion formulas of codes"),)
+            if torsion
+            else ()
+        ),
         doc.Drawing(draw, words),
         table_of(bearing_table(response)),
         table_of(level_table(response)),
