@@ -109,6 +109,7 @@ WRONG = {
     "a bearing outside": (("[building]", '[building]\nsides = [20, 18]'), 9, "stands outside the slab, which reaches from (5, 0) m to (25, 18) m"),
     "a bearing of the list outside": (("[plan]\n" + GRID + "\n\n[building]", "[plan]\n" + listed('{ x = 50, y = 6, type = "A" }') + "\n[building]\nsides = [30, 20]"), 11, "Bearing 26 at (50, 6) m"),
     "a centre outside": (("eccentricity = [0.05, 0.05]", "centre = [40, 9]"), 13, "The centre of mass, (40, 9) m, lies outside the slab"),
+    "a centre of a storey outside": (("stiffness = 1000", "stiffness = 1000\ncentre = [1600, 9]"), 11, "The centre of mass of storey 1, (1600, 9) m, lies outside the slab"),
     "a centre that lifts": (("eccentricity = [0.05, 0.05]", "centre = [29, 9]"), 13, "would lift off at rest"),
     "a negative storey": (("height = 4\n", "height = -4\n"), 20, "[[storey]] 1: height"),
     "a negative mass": (('weight = "12 MN"', "mass = -3"), 21, "[[storey]] 1: mass"),

@@ -157,6 +157,10 @@ class Plan(Declared):
         if not self._holds(self.mass_centre):
             msg = f"The centre of mass, {_metres(self.mass_centre)}, lies outside the slab, which reaches {self._extent}."
             raise InputError(msg, at="centre")
+        for i, storey in enumerate(self.storeys, 1):
+            if storey.centre is not None and not self._holds(storey.centre):
+                msg = f"The centre of mass of storey {i}, {_metres(storey.centre)}, lies outside the slab, which reaches {self._extent}."
+                raise InputError(msg)
         lightest = int(self.static_loads.argmin())
         if self.static_loads[lightest] <= 0.0:
             msg = f"With the centre of mass at {_metres(self.mass_centre)} bearing {lightest + 1} at {_metres(self.places[lightest])} would lift off at rest."

@@ -11,7 +11,8 @@ from dcfp.analysis.plan import PlanResponse, respond_plan
 from dcfp.analysis.plan.beside import BesideOthers, Cause, remarks_on, separate_causes
 from dcfp.analysis.plan.quantities import bearing_table, level_table, worst_corner
 from dcfp.doors.cli import inputs
-from dcfp.doors.cli.commands import LINKS, REPORTS
+from dcfp.doors.cli.building_command import LINKS
+from dcfp.doors.cli.commands import REPORTS
 from dcfp.doors.cli.console import Block, Page, each_that_can, grid, grouped, progress
 from dcfp.doors.cli.outputs import Answer, drawn
 from dcfp.doors.cli.respond import SCRIPT

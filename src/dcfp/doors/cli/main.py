@@ -5,6 +5,7 @@ import sys
 from collections.abc import Mapping, Sequence
 from textwrap import fill
 
+from dcfp.doors.cli import building_command as building_command
 from dcfp.doors.cli import study_commands
 from dcfp.doors.cli.commands import COMMANDS, Command
 from dcfp.doors.cli.outputs import complain, deliver, outputs_of
